@@ -35,7 +35,7 @@
 #include "ui/tools/growth/FloodFillTool.h"
 #include "ui/tools/growth/PaintTool.h"
 #include "ui/tools/growth/SeedTool.h"
-#include "ui/tools/growth/SegmentScissorsTool.h"
+#include "ui/tools/scissors/SegmentScissorsTool.h"
 #include "ui/tools/growth/ShrinkTool.h"
 #include "ui/tools/nudge/NudgeTool.h"
 #include "ui/tools/refine/ChunkTool.h"

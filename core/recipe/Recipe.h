@@ -21,8 +21,7 @@ struct Recipe {
     std::optional<SessionSource> study; ///< the study on which it was recorded, if stated
     std::vector<RecipeStep> steps;
     std::vector<int> entries{}; ///< their numbers in the file, from 1; empty: 1, 2, 3 …
-    /// steps that get their "surface" from fillSurfaces()
-    std::vector<std::size_t> withoutSurface{};
+    std::vector<std::size_t> withoutSurface{}; ///< steps whose "surface" fillSurfaces() sets
     std::vector<RecipeExport> exports;
 };
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/session/SegmentWork.h"
 
-#include "core/session/operations/AbortableOperation.h"
 #include "core/session/operations/OperationQueue.h"
 
 #include <algorithm>

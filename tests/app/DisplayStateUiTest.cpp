@@ -15,7 +15,7 @@
 #include "ui/tools/contour/ContourTool.h"
 #include "ui/tools/growth/FillOutlineTool.h"
 #include "ui/tools/growth/FloodFillTool.h"
-#include "ui/tools/growth/SegmentScissorsTool.h"
+#include "ui/tools/scissors/SegmentScissorsTool.h"
 #include "ui/tools/nudge/NudgeTool.h"
 #include "ui/tools/sculpt/PeelTool.h"
 #include "ui/tools/sculpt/ScissorsTool.h"

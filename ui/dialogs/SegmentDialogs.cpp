@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/dialogs/SegmentDialogs.h"
 
-#include "ui/dialogs/BetweenSlicesDialog.h"
-#include "ui/dialogs/ReshapeDialog.h"
-#include "ui/dialogs/SplitIslandsDialog.h"
-#include "ui/dialogs/ThresholdDialog.h"
+#include "ui/dialogs/segment/BetweenSlicesDialog.h"
+#include "ui/dialogs/segment/ReshapeDialog.h"
+#include "ui/dialogs/segment/SplitIslandsDialog.h"
+#include "ui/dialogs/segment/ThresholdDialog.h"
 #include "ui/workspace/Workspace.h"
 
 namespace ui {

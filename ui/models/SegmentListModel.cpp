@@ -28,13 +28,11 @@ QString millilitreText(std::int64_t voxels, double voxelVolumeMm3)
 }
 
 SegmentListModel::SegmentListModel(Workspace& workspace, QObject* parent)
-    : QAbstractListModel(parent)
+    : SegmentRows(parent)
     , m_workspace(workspace)
 {
     connect(&workspace, &Workspace::sessionChanged, this, [this] {
-        beginResetModel();
-        m_labels.clear();
-        endResetModel();
+        clearRows();
         refresh();
     });
     connect(
@@ -50,37 +48,16 @@ SegmentListModel::SegmentListModel(Workspace& workspace, QObject* parent)
 
 void SegmentListModel::refresh()
 {
-    std::vector<int> labels;
-    if (const core::EditSession* session = m_workspace.session()) {
-        for (const core::Segment& segment : session->document().segments)
-            labels.push_back(segment.label);
-    }
-    const auto apart =
-        std::mismatch(m_labels.begin(), m_labels.end(), labels.begin(), labels.end());
-    const int kept = int(apart.first - m_labels.begin());
-    if (kept < int(m_labels.size())) {
-        beginRemoveRows({}, kept, int(m_labels.size()) - 1);
-        m_labels.resize(std::size_t(kept));
-        endRemoveRows();
-    }
-    if (kept < int(labels.size())) {
-        beginInsertRows({}, kept, int(labels.size()) - 1);
-        m_labels = std::move(labels);
-        endInsertRows();
-    }
-    if (!m_labels.empty())
-        Q_EMIT dataChanged(index(0), index(int(m_labels.size()) - 1));
-}
-
-int SegmentListModel::rowCount(const QModelIndex& parent) const
-{
-    return parent.isValid() ? 0 : int(m_labels.size());
+    const core::EditSession* session = m_workspace.session();
+    followSegments(session ? &session->document() : nullptr);
+    if (!labels().empty())
+        Q_EMIT dataChanged(index(0), index(int(labels().size()) - 1));
 }
 
 int SegmentListModel::rowOf(int label) const
 {
-    const auto found = std::find(m_labels.begin(), m_labels.end(), label);
-    return found == m_labels.end() ? -1 : int(found - m_labels.begin());
+    const auto found = std::find(labels().begin(), labels().end(), label);
+    return found == labels().end() ? -1 : int(found - labels().begin());
 }
 
 const core::Segment* SegmentListModel::segmentAt(const QModelIndex& index) const
@@ -88,7 +65,7 @@ const core::Segment* SegmentListModel::segmentAt(const QModelIndex& index) const
     const core::EditSession* session = m_workspace.session();
     if (!session || !checkIndex(index, CheckIndexOption::IndexIsValid))
         return nullptr;
-    return session->document().segment(m_labels[std::size_t(index.row())]);
+    return session->document().segment(labels()[std::size_t(index.row())]);
 }
 
 QString SegmentListModel::followsText(const core::Segment& segment) const

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/document/Document.h"
+#include "ui/models/SegmentRows.h"
 
 #include <QAbstractListModel>
 
@@ -11,7 +12,7 @@ class Workspace;
 
 /// Item model of the document's segments in their order. Names, colours and codes are changed
 /// through the session, as steps of undo; visibility is display state.
-class SegmentListModel : public QAbstractListModel {
+class SegmentListModel : public SegmentRows<QAbstractListModel> {
     Q_OBJECT
 
 public:
@@ -33,7 +34,6 @@ public:
 
     explicit SegmentListModel(Workspace& workspace, QObject* parent = nullptr);
 
-    [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
     [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
     bool setData(const QModelIndex& index, const QVariant& value, int role) override;
     [[nodiscard]] Qt::ItemFlags flags(const QModelIndex& index) const override;
@@ -47,7 +47,6 @@ private:
     bool change(const core::Segment& segment, const QVariant& value, int role);
 
     Workspace& m_workspace;
-    std::vector<int> m_labels; ///< what the views were last told
 };
 
 /// "9.84 mL": two digits below 10, one below 1000, none above; "—" for nothing.

@@ -101,14 +101,12 @@ QString sizeNumber(double size)
 
 StatisticsModel::StatisticsModel(
     Workspace& workspace, const LiveStatistics& statistics, QObject* parent)
-    : QAbstractTableModel(parent)
+    : SegmentRows(parent)
     , m_workspace(workspace)
     , m_statistics(statistics)
 {
     connect(&workspace, &Workspace::sessionChanged, this, [this] {
-        beginResetModel();
-        m_labels.clear();
-        endResetModel();
+        clearRows();
         refresh();
     });
     connect(
@@ -129,34 +127,13 @@ int StatisticsModel::columnOf(const QString& key)
 
 void StatisticsModel::refresh()
 {
-    std::vector<int> labels;
-    if (const core::EditSession* session = m_workspace.session()) {
-        for (const core::Segment& segment : session->document().segments)
-            labels.push_back(segment.label);
-    }
-    const auto apart =
-        std::mismatch(m_labels.begin(), m_labels.end(), labels.begin(), labels.end());
-    const int kept = int(apart.first - m_labels.begin());
-    if (kept < int(m_labels.size())) {
-        beginRemoveRows({}, kept, int(m_labels.size()) - 1);
-        m_labels.resize(std::size_t(kept));
-        endRemoveRows();
-    }
-    if (kept < int(labels.size())) {
-        beginInsertRows({}, kept, int(labels.size()) - 1);
-        m_labels = std::move(labels);
-        endInsertRows();
-    }
-    if (m_labels.empty())
+    const core::EditSession* session = m_workspace.session();
+    followSegments(session ? &session->document() : nullptr);
+    if (labels().empty())
         return;
-    const int last = int(m_labels.size()) - 1;
+    const int last = int(labels().size()) - 1;
     Q_EMIT dataChanged(index(0, 0), index(last, columnCount() - 1));
     Q_EMIT headerDataChanged(Qt::Vertical, 0, last);
-}
-
-int StatisticsModel::rowCount(const QModelIndex& parent) const
-{
-    return parent.isValid() ? 0 : int(m_labels.size());
 }
 
 int StatisticsModel::columnCount(const QModelIndex& parent) const
@@ -167,8 +144,8 @@ int StatisticsModel::columnCount(const QModelIndex& parent) const
 const core::Segment* StatisticsModel::segmentAt(int row) const
 {
     const core::EditSession* session = m_workspace.session();
-    return session && row >= 0 && row < int(m_labels.size())
-        ? session->document().segment(m_labels[std::size_t(row)])
+    return session && row >= 0 && row < int(labels().size())
+        ? session->document().segment(labels()[std::size_t(row)])
         : nullptr;
 }
 
@@ -181,7 +158,7 @@ bool StatisticsModel::isInVoxels() const
 /// Where the spacing is unknown, what an export writes are millimetres that nobody has measured.
 std::optional<double> StatisticsModel::numberAt(int row, int column) const
 {
-    const core::SegmentStatistics* measured = m_statistics.of(m_labels[std::size_t(row)]);
+    const core::SegmentStatistics* measured = m_statistics.of(labels()[std::size_t(row)]);
     if (!measured)
         return std::nullopt;
     const StatisticsColumn& facts = factsOfColumn(column);

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "ui/models/SegmentRows.h"
+
 #include <QAbstractTableModel>
 
 #include <optional>
-#include <vector>
 
 namespace core {
 struct Segment;
@@ -19,7 +20,7 @@ class Workspace;
 /// Item model of the statistics of segments (measure/LiveStatistics.h): a row per segment in the
 /// document's order, a column per number. Its numbers are those that an export writes. The name is
 /// in column 0, and with the colour in the vertical header.
-class StatisticsModel : public QAbstractTableModel {
+class StatisticsModel : public SegmentRows<QAbstractTableModel> {
     Q_OBJECT
 
 public:
@@ -34,7 +35,6 @@ public:
     StatisticsModel(
         Workspace& workspace, const LiveStatistics& statistics, QObject* parent = nullptr);
 
-    [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
     [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
     [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
     [[nodiscard]] QVariant headerData(
@@ -54,7 +54,6 @@ private:
 
     Workspace& m_workspace;
     const LiveStatistics& m_statistics;
-    std::vector<int> m_labels; ///< what the views were last told
 };
 
 } // namespace ui

@@ -4,7 +4,11 @@
 #include "core/document/Document.h"
 #include "core/edits/answers/EditAnswers.h"
 
+#include <optional>
+
 namespace core {
+
+struct EditableRange;
 
 // Parts from which check() of several edits is made.
 
@@ -41,5 +45,11 @@ template <class E> [[nodiscard]] Result<void> checkApplied(const E& edit, const 
         return failure(ErrorCode::SegmentLocked, segment->name);
     return segment;
 }
+
+/// Whether a segment may gain and lose voxels, in a range that an engine understands.
+/// @param edit its name, for messages
+/// Errors: UnknownSegment, SegmentLocked, InvalidField (the range's, which comes first).
+[[nodiscard]] Result<void> checkEditable(int label, const std::optional<EditableRange>& range,
+    const Document& document, const char* edit);
 
 } // namespace core

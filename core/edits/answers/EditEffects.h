@@ -81,4 +81,14 @@ template <class E> [[nodiscard]] constexpr EditTask engineTask()
         .boundToStudy = boundToStudy};
 }
 
+/// The effects of an edit that gives a segment voxels, or takes some, which are worked out first.
+[[nodiscard]] inline EditEffects workedOutEffects(int segment, bool boundToStudy)
+{
+    return {.task = EditTask::Islands,
+        .standsOpen = false,
+        .writesTo = segment,
+        .fills = {.label = segment},
+        .boundToStudy = boundToStudy};
+}
+
 } // namespace core

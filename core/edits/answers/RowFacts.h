@@ -38,6 +38,13 @@ struct RowFacts {
     const Document& document; ///< as it is before the edit
     const Past& past; ///< before the row
     std::optional<SketchedTitle> sketched{}; ///< of a SeedStroke; none: nobody asked
+
+    /// What a segment gained and lost; if there is none, its number in the first plane.
+    [[nodiscard]] LabelFlow flowOf(int label) const
+    {
+        const Segment* segment = document.segment(label);
+        return facts.flow(segment ? segment->plane : std::uint8_t(0), label);
+    }
 };
 
 } // namespace core

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/edits/answers/RowWords.h"
 
+#include "core/edits/answers/RowFacts.h"
 #include "core/edits/kinds/parts/SegmentChoice.h"
 
 namespace core::rowWords {
@@ -18,6 +19,22 @@ RowTitle flowTitle(std::int64_t gained, std::int64_t lost)
         return figure(RowTitleCode::FlowIn, gained);
     return {
         .code = RowTitleCode::FlowInAndOut, .arguments = {TitleCount{gained}, TitleCount{lost}}};
+}
+
+RowTitle segmentChanged(RowTitleCode code, int label, const RowFacts& row)
+{
+    const LabelFlow flow = row.flowOf(label);
+    return {.code = code,
+        .arguments = {segmentName(label, row.document)},
+        .then = {flowTitle(flow.gained, flow.lost)}};
+}
+
+RowTitle voxelsOrSeedsLost(bool erases, const RowFacts& row)
+{
+    const std::int64_t voxels = row.statistics.voxelsChanged;
+    if (voxels == 0)
+        return figure(RowTitleCode::SeedVoxelsLost, row.facts.seedWordsChanged);
+    return figure(erases ? RowTitleCode::VoxelsLost : RowTitleCode::VoxelsGained, voxels);
 }
 
 QString segmentName(int label, const Document& document)

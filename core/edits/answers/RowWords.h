@@ -9,8 +9,9 @@
 #include <cstdint>
 
 namespace core {
+struct RowFacts;
 struct SegmentChoice;
-}
+} // namespace core
 
 namespace core::rowWords {
 
@@ -20,6 +21,11 @@ namespace core::rowWords {
 [[nodiscard]] RowTitle figure(RowTitleCode code, std::int64_t count);
 /// "+12 −3 voxels", or one of both; "−0 voxels" where there is none.
 [[nodiscard]] RowTitle flowTitle(std::int64_t gained, std::int64_t lost);
+/// "Mirror 'Liver', +12 −3 voxels": what was done to a segment, and what it gained and lost.
+[[nodiscard]] RowTitle segmentChanged(RowTitleCode code, int label, const RowFacts& row);
+/// "+12 voxels", or "−12 voxels" of what erases. What only takes seeds away changes no label: then
+/// it is their number.
+[[nodiscard]] RowTitle voxelsOrSeedsLost(bool erases, const RowFacts& row);
 
 // Names; the number where there is none.
 [[nodiscard]] QString segmentName(int label, const Document& document);

@@ -2,6 +2,7 @@
 #include "core/edits/engine/EditableRanges.h"
 
 #include "core/edits/engine/BoxVoxels.h"
+#include "core/edits/engine/ValueBounds.h"
 
 #include <map>
 #include <utility>
@@ -37,33 +38,30 @@ Result<std::optional<EditableVoxels>> editableVoxels(
 {
     if (!range)
         return std::optional<EditableVoxels>();
-    const QString field = QLatin1String(edit) + QStringLiteral(".editable.");
-    if (range->lower && range->upper && !(*range->lower <= *range->upper))
-        return failure(ErrorCode::InvalidField, field + QStringLiteral("upper"),
-            QStringLiteral("%1 is below lower, %2").arg(*range->upper).arg(*range->lower));
+    const QString field = QLatin1String(edit) + QStringLiteral(".editable");
     const Volume& volume = document.volumes.front();
-    EditableVoxels voxels;
-    if (range->lower)
-        voxels.lowCode = volume.encoding.lowestCodeAtLeast(*range->lower);
-    if (range->upper)
-        voxels.highCode = volume.encoding.highestCodeAtMost(*range->upper);
+    const Result<CodeInterval> codes =
+        codesBetween(field, range->lower, range->upper, volume.encoding);
+    if (!codes)
+        return tl::unexpected(codes.error());
+    EditableVoxels voxels{.lowCode = codes->low, .highCode = codes->high};
     if (range->box) {
         const Result<VoxelSpan> span =
-            voxelsOf(*range->box, volume.geometry, field + QStringLiteral("box"));
+            voxelsOf(*range->box, volume.geometry, field + QStringLiteral(".box"));
         if (!span)
             return tl::unexpected(span.error());
         voxels.box = VoxelBox{span->from, span->to + 1};
     }
     if (range->inside) {
         Result<std::vector<PlaneLabels>> inside =
-            byPlane(*range->inside, document, field + QStringLiteral("inside"));
+            byPlane(*range->inside, document, field + QStringLiteral(".inside"));
         if (!inside)
             return tl::unexpected(inside.error());
         voxels.inside = *std::move(inside);
     }
     if (range->outside) {
         Result<std::vector<PlaneLabels>> outside =
-            byPlane(*range->outside, document, field + QStringLiteral("outside"));
+            byPlane(*range->outside, document, field + QStringLiteral(".outside"));
         if (!outside)
             return tl::unexpected(outside.error());
         voxels.outside = *std::move(outside);

@@ -7,6 +7,7 @@
 #include "core/sculpt/labels/EditableVoxels.h"
 
 #include <optional>
+#include <utility>
 
 namespace core {
 
@@ -15,6 +16,18 @@ namespace core {
 /// Errors: UnknownSegment, InvalidField (bounds in the wrong order, a box outside the volume).
 [[nodiscard]] Result<std::optional<EditableVoxels>> editableVoxels(
     const std::optional<EditableRange>& range, const Document& document, const char* edit);
+
+/// A command of an engine that keeps to the range. Errors: those of editableVoxels().
+template <class Command>
+[[nodiscard]] Result<Command> keepingTo(const std::optional<EditableRange>& range,
+    const Document& document, const char* edit, Command command)
+{
+    Result<std::optional<EditableVoxels>> editable = editableVoxels(range, document, edit);
+    if (!editable)
+        return tl::unexpected(editable.error());
+    command.editable = *std::move(editable);
+    return command;
+}
 
 /// Whether it names places of the patient, which mean nothing in another study.
 [[nodiscard]] inline bool namesPlaces(const std::optional<EditableRange>& range)

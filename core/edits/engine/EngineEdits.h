@@ -46,6 +46,9 @@ template <class Command> [[nodiscard]] Result<EngineEdit> engineEditFrom(Result<
 /// UnknownSegment, SegmentLocked.
 [[nodiscard]] Result<LabelTarget> labelTarget(
     const SegmentChoice& choice, bool overwriteUnlocked, const Document& document);
+/// The same of a segment that is there already.
+[[nodiscard]] Result<LabelTarget> segmentTarget(
+    int label, bool overwriteUnlocked, const Document& document);
 
 /// The frame of a brush; of its points only the first is used, and only for a flat one. Errors:
 /// InvalidField below @p name (no point, a shape without a direction that it needs).

@@ -25,4 +25,9 @@ Result<LabelTarget> labelTarget(
     return target;
 }
 
+Result<LabelTarget> segmentTarget(int label, bool overwriteUnlocked, const Document& document)
+{
+    return labelTarget({.segment = label, .name = {}}, overwriteUnlocked, document);
+}
+
 } // namespace core

@@ -2,7 +2,6 @@
 #include "core/session/operations/ContourOperation.h"
 
 #include "core/contour/ContourRule.h"
-#include "core/edits/document/DocumentEdits.h"
 #include "core/engine/EngineCommands.h"
 
 #include <algorithm>
@@ -17,17 +16,16 @@ constexpr int codesAtOnce = 1 << 21; ///< 4 MiB; one slice where it has more
 } // namespace
 
 ContourOperation::ContourOperation(const EvolveContour& edit, RowId again)
-    : m_edit(edit)
+    : WorkedOutOperation(again)
+    , m_edit(edit)
     , m_work(std::make_shared<Work>())
-    , m_relabelling(again)
 {
 }
 
 void ContourOperation::start(SessionState& state)
 {
-    // What waited in line may meet another document than the one it was checked against.
-    if (const Result<void> checked = checkAgainst(state.document, m_edit); !checked)
-        return m_relabelling.giveUp(state, checked.error());
+    if (!mayStart(state, m_edit))
+        return;
     m_reader.emplace(state.document.volumes.front().geometry.size,
         state.document.segment(m_edit.segment)->plane);
     readLabels(state);
@@ -35,8 +33,8 @@ void ContourOperation::start(SessionState& state)
 
 void ContourOperation::readLabels(SessionState& state)
 {
-    if (m_work->progress.cancelled())
-        return m_relabelling.giveUp(state, {ErrorCode::Cancelled, {}});
+    if (!mayGoOn(state))
+        return;
     if (std::optional<ReadBricks> question = m_reader->next()) {
         m_asked = state.engine.submit(*std::move(question));
         return;
@@ -46,7 +44,7 @@ void ContourOperation::readLabels(SessionState& state)
 
 void ContourOperation::findGround(SessionState& state)
 {
-    state.side->post(
+    workAside(state,
         [this, edit = m_edit, work = m_work, document = state.document,
             reader = std::make_shared<LabelReader>(*std::move(m_reader))] {
             std::optional<Error> failed;
@@ -56,22 +54,21 @@ void ContourOperation::findGround(SessionState& state)
                 failed = ground.error();
             return SideThread::Sequel([this, failed](SessionState& known) {
                 if (failed)
-                    return m_relabelling.giveUp(known, *failed);
+                    return giveUp(known, *failed);
                 m_nextSlice = m_work->ground.box.minimum.z;
                 readCodes(known);
             });
-        },
-        [this](SessionState& known, const Error& error) { m_relabelling.giveUp(known, error); });
+        });
     m_reader.reset();
 }
 
 void ContourOperation::readCodes(SessionState& state)
 {
-    if (m_work->progress.cancelled())
-        return m_relabelling.giveUp(state, {ErrorCode::Cancelled, {}});
+    if (!mayGoOn(state))
+        return;
     VoxelBox slab = m_work->ground.box;
     if (slab.empty())
-        return m_relabelling.leaveNoRow(state);
+        return leaveNoRow(state);
     if (m_nextSlice >= slab.maximum.z)
         return evolve(state);
     const glm::ivec3 extent = slab.maximum - slab.minimum;
@@ -84,17 +81,16 @@ void ContourOperation::readCodes(SessionState& state)
 
 void ContourOperation::evolve(SessionState& state)
 {
-    state.side->post(
-        [this, edit = m_edit, work = m_work, document = state.document] {
-            auto relabel = std::make_shared<Result<RelabelListed>>(evolved(edit, document, *work));
+    workAside(
+        state, [this, edit = m_edit, work = m_work, watch = watch(), document = state.document] {
+            auto listed = std::make_shared<Result<Listed>>(evolved(edit, document, *work, *watch));
             return SideThread::Sequel(
-                [this, relabel](SessionState& known) { write(known, std::move(*relabel)); });
-        },
-        [this](SessionState& known, const Error& error) { m_relabelling.giveUp(known, error); });
+                [this, listed](SessionState& known) { write(known, m_edit, std::move(*listed)); });
+        });
 }
 
 Result<RelabelListed> ContourOperation::evolved(
-    const EvolveContour& edit, const Document& document, Work& work)
+    const EvolveContour& edit, const Document& document, Work& work, Watch& watch)
 {
     constexpr std::int64_t percents = 100;
     Result<ContourRule> rule = contourRule(edit, document);
@@ -105,44 +101,28 @@ Result<RelabelListed> ContourOperation::evolved(
         std::vector<std::uint16_t>().swap(slab);
     }
     ContourEvolution evolution(*std::move(rule), std::move(work.ground));
-    while (evolution.generation() < edit.generations && evolution.step(work.progress))
-        work.percent = int(percents * evolution.generation() / edit.generations);
-    if (work.progress.cancelled())
+    while (evolution.generation() < edit.generations && evolution.step(watch.progress))
+        watch.percent = int(percents * evolution.generation() / edit.generations);
+    if (watch.progress.cancelled())
         return failure(ErrorCode::Cancelled);
     return relabelListed(edit, document, evolution);
-}
-
-void ContourOperation::write(SessionState& state, Result<RelabelListed>&& relabel)
-{
-    if (!relabel)
-        return m_relabelling.giveUp(state, relabel.error());
-    if (m_work->progress.cancelled())
-        return m_relabelling.giveUp(state, {ErrorCode::Cancelled, {}});
-    m_isWriting = true;
-    m_relabelling.write(state, m_edit, *std::move(relabel));
 }
 
 void ContourOperation::takeResult(SessionState& state, EngineResult&& result)
 {
     if (!m_asked || result.ticket != *m_asked)
-        return m_relabelling.takeResult(state, std::move(result));
+        return takeWritten(state, std::move(result));
     m_asked.reset();
     if (result.error)
-        return m_relabelling.giveUp(state, *result.error);
+        return giveUp(state, *result.error);
     if (m_reader) {
         if (const Result<void> taken = m_reader->take(result); !taken)
-            return m_relabelling.giveUp(state, taken.error());
+            return giveUp(state, taken.error());
         return readLabels(state);
     }
     // The side thread rests meanwhile.
     m_work->slabs.push_back(std::move(result.codes));
     readCodes(state);
-}
-
-void ContourOperation::abort()
-{
-    if (isAbortable())
-        m_work->progress.cancel();
 }
 
 } // namespace core

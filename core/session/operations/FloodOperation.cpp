@@ -2,7 +2,6 @@
 #include "core/session/operations/FloodOperation.h"
 
 #include "core/brick/BrickBits.h"
-#include "core/edits/document/DocumentEdits.h"
 #include "core/engine/EngineCommands.h"
 
 #include <algorithm>
@@ -33,17 +32,15 @@ BrickBits bitsOfLabel(const BrickImage& image, std::uint8_t label)
 } // namespace
 
 FloodOperation::FloodOperation(const FloodFill& edit, RowId again)
-    : m_edit(edit)
-    , m_progress(std::make_shared<Progress>())
-    , m_relabelling(again)
+    : WorkedOutOperation(again)
+    , m_edit(edit)
 {
 }
 
 void FloodOperation::start(SessionState& state)
 {
-    // What waited in line may meet another document than the one it was checked against.
-    if (const Result<void> checked = checkAgainst(state.document, m_edit); !checked)
-        return m_relabelling.giveUp(state, checked.error());
+    if (!mayStart(state, m_edit))
+        return;
     const Volume& volume = state.document.volumes.front();
     const glm::ivec3 first = firstVoxel(m_edit, volume.geometry).value();
     m_work = std::make_shared<Work>(Work{.edit = m_edit,
@@ -100,8 +97,8 @@ std::vector<FloodOperation::Reading> FloodOperation::nextReadings() const
 
 void FloodOperation::askNext(SessionState& state)
 {
-    if (m_progress->cancelled())
-        return m_relabelling.giveUp(state, {ErrorCode::Cancelled, {}});
+    if (!mayGoOn(state))
+        return;
     const std::uint8_t plane = state.document.segment(m_edit.segment)->plane;
     for (Reading& reading : nextReadings()) {
         EngineCommand question = ReadCodes{reading.box};
@@ -120,7 +117,7 @@ void FloodOperation::takeResult(SessionState& state, EngineResult&& result)
 {
     const auto asked = m_asked.find(result.ticket);
     if (asked == m_asked.end())
-        return m_relabelling.takeResult(state, std::move(result));
+        return takeWritten(state, std::move(result));
     Reading reading = std::move(asked->second);
     m_asked.erase(asked);
     if (result.error && !m_failed)
@@ -134,26 +131,25 @@ void FloodOperation::takeResult(SessionState& state, EngineResult&& result)
     if (!m_asked.empty())
         return;
     if (m_failed)
-        return m_relabelling.giveUp(state, *m_failed);
+        return giveUp(state, *m_failed);
     goOn(state);
 }
 
 void FloodOperation::goOn(SessionState& state)
 {
-    state.side->post(
-        [this, work = m_work, progress = m_progress, document = state.document,
+    workAside(state,
+        [this, work = m_work, watch = watch(), document = state.document,
             readings = std::make_shared<std::vector<Reading>>(std::exchange(m_read, {}))] {
             for (const Reading& reading : *readings)
                 give(*work, reading);
             readings->clear();
-            if (!work->flood.spread(*progress) || !work->flood.wanted().empty())
+            if (!work->flood.spread(watch->progress) || !work->flood.wanted().empty())
                 return SideThread::Sequel([this](SessionState& known) { askNext(known); });
-            auto relabel = std::make_shared<Result<RelabelListed>>(
+            auto listed = std::make_shared<Result<Listed>>(
                 relabelListed(work->edit, document, work->flood.found()));
             return SideThread::Sequel(
-                [this, relabel](SessionState& known) { write(known, std::move(*relabel)); });
-        },
-        [this](SessionState& known, const Error& error) { m_relabelling.giveUp(known, error); });
+                [this, listed](SessionState& known) { write(known, m_edit, std::move(*listed)); });
+        });
 }
 
 /// What of a block may belong to the region.
@@ -191,22 +187,6 @@ void FloodOperation::give(Work& work, const Reading& reading)
     }
     for (const auto& [brick, its] : bits)
         work.flood.give(brick, its);
-}
-
-void FloodOperation::write(SessionState& state, Result<RelabelListed>&& relabel)
-{
-    if (!relabel)
-        return m_relabelling.giveUp(state, relabel.error());
-    if (m_progress->cancelled())
-        return m_relabelling.giveUp(state, {ErrorCode::Cancelled, {}});
-    m_isWriting = true;
-    m_relabelling.write(state, m_edit, *std::move(relabel));
-}
-
-void FloodOperation::abort()
-{
-    if (isAbortable())
-        m_progress->cancel();
 }
 
 } // namespace core

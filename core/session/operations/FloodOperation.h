@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/base/Progress.h"
 #include "core/brick/BrickGrid.h"
 #include "core/edits/kinds/filling/FloodFill.h"
 #include "core/islands/BrickFlood.h"
-#include "core/session/operations/AbortableOperation.h"
-#include "core/session/operations/Relabelling.h"
+#include "core/session/operations/WorkedOutOperation.h"
 
 #include <cstdint>
 #include <map>
@@ -19,18 +17,13 @@ namespace core {
 /// A flood fill. It reads what it reaches, codes or labels, in blocks: in a slice of so many bricks
 /// that most slices are one, in all directions of 64³ voxels. The side thread goes on in them until
 /// the region ends; then the engine writes it, as one row.
-class FloodOperation final : public AbortableOperation {
+class FloodOperation final : public WorkedOutOperation {
 public:
     /// @param again as in VoxelOperation
     explicit FloodOperation(const FloodFill& edit, RowId again = 0);
 
     void start(SessionState& state) override;
     void takeResult(SessionState& state, EngineResult&& result) override;
-    [[nodiscard]] bool done() const override { return m_relabelling.done(); }
-
-    void abort() override;
-    [[nodiscard]] bool isAbortable() const override { return !m_isWriting && !done(); }
-    [[nodiscard]] int percent() const override { return -1; }
 
 private:
     /// What was read of a block.
@@ -51,18 +44,14 @@ private:
     };
     void askNext(SessionState& state);
     void goOn(SessionState& state);
-    void write(SessionState& state, Result<RelabelListed>&& relabel);
     [[nodiscard]] std::vector<Reading> nextReadings() const;
     static void give(Work& work, const Reading& reading);
 
     FloodFill m_edit;
-    std::shared_ptr<Progress> m_progress; ///< with the side thread, too
     std::shared_ptr<Work> m_work; ///< null before it starts
     std::map<Ticket, Reading> m_asked; ///< no answer yet
     std::vector<Reading> m_read;
     std::optional<Error> m_failed; ///< of an answer, while others are outstanding
-    bool m_isWriting = false;
-    Relabelling m_relabelling;
 };
 
 } // namespace core

@@ -4,7 +4,6 @@
 #include "core/base/Guarded.h"
 #include "core/edits/document/DocumentEdits.h"
 #include "core/engine/EngineCommands.h"
-#include "core/session/operations/AbortableOperation.h"
 #include "core/session/operations/SurfaceOperation.h"
 
 #include <utility>

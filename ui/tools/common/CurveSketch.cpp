@@ -3,11 +3,9 @@
 
 #include "ui/tools/aim/CursorLabel.h"
 #include "ui/tools/aim/DrillMask.h"
+#include "ui/tools/common/EllipseCorners.h"
 
 #include <QPainter>
-
-#include <cmath>
-#include <numbers>
 
 namespace ui {
 
@@ -15,7 +13,6 @@ namespace {
 
 constexpr double leastStepPixels = 1.5;
 constexpr double leastSidePixels = 4.0;
-constexpr int cornersOfEllipse = 256;
 
 } // namespace
 
@@ -45,11 +42,10 @@ QPolygonF CurveSketch::polygon() const
     if (m_shape == Shape::Rectangle)
         return {{box.topLeft(), box.topRight(), box.bottomRight(), box.bottomLeft()}};
     QPolygonF ellipse;
-    for (int corner = 0; corner < cornersOfEllipse; ++corner) {
-        const double angle = 2.0 * std::numbers::pi * corner / cornersOfEllipse;
-        ellipse << box.center()
-                + QPointF(box.width() * std::cos(angle), box.height() * std::sin(angle)) / 2.0;
-    }
+    const glm::dvec2 centre(box.center().x(), box.center().y());
+    for (const glm::dvec2& corner :
+        ellipseCorners(centre, glm::dvec2(box.width(), box.height()) / 2.0))
+        ellipse << QPointF(corner.x, corner.y);
     return ellipse;
 }
 

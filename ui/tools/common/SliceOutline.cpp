@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/tools/common/SliceOutline.h"
 
+#include "ui/tools/common/EllipseCorners.h"
+
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace ui {
 
@@ -12,7 +13,6 @@ namespace {
 constexpr double shortestStepPixels = 1.5;
 constexpr double leastBoxPixels = 4.0;
 constexpr double cornerPixels = 8.0; ///< a click this near to a corner is on it
-constexpr int ellipseCorners = 256;
 constexpr std::size_t mostPoints = 6000; ///< an edit takes no more than 10000
 constexpr double samePlaneMm = 0.01;
 
@@ -109,14 +109,7 @@ std::vector<glm::dvec2> SliceOutline::polygonMm() const
     const glm::dvec2 high = glm::max(m_points.front(), m_points.back());
     if (m_shape == Shape::Rectangle)
         return {low, glm::dvec2(high.x, low.y), high, glm::dvec2(low.x, high.y)};
-    std::vector<glm::dvec2> ellipse;
-    ellipse.reserve(ellipseCorners);
-    for (int corner = 0; corner < ellipseCorners; ++corner) {
-        const double angle = 2.0 * std::numbers::pi * corner / ellipseCorners;
-        ellipse.push_back(
-            (low + high) / 2.0 + (high - low) / 2.0 * glm::dvec2(std::cos(angle), std::sin(angle)));
-    }
-    return ellipse;
+    return ellipseCorners((low + high) / 2.0, (high - low) / 2.0);
 }
 
 bool SliceOutline::isMeant(const ViewContext& view) const

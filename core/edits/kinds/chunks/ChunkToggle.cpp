@@ -32,8 +32,7 @@ EditEffects effects(const ChunkToggle& edit)
 
 RowTitle rowTitle(const ChunkToggle& edit, const RowFacts& row)
 {
-    const Segment* segment = row.document.segment(edit.segment);
-    const LabelFlow flow = row.facts.flow(segment ? segment->plane : std::uint8_t(0), edit.segment);
+    const LabelFlow flow = row.flowOf(edit.segment);
     return {.code = flow.gained > 0 && flow.lost > 0 ? RowTitleCode::ToggleChunks
             : flow.gained > 0                        ? RowTitleCode::AddChunks
                                                      : RowTitleCode::TakeChunks,

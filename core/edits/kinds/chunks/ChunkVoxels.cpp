@@ -4,7 +4,6 @@
 #include "core/chunks/ProbabilityMap.h"
 #include "core/edits/engine/EngineEdits.h"
 #include "core/edits/kinds/chunks/DivideSegment.h"
-#include "core/edits/kinds/parts/SegmentChoice.h"
 
 #include <algorithm>
 #include <array>
@@ -185,8 +184,7 @@ Result<std::vector<std::uint8_t>> probabilitiesOf(
 
 Result<ChunkClick> chunkClick(const ChunkToggle& edit, const Document& document)
 {
-    Result<LabelTarget> target =
-        labelTarget({.segment = edit.segment, .name = {}}, edit.overwriteUnlocked, document);
+    Result<LabelTarget> target = segmentTarget(edit.segment, edit.overwriteUnlocked, document);
     if (!target)
         return tl::unexpected(target.error());
     if (!document.chunks)

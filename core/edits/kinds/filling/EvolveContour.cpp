@@ -10,8 +10,8 @@
 #include "core/edits/engine/EditableRanges.h"
 #include "core/edits/engine/EngineEdits.h"
 #include "core/edits/engine/ListedRuns.h"
+#include "core/edits/engine/ValueBounds.h"
 #include "core/edits/kinds/growth/GrowLimits.h"
-#include "core/edits/kinds/parts/SegmentChoice.h"
 #include "core/morphology/MillimetreBall.h"
 
 #include <algorithm>
@@ -27,11 +27,6 @@ tl::unexpected<Error> contourFieldError(const char* field, const QString& reason
 {
     return failure(ErrorCode::InvalidField,
         QStringLiteral("evolveContour.%1").arg(QLatin1String(field)), reason);
-}
-
-Result<LabelTarget> contourTarget(const EvolveContour& edit, const Document& document)
-{
-    return labelTarget({.segment = edit.segment, .name = {}}, edit.overwriteUnlocked, document);
 }
 
 /// The voxels of a bubble, by the one in its middle.
@@ -77,9 +72,7 @@ Result<void> check(const EvolveContour& edit, const Document& document)
     const Result<ContourRule> rule = contourRule(edit, document);
     if (!rule)
         return tl::unexpected(rule.error());
-    if (const auto editable = editableVoxels(edit.editable, document, "evolveContour"); !editable)
-        return tl::unexpected(editable.error());
-    return discardValue(contourTarget(edit, document));
+    return checkEditable(edit.segment, edit.editable, document, "evolveContour");
 }
 
 Result<bool> apply(const EvolveContour&, Document&)
@@ -89,20 +82,14 @@ Result<bool> apply(const EvolveContour&, Document&)
 
 EditEffects effects(const EvolveContour& edit)
 {
-    return {.task = EditTask::Islands,
-        .standsOpen = false,
-        .writesTo = edit.segment,
-        .fills = {.label = edit.segment},
-        .boundToStudy = edit.bubbleLps.has_value() || namesPlaces(edit.editable)};
+    return workedOutEffects(edit.segment, edit.bubbleLps.has_value() || namesPlaces(edit.editable));
 }
 
 RowTitle rowTitle(const EvolveContour& edit, const RowFacts& row)
 {
-    const Segment* segment = row.document.segment(edit.segment);
-    const LabelFlow flow = row.facts.flow(segment ? segment->plane : std::uint8_t(0), edit.segment);
-    return {.code = edit.bubbleLps ? RowTitleCode::ContourFromBubble : RowTitleCode::ContourEvolved,
-        .arguments = {segmentName(edit.segment, row.document)},
-        .then = {flowTitle(flow.gained, flow.lost)}};
+    return segmentChanged(
+        edit.bubbleLps ? RowTitleCode::ContourFromBubble : RowTitleCode::ContourEvolved,
+        edit.segment, row);
 }
 
 /// Nobody knows how far it would have come, had labels been others.
@@ -114,9 +101,10 @@ EditDependencies dependencies(const EvolveContour& edit, const DependencyFacts& 
 Result<ContourRule> contourRule(const EvolveContour& edit, const Document& document)
 {
     const Volume& volume = document.volumes.front();
-    if (edit.lower && edit.upper && !(*edit.lower <= *edit.upper))
-        return contourFieldError(
-            "upper", QStringLiteral("%1 is below lower, %2").arg(*edit.upper).arg(*edit.lower));
+    const Result<CodeInterval> codes =
+        codesBetween(QStringLiteral("evolveContour"), edit.lower, edit.upper, volume.encoding);
+    if (!codes)
+        return tl::unexpected(codes.error());
     if (!(edit.softness >= 0.0))
         return contourFieldError("softness", QStringLiteral("is less than nothing"));
     if (edit.edge > 0 && !(edit.edgeGradient > 0.0))
@@ -127,8 +115,8 @@ Result<ContourRule> contourRule(const EvolveContour& edit, const Document& docum
         .edge = edit.edge,
         .smoothness = edit.smoothness,
         .kernel = contourKernel(volume.geometry)};
-    rule.lowCode = edit.lower ? volume.encoding.lowestCodeAtLeast(*edit.lower) : -noContourBound;
-    rule.highCode = edit.upper ? volume.encoding.highestCodeAtMost(*edit.upper) : noContourBound;
+    rule.lowCode = edit.lower ? codes->low : -noContourBound;
+    rule.highCode = edit.upper ? codes->high : noContourBound;
     rule.softness = std::max(greatestDifference(volume.encoding, edit.softness), 0);
     if (edit.edge > 0) {
         constexpr double most = 65535.0;
@@ -143,7 +131,8 @@ Result<ContourRule> contourRule(const EvolveContour& edit, const Document& docum
 Result<ContourGround> contourGround(
     const EvolveContour& edit, const Document& document, std::span<const std::uint8_t> labels)
 {
-    const Result<LabelTarget> target = contourTarget(edit, document);
+    const Result<LabelTarget> target =
+        segmentTarget(edit.segment, edit.overwriteUnlocked, document);
     if (!target)
         return tl::unexpected(target.error());
     const Result<ContourRule> rule = contourRule(edit, document);
@@ -196,20 +185,14 @@ Result<ContourGround> contourGround(
 Result<RelabelListed> relabelListed(
     const EvolveContour& edit, const Document& document, const ContourEvolution& evolution)
 {
-    Result<LabelTarget> target = contourTarget(edit, document);
+    Result<LabelTarget> target = segmentTarget(edit.segment, edit.overwriteUnlocked, document);
     if (!target)
         return tl::unexpected(target.error());
     const ShapeChange change = evolution.change();
     ListedRuns listed(document.volumes.front().geometry.size);
     listed.add(change.given, RelabelListed::give);
     listed.add(change.taken, RelabelListed::take);
-    Result<std::optional<EditableVoxels>> editable =
-        editableVoxels(edit.editable, document, "evolveContour");
-    if (!editable)
-        return tl::unexpected(editable.error());
-    RelabelListed relabel = listed.relabel(*std::move(target));
-    relabel.editable = *std::move(editable);
-    return relabel;
+    return keepingTo(edit.editable, document, "evolveContour", listed.relabel(*std::move(target)));
 }
 
 } // namespace core

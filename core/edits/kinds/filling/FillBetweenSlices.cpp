@@ -8,7 +8,6 @@
 #include "core/edits/engine/EditableRanges.h"
 #include "core/edits/engine/EngineEdits.h"
 #include "core/edits/engine/ListedRuns.h"
-#include "core/edits/kinds/parts/SegmentChoice.h"
 #include "core/morphology/BetweenSlices.h"
 
 namespace core {
@@ -17,10 +16,7 @@ using namespace rowWords;
 
 Result<void> check(const FillBetweenSlices& edit, const Document& document)
 {
-    if (const auto editable = editableVoxels(edit.editable, document, "fillBetweenSlices");
-        !editable)
-        return tl::unexpected(editable.error());
-    return discardValue(labelTarget({.segment = edit.segment, .name = {}}, false, document));
+    return checkEditable(edit.segment, edit.editable, document, "fillBetweenSlices");
 }
 
 Result<bool> apply(const FillBetweenSlices&, Document&)
@@ -30,20 +26,12 @@ Result<bool> apply(const FillBetweenSlices&, Document&)
 
 EditEffects effects(const FillBetweenSlices& edit)
 {
-    return {.task = EditTask::Islands,
-        .standsOpen = false,
-        .writesTo = edit.segment,
-        .fills = {.label = edit.segment},
-        .boundToStudy = namesPlaces(edit.editable)};
+    return workedOutEffects(edit.segment, namesPlaces(edit.editable));
 }
 
 RowTitle rowTitle(const FillBetweenSlices& edit, const RowFacts& row)
 {
-    const Segment* segment = row.document.segment(edit.segment);
-    const LabelFlow flow = row.facts.flow(segment ? segment->plane : std::uint8_t(0), edit.segment);
-    return {.code = RowTitleCode::FillBetweenSlices,
-        .arguments = {segmentName(edit.segment, row.document)},
-        .then = {flowTitle(flow.gained, flow.lost)}};
+    return segmentChanged(RowTitleCode::FillBetweenSlices, edit.segment, row);
 }
 
 /// Every voxel of the plane may decide which slices are drawn.
@@ -55,8 +43,7 @@ EditDependencies dependencies(const FillBetweenSlices& edit, const DependencyFac
 Result<RelabelListed> relabelListed(const FillBetweenSlices& edit, const Document& document,
     std::span<const std::uint8_t> labels, const Progress& progress)
 {
-    Result<LabelTarget> target =
-        labelTarget({.segment = edit.segment, .name = {}}, false, document);
+    Result<LabelTarget> target = segmentTarget(edit.segment, false, document);
     if (!target)
         return tl::unexpected(target.error());
     const VolumeGeometry& geometry = document.volumes.front().geometry;
@@ -69,13 +56,8 @@ Result<RelabelListed> relabelListed(const FillBetweenSlices& edit, const Documen
             return tl::unexpected(between.error());
         listed.add(*between, RelabelListed::give);
     }
-    Result<std::optional<EditableVoxels>> editable =
-        editableVoxels(edit.editable, document, "fillBetweenSlices");
-    if (!editable)
-        return tl::unexpected(editable.error());
-    RelabelListed relabel = listed.relabel(*std::move(target));
-    relabel.editable = *std::move(editable);
-    return relabel;
+    return keepingTo(
+        edit.editable, document, "fillBetweenSlices", listed.relabel(*std::move(target)));
 }
 
 } // namespace core

@@ -8,23 +8,12 @@
 #include "core/edits/answers/RowFacts.h"
 #include "core/edits/engine/EditableRanges.h"
 #include "core/edits/engine/EngineEdits.h"
-#include "core/edits/kinds/parts/SegmentChoice.h"
 
 #include <algorithm>
 
 namespace core {
 
 using namespace rowWords;
-
-namespace {
-
-Result<LabelTarget> floodTarget(const FloodFill& edit, const Document& document)
-{
-    return labelTarget(
-        {.segment = edit.segment, .name = {}}, edit.overwriteUnlocked && !edit.erase, document);
-}
-
-} // namespace
 
 Result<void> check(const FloodFill& edit, const Document& document)
 {
@@ -33,9 +22,7 @@ Result<void> check(const FloodFill& edit, const Document& document)
             QStringLiteral("is less than nothing"));
     if (const auto first = firstVoxel(edit, document.volumes.front().geometry); !first)
         return tl::unexpected(first.error());
-    if (const auto editable = editableVoxels(edit.editable, document, "floodFill"); !editable)
-        return tl::unexpected(editable.error());
-    return discardValue(floodTarget(edit, document));
+    return checkEditable(edit.segment, edit.editable, document, "floodFill");
 }
 
 Result<bool> apply(const FloodFill&, Document&)
@@ -54,15 +41,11 @@ EditEffects effects(const FloodFill& edit)
 
 RowTitle rowTitle(const FloodFill& edit, const RowFacts& row)
 {
-    const Segment* segment = row.document.segment(edit.segment);
-    const LabelFlow flow = row.facts.flow(segment ? segment->plane : std::uint8_t(0), edit.segment);
     const bool slice = edit.within.has_value();
     RowTitleCode code = slice ? RowTitleCode::FloodSlice : RowTitleCode::FloodVolume;
     if (edit.erase)
         code = slice ? RowTitleCode::FloodEraseSlice : RowTitleCode::FloodEraseVolume;
-    return {.code = code,
-        .arguments = {segmentName(edit.segment, row.document)},
-        .then = {flowTitle(flow.gained, flow.lost)}};
+    return segmentChanged(code, edit.segment, row);
 }
 
 /// In a slice its bricks. In all directions nobody knows how far it would reach, had labels been
@@ -103,7 +86,8 @@ CodeInterval floodInterval(const FloodFill& edit, const VoxelEncoding& encoding,
 Result<RelabelListed> relabelListed(const FloodFill& edit, const Document& document,
     const std::map<std::uint32_t, BrickBits>& found)
 {
-    Result<LabelTarget> target = floodTarget(edit, document);
+    Result<LabelTarget> target =
+        segmentTarget(edit.segment, edit.overwriteUnlocked && !edit.erase, document);
     if (!target)
         return tl::unexpected(target.error());
     if (edit.erase && found.empty())
@@ -115,12 +99,7 @@ Result<RelabelListed> relabelListed(const FloodFill& edit, const Document& docum
         voxels.forEach([&each, asked](std::size_t voxel) { each[voxel] = asked; });
         relabel.bricks.push_back({brick, std::move(each)});
     }
-    Result<std::optional<EditableVoxels>> editable =
-        editableVoxels(edit.editable, document, "floodFill");
-    if (!editable)
-        return tl::unexpected(editable.error());
-    relabel.editable = *std::move(editable);
-    return relabel;
+    return keepingTo(edit.editable, document, "floodFill", std::move(relabel));
 }
 
 } // namespace core

@@ -9,8 +9,7 @@
 #include "core/edits/engine/EditableRanges.h"
 #include "core/edits/engine/EngineEdits.h"
 #include "core/edits/engine/ListedRuns.h"
-#include "core/edits/kinds/parts/SegmentChoice.h"
-#include "core/morphology/SidedMargin.h"
+#include "core/morphology/SidedBall.h"
 
 #include <cmath>
 
@@ -52,9 +51,7 @@ Result<void> check(const MirrorSegment& edit, const Document& document)
     if (const Result<MirrorPlane> plane = mirrorPlane(edit, document.volumes.front().geometry);
         !plane)
         return tl::unexpected(plane.error());
-    if (const auto editable = editableVoxels(edit.editable, document, "mirrorSegment"); !editable)
-        return tl::unexpected(editable.error());
-    return discardValue(labelTarget({.segment = edit.segment, .name = {}}, false, document));
+    return checkEditable(edit.segment, edit.editable, document, "mirrorSegment");
 }
 
 Result<bool> apply(const MirrorSegment&, Document&)
@@ -64,20 +61,12 @@ Result<bool> apply(const MirrorSegment&, Document&)
 
 EditEffects effects(const MirrorSegment& edit)
 {
-    return {.task = EditTask::Islands,
-        .standsOpen = false,
-        .writesTo = edit.segment,
-        .fills = {.label = edit.segment},
-        .boundToStudy = edit.placeLps.has_value() || namesPlaces(edit.editable)};
+    return workedOutEffects(edit.segment, edit.placeLps.has_value() || namesPlaces(edit.editable));
 }
 
 RowTitle rowTitle(const MirrorSegment& edit, const RowFacts& row)
 {
-    const Segment* segment = row.document.segment(edit.segment);
-    const LabelFlow flow = row.facts.flow(segment ? segment->plane : std::uint8_t(0), edit.segment);
-    return {.code = RowTitleCode::MirrorSegment,
-        .arguments = {segmentName(edit.segment, row.document)},
-        .then = {flowTitle(flow.gained, flow.lost)}};
+    return segmentChanged(RowTitleCode::MirrorSegment, edit.segment, row);
 }
 
 /// Every voxel of the plane may be the mirror image of one that decides.
@@ -89,8 +78,7 @@ EditDependencies dependencies(const MirrorSegment& edit, const DependencyFacts& 
 Result<RelabelListed> relabelListed(const MirrorSegment& edit, const Document& document,
     std::span<const std::uint8_t> labels, const Progress& progress)
 {
-    Result<LabelTarget> target =
-        labelTarget({.segment = edit.segment, .name = {}}, false, document);
+    Result<LabelTarget> target = segmentTarget(edit.segment, false, document);
     if (!target)
         return tl::unexpected(target.error());
     const VolumeGeometry& geometry = document.volumes.front().geometry;
@@ -131,13 +119,7 @@ Result<RelabelListed> relabelListed(const MirrorSegment& edit, const Document& d
     }
     listed.add(given, RelabelListed::give);
     listed.add(taken, RelabelListed::take);
-    Result<std::optional<EditableVoxels>> editable =
-        editableVoxels(edit.editable, document, "mirrorSegment");
-    if (!editable)
-        return tl::unexpected(editable.error());
-    RelabelListed relabel = listed.relabel(*std::move(target));
-    relabel.editable = *std::move(editable);
-    return relabel;
+    return keepingTo(edit.editable, document, "mirrorSegment", listed.relabel(*std::move(target)));
 }
 
 } // namespace core

@@ -8,6 +8,7 @@
 #include "core/edits/engine/CutFrames.h"
 #include "core/edits/engine/EditableRanges.h"
 #include "core/edits/engine/EngineEdits.h"
+#include "core/edits/engine/ValueBounds.h"
 #include "core/edits/kinds/sculpt/OutlinedPlane.h"
 #include "core/sculpt/labels/LabelScissors.h"
 
@@ -90,9 +91,10 @@ Result<LabelScissors> labelScissors(const SegmentScissors& edit, const Document&
         unlockedSegment("segmentScissors.segment", edit.segment, document);
     if (!segment)
         return tl::unexpected(segment.error());
-    if (edit.lower && edit.upper && !(*edit.lower <= *edit.upper))
-        return scissorsFailure(
-            "upper", QStringLiteral("%1 is below lower, %2").arg(*edit.upper).arg(*edit.lower));
+    const Result<CodeInterval> codes = codesBetween(QStringLiteral("segmentScissors"), edit.lower,
+        edit.upper, document.volumes.front().encoding);
+    if (!codes)
+        return tl::unexpected(codes.error());
     if (edit.others && !edit.erase)
         return scissorsFailure("others", QStringLiteral("has no meaning while filling"));
     if (edit.depthMm && edit.outside)
@@ -111,17 +113,9 @@ Result<LabelScissors> labelScissors(const SegmentScissors& edit, const Document&
         if (edit.overwriteUnlocked)
             scissors->target.overwritable = document.unlockedLabels((*segment)->plane);
     }
-    const Volume& volume = document.volumes.front();
-    if (edit.lower)
-        scissors->lowCode = volume.encoding.lowestCodeAtLeast(*edit.lower);
-    if (edit.upper)
-        scissors->highCode = volume.encoding.highestCodeAtMost(*edit.upper);
-    Result<std::optional<EditableVoxels>> editable =
-        editableVoxels(edit.editable, document, "segmentScissors");
-    if (!editable)
-        return tl::unexpected(editable.error());
-    scissors->editable = *std::move(editable);
-    return scissors;
+    scissors->lowCode = codes->low;
+    scissors->highCode = codes->high;
+    return keepingTo(edit.editable, document, "segmentScissors", *std::move(scissors));
 }
 
 Result<EngineEdit> engineEdit(const SegmentScissors& edit, const Document& document)
@@ -147,13 +141,7 @@ RowTitle rowTitle(const SegmentScissors& edit, const RowFacts& row)
     if (edit.depthMm)
         title.then.push_back(
             {.code = RowTitleCode::MillimetresDeep, .arguments = {inMm(*edit.depthMm)}});
-    // What only takes seeds away changes no label.
-    const std::int64_t voxels = row.statistics.voxelsChanged;
-    if (voxels == 0)
-        title.then.push_back(figure(RowTitleCode::SeedVoxelsLost, row.facts.seedWordsChanged));
-    else
-        title.then.push_back(
-            figure(edit.erase ? RowTitleCode::VoxelsLost : RowTitleCode::VoxelsGained, voxels));
+    title.then.push_back(voxelsOrSeedsLost(edit.erase, row));
     return title;
 }
 

@@ -39,6 +39,25 @@ Result<bool> addNewSegment(const SegmentChoice& choice, Document& document)
     return apply(AddSegment{.name = choice.name, .rgb = choice.rgb, .code = {}}, document);
 }
 
+Result<void> checkNewSegment(const SegmentChoice& choice, const Document& document)
+{
+    if (choice.segment)
+        return {};
+    Document copy = document;
+    return discardValue(addNewSegment(choice, copy));
+}
+
+EditEffects effectsOn(const SegmentChoice& choice, EditTask task, bool boundToStudy)
+{
+    return {.task = task,
+        .standsOpen = false,
+        .changes = choice.segment ? std::nullopt : std::optional(DocumentChange::What::Segments),
+        .takesVoxelsOrNothing = true,
+        .writesTo = choice.segment,
+        .fills = {.label = choice.segment, .added = true},
+        .boundToStudy = boundToStudy};
+}
+
 EditEffects effects(const AddSegment&)
 {
     return documentEffects(DocumentChange::What::Segments);

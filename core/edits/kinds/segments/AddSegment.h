@@ -10,6 +10,7 @@
 
 namespace core {
 
+enum class EditTask;
 struct SegmentChoice;
 
 struct AddSegment {
@@ -28,5 +29,9 @@ Result<bool> apply(const AddSegment& edit, Document& document);
 /// SegmentChoice are carried out only if they take voxels (EditEffects::takesVoxelsOrNothing), so a
 /// new segment is never left empty.
 Result<bool> addNewSegment(const SegmentChoice& choice, Document& document);
+/// Whether there is room for it, if it is a new one.
+[[nodiscard]] Result<void> checkNewSegment(const SegmentChoice& choice, const Document& document);
+/// The effects of an edit that gives it voxels, and is carried out whole.
+[[nodiscard]] EditEffects effectsOn(const SegmentChoice& choice, EditTask task, bool boundToStudy);
 
 } // namespace core

@@ -9,7 +9,6 @@
 #include "core/edits/engine/EngineEdits.h"
 #include "core/edits/engine/IslandSizes.h"
 #include "core/edits/engine/ListedRuns.h"
-#include "core/edits/kinds/parts/SegmentChoice.h"
 
 #include <limits>
 
@@ -22,11 +21,10 @@ namespace {
 /// Who gains or loses voxels. A segment that receives an island takes voxels of the segment alone.
 Result<LabelTarget> targetOf(const CleanSegment& edit, const Document& document)
 {
-    const Result<LabelTarget> own =
-        labelTarget({.segment = edit.segment, .name = {}}, false, document);
+    const Result<LabelTarget> own = segmentTarget(edit.segment, false, document);
     if (!own || !edit.to)
         return own;
-    Result<LabelTarget> other = labelTarget({.segment = edit.to, .name = {}}, false, document);
+    Result<LabelTarget> other = segmentTarget(*edit.to, false, document);
     if (!other)
         return other;
     if (other->plane != own->plane)
@@ -114,11 +112,7 @@ EditEffects effects(const CleanSegment& edit)
 
 RowTitle rowTitle(const CleanSegment& edit, const RowFacts& row)
 {
-    const Segment* segment = row.document.segment(edit.segment);
-    const LabelFlow flow = row.facts.flow(segment ? segment->plane : std::uint8_t(0), edit.segment);
-    RowTitle title{.code = RowTitleCode::FillHoles,
-        .arguments = {segmentName(edit.segment, row.document)},
-        .then = {flowTitle(flow.gained, flow.lost)}};
+    RowTitle title = segmentChanged(RowTitleCode::FillHoles, edit.segment, row);
     switch (edit.rule) {
     case IslandRule::FillHoles:
         break;
@@ -168,13 +162,7 @@ Result<RelabelListed> relabelListed(const CleanSegment& edit, const Document& do
     const bool gives = edit.rule == IslandRule::FillHoles || edit.rule == IslandRule::GiveClicked;
     ListedRuns listed(geometry.size);
     listed.add(change->voxels, gives ? RelabelListed::give : RelabelListed::take);
-    Result<std::optional<EditableVoxels>> editable =
-        editableVoxels(edit.editable, document, "cleanSegment");
-    if (!editable)
-        return tl::unexpected(editable.error());
-    RelabelListed relabel = listed.relabel(*target);
-    relabel.editable = *std::move(editable);
-    return relabel;
+    return keepingTo(edit.editable, document, "cleanSegment", listed.relabel(*target));
 }
 
 } // namespace core

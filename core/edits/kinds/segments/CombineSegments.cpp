@@ -52,12 +52,7 @@ Result<MapLabels> mapLabels(const CombineSegments& edit, const Document& documen
     map.becomes[(*other)->label] = (*segment)->label;
     if (edit.how == CombineSegments::How::Swap)
         map.becomes[(*segment)->label] = (*other)->label;
-    Result<std::optional<EditableVoxels>> editable =
-        editableVoxels(edit.editable, document, "combineSegments");
-    if (!editable)
-        return tl::unexpected(editable.error());
-    map.editable = *std::move(editable);
-    return map;
+    return keepingTo(edit.editable, document, "combineSegments", std::move(map));
 }
 
 Result<EngineEdit> engineEdit(const CombineSegments& edit, const Document& document)
@@ -67,8 +62,7 @@ Result<EngineEdit> engineEdit(const CombineSegments& edit, const Document& docum
 
 RowTitle rowTitle(const CombineSegments& edit, const RowFacts& row)
 {
-    const Segment* segment = row.document.segment(edit.segment);
-    const LabelFlow flow = row.facts.flow(segment ? segment->plane : std::uint8_t(0), edit.segment);
+    const LabelFlow flow = row.flowOf(edit.segment);
     const QString own = segmentName(edit.segment, row.document);
     const QString other = segmentName(edit.with, row.document);
     RowTitle title{.code = RowTitleCode::MergeSegments,

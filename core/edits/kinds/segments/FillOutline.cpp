@@ -9,6 +9,7 @@
 #include "core/edits/engine/EditableRanges.h"
 #include "core/edits/engine/EngineEdits.h"
 #include "core/edits/engine/SlicePlane.h"
+#include "core/edits/engine/ValueBounds.h"
 #include "core/sculpt/labels/LabelOutlined.h"
 
 #include <algorithm>
@@ -129,10 +130,11 @@ Result<LabelOutlined> labelOutlined(const FillOutline& edit, const Document& doc
         unlockedSegment("fillOutline.segment", edit.segment, document);
     if (!segment)
         return tl::unexpected(segment.error());
-    if (edit.lower && edit.upper && !(*edit.lower <= *edit.upper))
-        return outlineFailure(
-            "upper", QStringLiteral("%1 is below lower, %2").arg(*edit.upper).arg(*edit.lower));
     const Volume& volume = document.volumes.front();
+    const Result<CodeInterval> codes =
+        codesBetween(QStringLiteral("fillOutline"), edit.lower, edit.upper, volume.encoding);
+    if (!codes)
+        return tl::unexpected(codes.error());
     Result<LabelOutlined> outlined = placed(edit, volume.geometry);
     if (!outlined)
         return outlined;
@@ -141,16 +143,9 @@ Result<LabelOutlined> labelOutlined(const FillOutline& edit, const Document& doc
     outlined->erase = edit.erase;
     if (edit.overwriteUnlocked)
         outlined->target.overwritable = document.unlockedLabels((*segment)->plane);
-    if (edit.lower)
-        outlined->lowCode = volume.encoding.lowestCodeAtLeast(*edit.lower);
-    if (edit.upper)
-        outlined->highCode = volume.encoding.highestCodeAtMost(*edit.upper);
-    Result<std::optional<EditableVoxels>> editable =
-        editableVoxels(edit.editable, document, "fillOutline");
-    if (!editable)
-        return tl::unexpected(editable.error());
-    outlined->editable = *std::move(editable);
-    return outlined;
+    outlined->lowCode = codes->low;
+    outlined->highCode = codes->high;
+    return keepingTo(edit.editable, document, "fillOutline", *std::move(outlined));
 }
 
 Result<EngineEdit> engineEdit(const FillOutline& edit, const Document& document)
@@ -160,15 +155,9 @@ Result<EngineEdit> engineEdit(const FillOutline& edit, const Document& document)
 
 RowTitle rowTitle(const FillOutline& edit, const RowFacts& row)
 {
-    // What only takes seeds away changes no label.
-    const std::int64_t voxels = row.statistics.voxelsChanged;
-    RowTitle title{.code = edit.erase ? RowTitleCode::EraseOutline : RowTitleCode::FillOutline,
+    return {.code = edit.erase ? RowTitleCode::EraseOutline : RowTitleCode::FillOutline,
         .arguments = {segmentName(edit.segment, row.document)},
-        .then = {
-            figure(edit.erase ? RowTitleCode::VoxelsLost : RowTitleCode::VoxelsGained, voxels)}};
-    if (voxels == 0)
-        title.then = {figure(RowTitleCode::SeedVoxelsLost, row.facts.seedWordsChanged)};
-    return title;
+        .then = {voxelsOrSeedsLost(edit.erase, row)}};
 }
 
 /// The labels and seed words of the bricks in which the outline lies, whatever became of the

@@ -41,12 +41,7 @@ Result<MapLabels> mapLabels(const InvertSegment& edit, const Document& document)
     MapLabels map{.plane = segment->plane};
     map.becomes[0] = segment->label;
     map.becomes[segment->label] = 0;
-    Result<std::optional<EditableVoxels>> editable =
-        editableVoxels(edit.editable, document, "invertSegment");
-    if (!editable)
-        return tl::unexpected(editable.error());
-    map.editable = *std::move(editable);
-    return map;
+    return keepingTo(edit.editable, document, "invertSegment", std::move(map));
 }
 
 Result<EngineEdit> engineEdit(const InvertSegment& edit, const Document& document)
@@ -56,11 +51,7 @@ Result<EngineEdit> engineEdit(const InvertSegment& edit, const Document& documen
 
 RowTitle rowTitle(const InvertSegment& edit, const RowFacts& row)
 {
-    const Segment* segment = row.document.segment(edit.segment);
-    const LabelFlow flow = row.facts.flow(segment ? segment->plane : std::uint8_t(0), edit.segment);
-    return {.code = RowTitleCode::InvertSegment,
-        .arguments = {segmentName(edit.segment, row.document)},
-        .then = {flowTitle(flow.gained, flow.lost)}};
+    return segmentChanged(RowTitleCode::InvertSegment, edit.segment, row);
 }
 
 /// What other segments hold decides, too, and whose seeds lie where.

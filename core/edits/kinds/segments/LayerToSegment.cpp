@@ -15,10 +15,8 @@ using namespace rowWords;
 
 Result<void> check(const LayerToSegment& edit, const Document& document)
 {
-    if (effects(edit).changes) {
-        if (const Result<void> applied = checkApplied(edit, document); !applied)
-            return applied;
-    }
+    if (const Result<void> isRoom = checkNewSegment(edit.target, document); !isRoom)
+        return isRoom;
     return discardValue(labelCarved(edit, document));
 }
 
@@ -29,14 +27,7 @@ Result<bool> apply(const LayerToSegment& edit, Document& document)
 
 EditEffects effects(const LayerToSegment& edit)
 {
-    return {.task = engineTask<LayerToSegment>(),
-        .standsOpen = false,
-        .changes =
-            edit.target.segment ? std::nullopt : std::optional(DocumentChange::What::Segments),
-        .takesVoxelsOrNothing = true,
-        .writesTo = edit.target.segment,
-        .fills = {.label = edit.target.segment, .added = true},
-        .boundToStudy = namesPlaces(edit.editable)};
+    return effectsOn(edit.target, engineTask<LayerToSegment>(), namesPlaces(edit.editable));
 }
 
 Result<LabelCarved> labelCarved(const LayerToSegment& edit, const Document& document)
@@ -47,12 +38,8 @@ Result<LabelCarved> labelCarved(const LayerToSegment& edit, const Document& docu
     Result<LabelTarget> target = labelTarget(edit.target, edit.overwriteUnlocked, document);
     if (!target)
         return tl::unexpected(target.error());
-    Result<std::optional<EditableVoxels>> editable =
-        editableVoxels(edit.editable, document, "layerToSegment");
-    if (!editable)
-        return tl::unexpected(editable.error());
-    return LabelCarved{
-        .target = *target, .layer = std::uint8_t(edit.layer), .editable = *std::move(editable)};
+    return keepingTo(edit.editable, document, "layerToSegment",
+        LabelCarved{.target = *target, .layer = std::uint8_t(edit.layer)});
 }
 
 Result<EngineEdit> engineEdit(const LayerToSegment& edit, const Document& document)

@@ -7,6 +7,7 @@
 #include "core/edits/answers/RowFacts.h"
 #include "core/edits/engine/EditableRanges.h"
 #include "core/edits/engine/EngineEdits.h"
+#include "core/edits/engine/ValueBounds.h"
 
 #include <algorithm>
 
@@ -73,15 +74,16 @@ Result<PaintLabel> paintLabel(const PaintStroke& stroke, const Document& documen
     if (!unlocked)
         return tl::unexpected(unlocked.error());
     const Segment* segment = *unlocked;
-    if (stroke.lower && stroke.upper && !(*stroke.lower <= *stroke.upper))
-        return failure(ErrorCode::InvalidField, QStringLiteral("paint.upper"),
-            QStringLiteral("%1 is below lower, %2").arg(*stroke.upper).arg(*stroke.lower));
+    const Volume& volume = document.volumes.front();
+    const Result<CodeInterval> codes =
+        codesBetween(QStringLiteral("paint"), stroke.lower, stroke.upper, volume.encoding);
+    if (!codes)
+        return tl::unexpected(codes.error());
     if (stroke.edgeTolerance && !(*stroke.edgeTolerance >= 0.0))
         return failure(ErrorCode::InvalidField, QStringLiteral("paint.edgeTolerance"),
             QStringLiteral("%1 is below 0").arg(*stroke.edgeTolerance));
     if (const Result<void> tool = checkTool(stroke); !tool)
         return tl::unexpected(tool.error());
-    const Volume& volume = document.volumes.front();
     Result<CapsuleFrame> frame =
         capsuleFrame(stroke.path, volume.geometry, QStringLiteral("paint"));
     if (!frame)
@@ -91,21 +93,15 @@ Result<PaintLabel> paintLabel(const PaintStroke& stroke, const Document& documen
     paint.label = segment->label;
     paint.erase = stroke.erase;
     paint.seeds = stroke.seeds;
-    paint.lowCode = stroke.lower ? volume.encoding.lowestCodeAtLeast(*stroke.lower) : 0;
-    paint.highCode = stroke.upper ? volume.encoding.highestCodeAtMost(*stroke.upper)
-                                  : VoxelEncoding::codeCount - 1;
+    paint.lowCode = codes->low;
+    paint.highCode = codes->high;
     paint.frame = *frame;
     if (stroke.overwriteUnlocked)
         paint.overwritable = document.unlockedLabels(segment->plane);
     if (stroke.edgeTolerance)
         paint.edges = EdgeRule{.start = startVoxel(stroke.path, volume.geometry),
             .tolerance = codesWithin(volume.encoding, *stroke.edgeTolerance)};
-    Result<std::optional<EditableVoxels>> editable =
-        editableVoxels(stroke.editable, document, "paint");
-    if (!editable)
-        return tl::unexpected(editable.error());
-    paint.editable = *std::move(editable);
-    return paint;
+    return keepingTo(stroke.editable, document, "paint", std::move(paint));
 }
 
 CapsulePath paintPath(const PaintStroke& stroke, const VolumeGeometry& geometry)

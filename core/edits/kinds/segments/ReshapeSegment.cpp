@@ -8,7 +8,6 @@
 #include "core/edits/engine/EditableRanges.h"
 #include "core/edits/engine/EngineEdits.h"
 #include "core/edits/engine/ListedRuns.h"
-#include "core/edits/kinds/parts/SegmentChoice.h"
 #include "core/morphology/GaussianShape.h"
 #include "core/morphology/GridGaussian.h"
 #include "core/morphology/MillimetreBall.h"
@@ -194,7 +193,7 @@ Result<void> check(const ReshapeSegment& edit, const Document& document)
         return tl::unexpected(editable.error());
     if (edit.with)
         return discardValue(together(edit, document));
-    return discardValue(labelTarget({.segment = edit.segment, .name = {}}, false, document));
+    return discardValue(segmentTarget(edit.segment, false, document));
 }
 
 Result<bool> apply(const ReshapeSegment&, Document&)
@@ -204,21 +203,14 @@ Result<bool> apply(const ReshapeSegment&, Document&)
 
 EditEffects effects(const ReshapeSegment& edit)
 {
-    return {.task = EditTask::Islands,
-        .standsOpen = false,
-        .writesTo = edit.segment,
-        .fills = {.label = edit.segment},
-        .boundToStudy = namesPlaces(edit.editable)};
+    return workedOutEffects(edit.segment, namesPlaces(edit.editable));
 }
 
 RowTitle rowTitle(const ReshapeSegment& edit, const RowFacts& row)
 {
-    const Segment* segment = row.document.segment(edit.segment);
-    const LabelFlow flow = row.facts.flow(segment ? segment->plane : std::uint8_t(0), edit.segment);
-    return {.code = titleOf(edit),
-        .arguments = {segmentName(edit.segment, row.document),
-            TitleDigits{hasSides(edit) ? widestMm(edit) : edit.mm, 3}},
-        .then = {flowTitle(flow.gained, flow.lost)}};
+    RowTitle title = segmentChanged(titleOf(edit), edit.segment, row);
+    title.arguments.push_back(TitleDigits{hasSides(edit) ? widestMm(edit) : edit.mm, 3});
+    return title;
 }
 
 /// Every voxel of the plane may decide what is near another.
@@ -230,8 +222,7 @@ EditDependencies dependencies(const ReshapeSegment& edit, const DependencyFacts&
 Result<RelabelListed> relabelListed(const ReshapeSegment& edit, const Document& document,
     std::span<const std::uint8_t> labels, const Progress& progress)
 {
-    Result<LabelTarget> target =
-        labelTarget({.segment = edit.segment, .name = {}}, false, document);
+    Result<LabelTarget> target = segmentTarget(edit.segment, false, document);
     if (!target)
         return tl::unexpected(target.error());
     const VolumeGeometry& geometry = document.volumes.front().geometry;
@@ -243,13 +234,7 @@ Result<RelabelListed> relabelListed(const ReshapeSegment& edit, const Document& 
     ListedRuns listed(geometry.size);
     listed.add(change->given, RelabelListed::give);
     listed.add(change->taken, RelabelListed::take);
-    Result<std::optional<EditableVoxels>> editable =
-        editableVoxels(edit.editable, document, "reshapeSegment");
-    if (!editable)
-        return tl::unexpected(editable.error());
-    RelabelListed relabel = listed.relabel(*std::move(target));
-    relabel.editable = *std::move(editable);
-    return relabel;
+    return keepingTo(edit.editable, document, "reshapeSegment", listed.relabel(*std::move(target)));
 }
 
 Result<LabelListed> labelListed(const ReshapeSegment& edit, const Document& document,

@@ -7,6 +7,7 @@
 #include "core/edits/answers/RowFacts.h"
 #include "core/edits/engine/EditableRanges.h"
 #include "core/edits/engine/EngineEdits.h"
+#include "core/edits/engine/ValueBounds.h"
 #include "core/edits/kinds/segments/AddSegment.h"
 
 #include <algorithm>
@@ -46,10 +47,8 @@ VoxelBound voxelBound(const ClipHalfSpace& side, const VolumeGeometry& geometry)
 
 Result<void> check(const SegmentSeen& edit, const Document& document)
 {
-    if (effects(edit).changes) {
-        if (const Result<void> applied = checkApplied(edit, document); !applied)
-            return applied;
-    }
+    if (const Result<void> isRoom = checkNewSegment(edit.target, document); !isRoom)
+        return isRoom;
     return discardValue(labelSeen(edit, document));
 }
 
@@ -60,37 +59,24 @@ Result<bool> apply(const SegmentSeen& edit, Document& document)
 
 EditEffects effects(const SegmentSeen& edit)
 {
-    return {.task = engineTask<SegmentSeen>(),
-        .standsOpen = false,
-        .changes =
-            edit.target.segment ? std::nullopt : std::optional(DocumentChange::What::Segments),
-        .takesVoxelsOrNothing = true,
-        .writesTo = edit.target.segment,
-        .fills = {.label = edit.target.segment, .added = true},
-        .boundToStudy = edit.hidden.has_value() || namesPlaces(edit.editable)};
+    return effectsOn(edit.target, engineTask<SegmentSeen>(),
+        edit.hidden.has_value() || namesPlaces(edit.editable));
 }
 
 Result<LabelSeen> labelSeen(const SegmentSeen& edit, const Document& document)
 {
-    if (edit.lower && edit.upper && !(*edit.lower <= *edit.upper))
-        return failure(ErrorCode::InvalidField, QStringLiteral("segmentSeen.upper"),
-            QStringLiteral("%1 is below lower, %2").arg(*edit.upper).arg(*edit.lower));
+    const Volume& volume = document.volumes.front();
+    const Result<CodeInterval> codes =
+        codesBetween(QStringLiteral("segmentSeen"), edit.lower, edit.upper, volume.encoding);
+    if (!codes)
+        return tl::unexpected(codes.error());
     Result<LabelTarget> target = labelTarget(edit.target, edit.overwriteUnlocked, document);
     if (!target)
         return tl::unexpected(target.error());
-    const Volume& volume = document.volumes.front();
-    LabelSeen seen{.target = *target};
-    seen.lowCode = edit.lower ? volume.encoding.lowestCodeAtLeast(*edit.lower) : 0;
-    seen.highCode =
-        edit.upper ? volume.encoding.highestCodeAtMost(*edit.upper) : VoxelEncoding::codeCount - 1;
+    LabelSeen seen{.target = *target, .lowCode = codes->low, .highCode = codes->high};
     for (const ClipHalfSpace& side : edit.hidden.value_or(std::vector<ClipHalfSpace>()))
         seen.bounds.push_back(voxelBound(side, volume.geometry));
-    Result<std::optional<EditableVoxels>> editable =
-        editableVoxels(edit.editable, document, "segmentSeen");
-    if (!editable)
-        return tl::unexpected(editable.error());
-    seen.editable = *std::move(editable);
-    return seen;
+    return keepingTo(edit.editable, document, "segmentSeen", std::move(seen));
 }
 
 Result<EngineEdit> engineEdit(const SegmentSeen& edit, const Document& document)

@@ -51,8 +51,7 @@ EditEffects effects(const SplitIslands& edit)
 /// "Split 3 islands off 'Liver', −1 204 voxels"
 RowTitle rowTitle(const SplitIslands& edit, const RowFacts& row)
 {
-    const Segment* segment = row.document.segment(edit.segment);
-    const LabelFlow flow = row.facts.flow(segment ? segment->plane : std::uint8_t(0), edit.segment);
+    const LabelFlow flow = row.flowOf(edit.segment);
     return {.code = RowTitleCode::SplitIslands,
         .arguments = {TitleCount{std::int64_t(edit.into ? edit.into->size() : 0)},
             segmentName(edit.segment, row.document)},

@@ -110,11 +110,7 @@ EditEffects effects(const SplitSegment& edit)
 /// "Split 'Liver' by a plane, −3 210 voxels"
 RowTitle rowTitle(const SplitSegment& edit, const RowFacts& row)
 {
-    const Segment* segment = row.document.segment(edit.segment);
-    const LabelFlow flow = row.facts.flow(segment ? segment->plane : std::uint8_t(0), edit.segment);
-    return {.code = RowTitleCode::SplitSegment,
-        .arguments = {segmentName(edit.segment, row.document)},
-        .then = {flowTitle(flow.gained, flow.lost)}};
+    return segmentChanged(RowTitleCode::SplitSegment, edit.segment, row);
 }
 
 /// Whether any voxel stays decides, too, wherever it lies.
@@ -139,13 +135,8 @@ Result<RelabelListed> relabelListed(const SplitSegment& edit, const Document& do
     ListedRuns listed(geometry.size);
     if (sides->staysAny)
         listed.add(sides->beyond, RelabelListed::give);
-    Result<std::optional<EditableVoxels>> editable =
-        editableVoxels(edit.editable, document, "splitSegment");
-    if (!editable)
-        return tl::unexpected(editable.error());
-    RelabelListed relabel = listed.relabel(newTarget(segment, document));
-    relabel.editable = *std::move(editable);
-    return relabel;
+    return keepingTo(
+        edit.editable, document, "splitSegment", listed.relabel(newTarget(segment, document)));
 }
 
 } // namespace core

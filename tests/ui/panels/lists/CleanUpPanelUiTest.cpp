@@ -6,8 +6,8 @@
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/PlainEdits.h"
 #include "tests/support/scenes/SmallStudy.h"
-#include "ui/dialogs/ReshapeDialog.h"
-#include "ui/dialogs/SplitIslandsDialog.h"
+#include "ui/dialogs/segment/ReshapeDialog.h"
+#include "ui/dialogs/segment/SplitIslandsDialog.h"
 #include "ui/workspace/CuttingPlane.h"
 
 #include <QComboBox>

@@ -104,7 +104,7 @@ private Q_SLOTS:
         QCOMPARE(fixture.rows(), std::size_t(0));
         const std::int64_t four = fixture.carvedVoxels();
         QVERIFY(four > 50);
-        fixture.peel.changeDepth(4); // Alt + wheel
+        fixture.peel.changeDepth(4); // Ctrl + Shift + wheel
         QCOMPARE(fixture.peel.depthMm(), 6.0);
         QVERIFY(fixture.carvedVoxels() > four);
         fixture.peel.setDepthMm(4.0);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ui/dialogs/ReshapeDialog.h"
+#include "ui/dialogs/segment/ReshapeDialog.h"
 
 #include "core/session/EditSession.h"
-#include "core/session/SegmentWork.h"
 #include "ui/base/Theme.h"
+#include "ui/dialogs/segment/SegmentWorkRow.h"
 #include "ui/menus/EditableButton.h"
 #include "ui/menus/SegmentMenus.h"
 #include "ui/widgets/FittingLabel.h"
@@ -16,8 +16,6 @@
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QProgressBar>
-#include <QPushButton>
 #include <QSettings>
 #include <QVBoxLayout>
 
@@ -139,9 +137,7 @@ ReshapeDialog::ReshapeDialog(Workspace& workspace, QWidget* parent)
     , m_mm(new QDoubleSpinBox(this))
     , m_bySides(new QCheckBox(tr("not the same on all sides"), this))
     , m_hint(new QLabel(this))
-    , m_progress(new QProgressBar(this))
-    , m_abort(new QPushButton(tr("Abort"), this))
-    , m_apply(new QPushButton(tr("Apply"), this))
+    , m_work(new SegmentWorkRow(workspace, QStringLiteral("Reshape"), tr("Apply"), this))
 {
     setWindowTitle(tr("Reshape a segment"));
     auto* layout = new QVBoxLayout(this);
@@ -175,26 +171,6 @@ ReshapeDialog::ReshapeDialog(Workspace& workspace, QWidget* parent)
     for (const Reshaping& each : reshapings())
         widest = std::max(widest, m_hint->fontMetrics().horizontalAdvance(each.hint));
     m_hint->setMinimumWidth(widest);
-    m_progress->setObjectName(QStringLiteral("reshapeProgress"));
-    m_progress->setRange(0, 100);
-    m_abort->setObjectName(QStringLiteral("abortReshape"));
-    m_abort->setToolTip(tr("Nothing changes"));
-    m_abort->setAutoDefault(false);
-    m_abort->setEnabled(false);
-    m_apply->setObjectName(QStringLiteral("applyReshape"));
-    m_apply->setDefault(true);
-    auto* close = new QPushButton(tr("Close"), this);
-    close->setAutoDefault(false);
-    auto* buttons = new QHBoxLayout;
-    buttons->setSpacing(theme::smallPadding);
-    buttons->addWidget(m_progress, 1);
-    buttons->addWidget(m_abort);
-    buttons->addWidget(m_apply);
-    buttons->addWidget(close);
-    QSizePolicy policy = m_progress->sizePolicy();
-    policy.setRetainSizeWhenHidden(true);
-    m_progress->setSizePolicy(policy);
-    m_progress->hide();
     layout->addWidget(m_whose);
     layout->addLayout(row);
     layout->addWidget(m_hint);
@@ -205,17 +181,11 @@ ReshapeDialog::ReshapeDialog(Workspace& workspace, QWidget* parent)
     connect(m_bySides, &QCheckBox::toggled, this, &ReshapeDialog::showSides);
     layout->addWidget(new EditableNote(workspace, this));
     layout->addSpacing(theme::smallPadding);
-    layout->addLayout(buttons);
-    constexpr int watchMs = 100;
-    m_watching.setInterval(watchMs);
-    connect(&m_watching, &QTimer::timeout, this, &ReshapeDialog::watch);
+    layout->addWidget(m_work);
     connect(m_operation, &QComboBox::currentIndexChanged, this, &ReshapeDialog::chooseOperation);
-    connect(m_apply, &QPushButton::clicked, this, &ReshapeDialog::carryOut);
-    connect(m_abort, &QPushButton::clicked, this, [this] {
-        if (core::EditSession* session = m_workspace.session())
-            session->segmentWork().abort();
-    });
-    connect(close, &QPushButton::clicked, this, &QDialog::reject);
+    connect(m_work, &SegmentWorkRow::asked, this, &ReshapeDialog::carryOut);
+    connect(m_work, &SegmentWorkRow::looked, this, &ReshapeDialog::showState);
+    connect(m_work, &SegmentWorkRow::closed, this, &QDialog::reject);
     connect(&workspace, &Workspace::documentChanged, this, &ReshapeDialog::showState);
     connect(&workspace, &Workspace::sessionChanged, this, &QDialog::reject);
     chooseOperation();
@@ -296,10 +266,7 @@ void ReshapeDialog::showState()
     const core::EditSession* session = m_workspace.session();
     const core::Segment* segment = session ? session->document().segment(m_label) : nullptr;
     m_whose->setText(segment ? segment->name : QString());
-    const QString why = whyUnchangeable(segment);
-    // An impatient second click would do it all once more.
-    m_apply->setEnabled(why.isEmpty() && !percentDone());
-    m_apply->setToolTip(why);
+    m_work->showWhyNot(whyUnchangeable(segment));
 }
 
 core::ReshapeSegment ReshapeDialog::chosen() const
@@ -326,27 +293,7 @@ void ReshapeDialog::carryOut()
     QSettings().setValue(
         settingOf(reshapings()[std::size_t(m_operation->currentIndex())]), m_mm->value());
     reshapeSegment(m_workspace, chosen());
-    m_watching.start();
-    m_abort->setEnabled(percentDone().has_value());
-    showState();
-}
-
-std::optional<int> ReshapeDialog::percentDone() const
-{
-    core::EditSession* session = m_workspace.session();
-    return session ? session->segmentWork().percent() : std::nullopt;
-}
-
-/// What takes less than the first look at it shows no bar, which would only flash up.
-void ReshapeDialog::watch()
-{
-    const core::EditSession* session = m_workspace.session();
-    if (!session || session->idle())
-        m_watching.stop();
-    const std::optional<int> percent = percentDone();
-    m_progress->setValue(percent.value_or(0));
-    m_progress->setVisible(percent.has_value());
-    m_abort->setEnabled(percent.has_value());
+    m_work->follow();
     showState();
 }
 

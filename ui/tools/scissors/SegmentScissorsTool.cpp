@@ -1,26 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ui/tools/growth/SegmentScissorsTool.h"
+#include "ui/tools/scissors/SegmentScissorsTool.h"
 
 #include "core/edits/engine/HalfSpaces.h"
 #include "core/edits/kinds/filling/SegmentScissors.h"
 #include "core/session/EditSession.h"
 #include "ui/base/DisplayJson.h"
-#include "ui/base/Theme.h"
 #include "ui/tools/aim/CursorLabel.h"
 #include "ui/tools/aim/PickQuestion.h"
-#include "ui/tools/common/PaintLimits.h"
-#include "ui/tools/common/SeedOptions.h"
+#include "ui/tools/scissors/SegmentScissorsOptions.h"
 #include "ui/workspace/SegmentActions.h"
 #include "ui/workspace/Workspace.h"
 
-#include <QCheckBox>
-#include <QComboBox>
-#include <QDoubleSpinBox>
-#include <QHBoxLayout>
 #include <QLocale>
 #include <QPainter>
 #include <QPainterPath>
-#include <QSignalBlocker>
 
 #include <algorithm>
 
@@ -29,60 +22,6 @@ namespace ui {
 namespace {
 
 using Does = SegmentScissorsTool::Does;
-
-bool erases(Does does)
-{
-    return does == Does::EraseInside || does == Does::EraseOutside;
-}
-
-bool isOutside(Does does)
-{
-    return does == Does::EraseOutside || does == Does::FillOutside;
-}
-
-/// The widgets of the option bar.
-struct ScissorsOptions {
-    QComboBox* does;
-    QComboBox* shape;
-    QDoubleSpinBox* depth;
-    QCheckBox* allShown;
-};
-
-ScissorsOptions scissorsOptions(QWidget* parent)
-{
-    ScissorsOptions options{new QComboBox(parent), new QComboBox(parent),
-        new QDoubleSpinBox(parent), new QCheckBox(SegmentScissorsTool::tr("all shown"), parent)};
-    using Shape = SegmentScissorsTool::Shape;
-    options.does->setObjectName(QStringLiteral("segmentScissorsDoes"));
-    options.does->setFixedHeight(theme::controlHeight);
-    options.does->addItem(SegmentScissorsTool::tr("erase inside"), int(Does::EraseInside));
-    options.does->addItem(SegmentScissorsTool::tr("erase outside"), int(Does::EraseOutside));
-    options.does->addItem(SegmentScissorsTool::tr("fill inside"), int(Does::FillInside));
-    options.does->addItem(SegmentScissorsTool::tr("fill outside"), int(Does::FillOutside));
-    options.does->setToolTip(
-        SegmentScissorsTool::tr("What becomes of the segment inside or outside of the curve"));
-    options.shape->setObjectName(QStringLiteral("segmentScissorsShape"));
-    options.shape->setFixedHeight(theme::controlHeight);
-    options.shape->addItem(SegmentScissorsTool::tr("freehand"), int(Shape::Freehand));
-    options.shape->addItem(SegmentScissorsTool::tr("rectangle"), int(Shape::Rectangle));
-    options.shape->addItem(SegmentScissorsTool::tr("ellipse"), int(Shape::Ellipse));
-    options.shape->setToolTip(
-        SegmentScissorsTool::tr("Draw a curve, or drag from corner to corner"));
-    options.depth->setObjectName(QStringLiteral("segmentScissorsDepth"));
-    options.depth->setFixedHeight(theme::controlHeight);
-    options.depth->setKeyboardTracking(false);
-    options.depth->setRange(0.0, SegmentScissorsTool::maximumDepthMm);
-    options.depth->setDecimals(1);
-    options.depth->setSuffix(SegmentScissorsTool::tr(" mm deep"));
-    options.depth->setSpecialValueText(SegmentScissorsTool::tr("through all"));
-    options.depth->setToolTip(SegmentScissorsTool::tr(
-        "Through everything, or only so far behind what is seen first of the segment (to fill: of "
-        "the values that may be filled)"));
-    options.allShown->setObjectName(QStringLiteral("segmentScissorsAllShown"));
-    options.allShown->setToolTip(SegmentScissorsTool::tr(
-        "Erase all segments that are shown and not locked, not only the chosen one"));
-    return options;
-}
 
 } // namespace
 
@@ -126,42 +65,7 @@ QString SegmentScissorsTool::keys() const
 
 QWidget* SegmentScissorsTool::createOptions(QWidget* parent)
 {
-    auto* options = new QWidget(parent);
-    auto* layout = new QHBoxLayout(options);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(theme::smallPadding);
-    layout->addWidget(new SeedOptions(m_workspace, {}, options));
-    const ScissorsOptions its = scissorsOptions(options);
-    layout->addWidget(its.does);
-    layout->addWidget(its.shape);
-    layout->addWidget(its.depth);
-    layout->addWidget(its.allShown);
-    layout->addWidget(new PaintLimits(m_workspace, options));
-    const auto show = [this, its] {
-        const QSignalBlocker does(its.does);
-        const QSignalBlocker shape(its.shape);
-        const QSignalBlocker depth(its.depth);
-        const QSignalBlocker allShown(its.allShown);
-        its.does->setCurrentIndex(its.does->findData(int(m_settings.does)));
-        its.shape->setCurrentIndex(its.shape->findData(int(m_settings.shape)));
-        its.depth->setValue(m_settings.depthMm);
-        its.depth->setEnabled(!isOutside(m_settings.does));
-        its.allShown->setChecked(m_settings.allShown);
-        its.allShown->setEnabled(erases(m_settings.does));
-    };
-    const auto take = [this, its] {
-        setSettings({.does = Does(its.does->currentData().toInt()),
-            .shape = Shape(its.shape->currentData().toInt()),
-            .depthMm = its.depth->value(),
-            .allShown = its.allShown->isChecked()});
-    };
-    show();
-    connect(this, &SegmentScissorsTool::settingsChanged, options, show);
-    connect(its.does, &QComboBox::activated, options, take);
-    connect(its.shape, &QComboBox::activated, options, take);
-    connect(its.depth, &QDoubleSpinBox::valueChanged, options, take);
-    connect(its.allShown, &QCheckBox::clicked, options, take);
-    return options;
+    return new SegmentScissorsOptions(m_workspace, *this, parent);
 }
 
 QJsonObject SegmentScissorsTool::settingsJson() const
@@ -208,6 +112,16 @@ bool SegmentScissorsTool::worksIn(const ViewContext& view) const
 {
     const auto* scene = std::get_if<gpu::VolumeScene>(&view.scene);
     return scene && scene->orthographic;
+}
+
+bool SegmentScissorsTool::erases(Does does)
+{
+    return does == Does::EraseInside || does == Does::EraseOutside;
+}
+
+bool SegmentScissorsTool::isOutside(Does does)
+{
+    return does == Does::EraseOutside || does == Does::FillOutside;
 }
 
 Does SegmentScissorsTool::doesNow() const

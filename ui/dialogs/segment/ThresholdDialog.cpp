@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ui/dialogs/ThresholdDialog.h"
+#include "ui/dialogs/segment/ThresholdDialog.h"
 
 #include "core/session/EditSession.h"
 #include "core/session/past/FollowedInterval.h"
 #include "ui/base/CountText.h"
 #include "ui/base/Theme.h"
-#include "ui/dialogs/IntervalSuggestions.h"
-#include "ui/dialogs/ThresholdTrial.h"
+#include "ui/dialogs/segment/IntervalSuggestions.h"
+#include "ui/dialogs/segment/ThresholdTrial.h"
 #include "ui/menus/EditableButton.h"
 #include "ui/menus/SegmentMenus.h"
 #include "ui/settings/GrowSettings.h"

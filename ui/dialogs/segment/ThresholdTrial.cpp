@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ui/dialogs/ThresholdTrial.h"
+#include "ui/dialogs/segment/ThresholdTrial.h"
 
 #include "core/session/EditSession.h"
 #include "ui/workspace/SegmentActions.h"

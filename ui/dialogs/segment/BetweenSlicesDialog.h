@@ -16,12 +16,11 @@
 
 class QComboBox;
 class QLabel;
-class QProgressBar;
-class QPushButton;
 
 namespace ui {
 
 class FittingLabel;
+class SegmentWorkRow;
 class Workspace;
 
 /// Shows which slices of a segment count as drawn and how much lies between them, and fills it. It
@@ -52,10 +51,8 @@ private:
     void showState();
     void showFound();
     void carryOut();
-    void watch();
     [[nodiscard]] std::optional<core::SliceAxis> chosenAxis() const; ///< none: found by itself
     [[nodiscard]] QString drawnText(const core::DrawnSlices& drawn) const;
-    [[nodiscard]] std::optional<int> percentDone() const; ///< none: nothing is being worked out
 
     Workspace& m_workspace;
     int m_label = 0;
@@ -67,10 +64,7 @@ private:
     QComboBox* m_axis;
     FittingLabel* m_drawn;
     QLabel* m_result;
-    QProgressBar* m_progress;
-    QPushButton* m_abort;
-    QPushButton* m_apply;
-    QTimer m_watching; ///< while it is being filled
+    SegmentWorkRow* m_work;
     QTimer m_lookSoon; ///< after several changes once
     LabelFetch m_fetch;
     core::Background m_counting; ///< last: its results are delivered to all of the above

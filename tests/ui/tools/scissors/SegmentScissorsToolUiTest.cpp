@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ui/tools/growth/SegmentScissorsTool.h"
+#include "ui/tools/scissors/SegmentScissorsTool.h"
 
 #include "core/edits/kinds/filling/SegmentScissors.h"
 #include "core/edits/kinds/values/ThresholdSegment.h"
@@ -247,7 +247,7 @@ private Q_SLOTS:
         QCOMPARE(depth->text(), QStringLiteral("through all"));
         depth->setValue(6.0);
         QCOMPARE(fixture.tool.settings().depthMm, 6.0);
-        fixture.tool.changeDepth(2); // Alt + wheel
+        fixture.tool.changeDepth(2); // Ctrl + Shift + wheel
         QCOMPARE(depth->value(), 8.0);
         fixture.tool.changeDepth(-2);
         const Voxels bone = fixture.voxels(1);

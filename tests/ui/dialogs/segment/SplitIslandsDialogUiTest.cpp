@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ui/dialogs/SplitIslandsDialog.h"
+#include "ui/dialogs/segment/SplitIslandsDialog.h"
 
 #include "core/brick/VoxelRuns.h"
 #include "core/edits/kinds/segments/ImportMask.h"

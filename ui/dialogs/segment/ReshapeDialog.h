@@ -5,20 +5,16 @@
 
 #include <QDialog>
 #include <QList>
-#include <QTimer>
-
-#include <optional>
 
 class QCheckBox;
 class QComboBox;
 class QDoubleSpinBox;
 class QLabel;
-class QProgressBar;
-class QPushButton;
 
 namespace ui {
 
 class FittingLabel;
+class SegmentWorkRow;
 class Workspace;
 
 /// Asks how far a segment is grown, shrunk, hollowed out or smoothed, and has it done. It stays
@@ -41,9 +37,7 @@ private:
     void showSides();
     void showState();
     void carryOut();
-    void watch();
     [[nodiscard]] core::ReshapeSegment chosen() const;
-    [[nodiscard]] std::optional<int> percentDone() const; ///< none: nothing is being worked out
 
     Workspace& m_workspace;
     int m_label = 0;
@@ -53,10 +47,7 @@ private:
     QCheckBox* m_bySides;
     QList<QDoubleSpinBox*> m_sides; ///< right, left, anterior, posterior, inferior, superior
     QLabel* m_hint;
-    QProgressBar* m_progress;
-    QPushButton* m_abort;
-    QPushButton* m_apply;
-    QTimer m_watching; ///< while it is being worked out
+    SegmentWorkRow* m_work;
 };
 
 } // namespace ui

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ui/dialogs/IntervalSuggestions.h"
+#include "ui/dialogs/segment/IntervalSuggestions.h"
 
 #include "core/growth/ProbedVoxel.h"
 #include "core/session/EditSession.h"

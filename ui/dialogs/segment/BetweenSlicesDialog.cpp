@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ui/dialogs/BetweenSlicesDialog.h"
+#include "ui/dialogs/segment/BetweenSlicesDialog.h"
 
 #include "core/session/EditSession.h"
-#include "core/session/SegmentWork.h"
 #include "ui/base/CountText.h"
 #include "ui/base/Theme.h"
+#include "ui/dialogs/segment/SegmentWorkRow.h"
 #include "ui/geometry/SlicePlane.h"
 #include "ui/menus/EditableButton.h"
 #include "ui/menus/SegmentMenus.h"
@@ -13,11 +13,8 @@
 #include "ui/workspace/Workspace.h"
 
 #include <QComboBox>
-#include <QHBoxLayout>
 #include <QHideEvent>
 #include <QLabel>
-#include <QProgressBar>
-#include <QPushButton>
 #include <QStringList>
 #include <QVBoxLayout>
 
@@ -75,9 +72,7 @@ BetweenSlicesDialog::BetweenSlicesDialog(Workspace& workspace, QWidget* parent)
     , m_axis(new QComboBox(this))
     , m_drawn(new FittingLabel(Qt::AlignLeft, this))
     , m_result(new QLabel(this))
-    , m_progress(new QProgressBar(this))
-    , m_abort(new QPushButton(tr("Abort"), this))
-    , m_apply(new QPushButton(tr("Fill"), this))
+    , m_work(new SegmentWorkRow(workspace, QStringLiteral("Between"), tr("Fill"), this))
 {
     setWindowTitle(tr("Fill between slices"));
     auto* layout = new QVBoxLayout(this);
@@ -98,37 +93,14 @@ BetweenSlicesDialog::BetweenSlicesDialog(Workspace& workspace, QWidget* parent)
     m_result->setObjectName(QStringLiteral("betweenResult"));
     m_result->setFont(theme::smallFont());
     m_result->setProperty("role", QStringLiteral("secondary"));
-    m_progress->setObjectName(QStringLiteral("betweenProgress"));
-    m_progress->setRange(0, 100);
-    m_abort->setObjectName(QStringLiteral("abortBetween"));
-    m_abort->setToolTip(tr("Nothing changes"));
-    m_abort->setAutoDefault(false);
-    m_abort->setEnabled(false);
-    m_apply->setObjectName(QStringLiteral("applyBetween"));
-    m_apply->setDefault(true);
-    auto* close = new QPushButton(tr("Close"), this);
-    close->setAutoDefault(false);
-    auto* buttons = new QHBoxLayout;
-    buttons->setSpacing(theme::smallPadding);
-    buttons->addWidget(m_progress, 1);
-    buttons->addWidget(m_abort);
-    buttons->addWidget(m_apply);
-    buttons->addWidget(close);
-    QSizePolicy policy = m_progress->sizePolicy();
-    policy.setRetainSizeWhenHidden(true);
-    m_progress->setSizePolicy(policy);
-    m_progress->hide();
     layout->addWidget(m_whose);
     layout->addWidget(m_axis);
     layout->addWidget(m_drawn);
     layout->addWidget(m_result);
     layout->addWidget(new EditableNote(workspace, this));
     layout->addSpacing(theme::smallPadding);
-    layout->addLayout(buttons);
-    constexpr int watchMs = 100;
-    m_watching.setInterval(watchMs);
+    layout->addWidget(m_work);
     m_lookSoon.setSingleShot(true);
-    connect(&m_watching, &QTimer::timeout, this, &BetweenSlicesDialog::watch);
     connect(&m_lookSoon, &QTimer::timeout, this, &BetweenSlicesDialog::look);
     connect(&m_fetch, &LabelFetch::finished, this, &BetweenSlicesDialog::count);
     connect(&m_fetch, &LabelFetch::failed, this, [this] {
@@ -139,12 +111,9 @@ BetweenSlicesDialog::BetweenSlicesDialog(Workspace& workspace, QWidget* parent)
         if (m_planes)
             count(m_planes);
     });
-    connect(m_apply, &QPushButton::clicked, this, &BetweenSlicesDialog::carryOut);
-    connect(m_abort, &QPushButton::clicked, this, [this] {
-        if (core::EditSession* session = m_workspace.session())
-            session->segmentWork().abort();
-    });
-    connect(close, &QPushButton::clicked, this, &QDialog::reject);
+    connect(m_work, &SegmentWorkRow::asked, this, &BetweenSlicesDialog::carryOut);
+    connect(m_work, &SegmentWorkRow::looked, this, &BetweenSlicesDialog::showState);
+    connect(m_work, &SegmentWorkRow::closed, this, &QDialog::reject);
     connect(
         &workspace, &Workspace::documentChanged, this, [this](const core::DocumentChange& change) {
             if (!isVisible())
@@ -166,7 +135,7 @@ void BetweenSlicesDialog::ask(int label)
     show();
     raise();
     activateWindow();
-    m_apply->setFocus();
+    m_work->focusApply();
     look();
 }
 
@@ -250,9 +219,7 @@ void BetweenSlicesDialog::showState()
     QString why = whyUnchangeable(segment);
     if (why.isEmpty() && m_found && m_found->voxels == 0)
         why = tr("there is nothing to fill");
-    // An impatient second click would do it all once more.
-    m_apply->setEnabled(why.isEmpty() && !percentDone());
-    m_apply->setToolTip(why);
+    m_work->showWhyNot(why);
     showFound();
 }
 
@@ -299,27 +266,7 @@ QString BetweenSlicesDialog::drawnText(const core::DrawnSlices& drawn) const
 void BetweenSlicesDialog::carryOut()
 {
     fillBetweenSlices(m_workspace, {.segment = m_label, .axis = chosenAxis()});
-    m_watching.start();
-    m_abort->setEnabled(percentDone().has_value());
-    showState();
-}
-
-std::optional<int> BetweenSlicesDialog::percentDone() const
-{
-    core::EditSession* session = m_workspace.session();
-    return session ? session->segmentWork().percent() : std::nullopt;
-}
-
-/// What takes less than the first look at it shows no bar, which would only flash up.
-void BetweenSlicesDialog::watch()
-{
-    const core::EditSession* session = m_workspace.session();
-    if (!session || session->idle())
-        m_watching.stop();
-    const std::optional<int> percent = percentDone();
-    m_progress->setValue(percent.value_or(0));
-    m_progress->setVisible(percent.has_value());
-    m_abort->setEnabled(percent.has_value());
+    m_work->follow();
     showState();
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ui/dialogs/BetweenSlicesDialog.h"
+#include "ui/dialogs/segment/BetweenSlicesDialog.h"
 
 #include "core/edits/kinds/segments/PaintStroke.h"
 #include "core/session/SegmentWork.h"

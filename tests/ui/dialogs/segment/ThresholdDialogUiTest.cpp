@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ui/dialogs/ThresholdDialog.h"
+#include "ui/dialogs/segment/ThresholdDialog.h"
 
 #include "core/edits/kinds/segments/RemoveSegment.h"
 #include "core/edits/kinds/values/ThresholdSegment.h"

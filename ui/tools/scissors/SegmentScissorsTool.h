@@ -29,6 +29,8 @@ public:
         bool operator==(const Settings&) const = default;
     };
     static constexpr double maximumDepthMm = 300.0;
+    [[nodiscard]] static bool erases(Does does);
+    [[nodiscard]] static bool isOutside(Does does);
 
     explicit SegmentScissorsTool(Workspace& workspace, QObject* parent = nullptr);
 

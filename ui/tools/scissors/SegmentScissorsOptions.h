@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QWidget>
+
+class QCheckBox;
+class QComboBox;
+class QDoubleSpinBox;
+
+namespace ui {
+
+class SeedOptions;
+class SegmentScissorsTool;
+class Workspace;
+
+/// The options of the segment scissors in the option bar; always in step with the tool.
+class SegmentScissorsOptions : public QWidget {
+    Q_OBJECT
+
+public:
+    SegmentScissorsOptions(
+        Workspace& workspace, SegmentScissorsTool& tool, QWidget* parent = nullptr);
+
+private:
+    void nameChoices();
+    void setUpDepth();
+    void showSettings();
+    void takeSettings();
+
+    SegmentScissorsTool& m_tool;
+    SeedOptions* m_seeds; ///< here, as the tab key goes from one to the next
+    QComboBox* m_does;
+    QComboBox* m_shape;
+    QDoubleSpinBox* m_depth;
+    QCheckBox* m_allShown;
+};
+
+} // namespace ui
