@@ -266,7 +266,10 @@ QVariant StatisticsModel::headerData(int section, Qt::Orientation orientation, i
     if (section < 0 || section >= columnCount())
         return {};
     switch (role) {
-    case Qt::DisplayRole:
+    case Qt::DisplayRole: // the unit below the name: so more columns are seen at once
+        return section == 0 ? tr("Segment")
+                            : headingOf(section).replace(QLatin1String(" ("), QLatin1String("\n("));
+    case Qt::EditRole:
         return section == 0 ? tr("Segment") : headingOf(section);
     case LongNameRole:
     case Qt::ToolTipRole:

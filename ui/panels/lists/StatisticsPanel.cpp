@@ -239,7 +239,7 @@ QString StatisticsPanel::asText() const
         if (column > 0 && m_table->isColumnHidden(column))
             continue;
         columns.push_back(column);
-        cells += m_sorted->headerData(column, Qt::Horizontal).toString();
+        cells += m_sorted->headerData(column, Qt::Horizontal, Qt::EditRole).toString();
     }
     QStringList lines{cells.join(QLatin1Char('\t'))};
     const bool isChoice = m_table->selectionModel()->hasSelection();
