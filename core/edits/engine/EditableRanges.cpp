@@ -2,7 +2,6 @@
 #include "core/edits/engine/EditableRanges.h"
 
 #include "core/edits/engine/BoxVoxels.h"
-#include "core/edits/engine/ValueBounds.h"
 
 #include <map>
 #include <utility>
@@ -32,6 +31,16 @@ Result<std::vector<PlaneLabels>> byPlane(
 }
 
 } // namespace
+
+Result<CodeInterval> codesBetween(const QString& field, const std::optional<double>& lower,
+    const std::optional<double>& upper, const VoxelEncoding& encoding)
+{
+    if (lower && upper && !(*lower <= *upper))
+        return failure(ErrorCode::InvalidField, field + QStringLiteral(".upper"),
+            QStringLiteral("%1 is below lower, %2").arg(*upper).arg(*lower));
+    return CodeInterval{.low = lower ? encoding.lowestCodeAtLeast(*lower) : 0,
+        .high = upper ? encoding.highestCodeAtMost(*upper) : VoxelEncoding::codeCount - 1};
+}
 
 Result<std::optional<EditableVoxels>> editableVoxels(
     const std::optional<EditableRange>& range, const Document& document, const char* edit)

@@ -4,7 +4,10 @@
 #include "core/base/Result.h"
 #include "core/document/Document.h"
 #include "core/edits/kinds/parts/EditableRange.h"
+#include "core/growth/SeedStatistics.h"
 #include "core/sculpt/labels/EditableVoxels.h"
+
+#include <QString>
 
 #include <optional>
 #include <utility>
@@ -34,5 +37,12 @@ template <class Command>
 {
     return range && range->box;
 }
+
+/// The codes of values between two bounds, both included; a bound that is not given is the end of
+/// all codes.
+/// Errors: InvalidField (bounds in the wrong order: the field "upper" below @p field).
+[[nodiscard]] Result<CodeInterval> codesBetween(const QString& field,
+    const std::optional<double>& lower, const std::optional<double>& upper,
+    const VoxelEncoding& encoding);
 
 } // namespace core

@@ -10,7 +10,6 @@
 #include "core/edits/engine/EditableRanges.h"
 #include "core/edits/engine/EngineEdits.h"
 #include "core/edits/engine/ListedRuns.h"
-#include "core/edits/engine/ValueBounds.h"
 #include "core/edits/kinds/growth/GrowLimits.h"
 #include "core/morphology/MillimetreBall.h"
 

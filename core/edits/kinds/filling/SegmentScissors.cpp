@@ -8,7 +8,6 @@
 #include "core/edits/engine/CutFrames.h"
 #include "core/edits/engine/EditableRanges.h"
 #include "core/edits/engine/EngineEdits.h"
-#include "core/edits/engine/ValueBounds.h"
 #include "core/edits/kinds/sculpt/OutlinedPlane.h"
 #include "core/sculpt/labels/LabelScissors.h"
 

@@ -9,7 +9,6 @@
 #include "core/edits/engine/EditableRanges.h"
 #include "core/edits/engine/EngineEdits.h"
 #include "core/edits/engine/SlicePlane.h"
-#include "core/edits/engine/ValueBounds.h"
 #include "core/sculpt/labels/LabelOutlined.h"
 
 #include <algorithm>

@@ -7,7 +7,6 @@
 #include "core/edits/answers/RowFacts.h"
 #include "core/edits/engine/EditableRanges.h"
 #include "core/edits/engine/EngineEdits.h"
-#include "core/edits/engine/ValueBounds.h"
 #include "core/edits/kinds/segments/AddSegment.h"
 
 #include <algorithm>
