@@ -4,6 +4,8 @@
 #include <QLocale>
 #include <QObject>
 
+#include <cmath>
+
 namespace ui {
 
 QString countText(qlonglong count)
@@ -19,6 +21,17 @@ QString volumeText(double millilitres)
 {
     return QObject::tr("%1 mL").arg(
         QLocale().toString(millilitres, 'f', millilitres < 1.0 ? 2 : 1));
+}
+
+QString millilitreText(std::int64_t voxels, double voxelVolumeMm3)
+{
+    if (voxels == 0)
+        return QStringLiteral("—");
+    const double millilitres = double(voxels) * voxelVolumeMm3 / 1000.0;
+    if (millilitres >= 1000.0)
+        return QObject::tr("%1 mL").arg(countText(std::llround(millilitres)));
+    const int digits = millilitres < 10.0 ? 2 : 1;
+    return QObject::tr("%1 mL").arg(QLocale().toString(millilitres, 'f', digits));
 }
 
 } // namespace ui

@@ -3,6 +3,8 @@
 
 #include <QString>
 
+#include <cstdint>
+
 namespace ui {
 
 /// A count with its digits in groups of three, as in the names of the history: 18204 → "18 204".
@@ -10,5 +12,8 @@ namespace ui {
 
 /// A volume as in lists and beside the pointer: "0.35 mL", "12.4 mL".
 [[nodiscard]] QString volumeText(double millilitres);
+
+/// "9.84 mL": two digits below 10, one below 1000, none above; "—" for nothing.
+[[nodiscard]] QString millilitreText(std::int64_t voxels, double voxelVolumeMm3);
 
 } // namespace ui

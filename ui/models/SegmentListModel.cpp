@@ -9,23 +9,10 @@
 #include "ui/workspace/Workspace.h"
 
 #include <QColor>
-#include <QLocale>
 
 #include <algorithm>
-#include <cmath>
 
 namespace ui {
-
-QString millilitreText(std::int64_t voxels, double voxelVolumeMm3)
-{
-    if (voxels == 0)
-        return QStringLiteral("—");
-    const double millilitres = double(voxels) * voxelVolumeMm3 / 1000.0;
-    if (millilitres >= 1000.0)
-        return QObject::tr("%1 mL").arg(countText(std::llround(millilitres)));
-    const int digits = millilitres < 10.0 ? 2 : 1;
-    return QObject::tr("%1 mL").arg(QLocale().toString(millilitres, 'f', digits));
-}
 
 SegmentListModel::SegmentListModel(Workspace& workspace, QObject* parent)
     : SegmentRows(parent)

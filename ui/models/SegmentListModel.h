@@ -49,7 +49,4 @@ private:
     Workspace& m_workspace;
 };
 
-/// "9.84 mL": two digits below 10, one below 1000, none above; "—" for nothing.
-[[nodiscard]] QString millilitreText(std::int64_t voxels, double voxelVolumeMm3);
-
 } // namespace ui

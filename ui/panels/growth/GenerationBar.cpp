@@ -3,7 +3,6 @@
 
 #include "ui/base/CountText.h"
 #include "ui/base/Theme.h"
-#include "ui/models/SegmentListModel.h"
 #include "ui/widgets/MarkedCurve.h"
 
 #include <QHelpEvent>

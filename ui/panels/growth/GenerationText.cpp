@@ -7,7 +7,6 @@
 #include "core/edits/kinds/growth/ShrinkSteps.h"
 #include "core/session/EditSession.h"
 #include "ui/base/CountText.h"
-#include "ui/models/SegmentListModel.h"
 
 #include <QObject>
 

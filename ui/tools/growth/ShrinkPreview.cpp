@@ -3,7 +3,7 @@
 
 #include "core/edits/kinds/growth/ShrinkAt.h"
 #include "core/session/questions/VoxelQuestions.h"
-#include "ui/models/SegmentListModel.h"
+#include "ui/base/CountText.h"
 #include "ui/workspace/Workspace.h"
 
 #include <QPointer>
