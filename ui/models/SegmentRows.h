@@ -44,14 +44,14 @@ protected:
         }
         const auto apart =
             std::mismatch(m_labels.begin(), m_labels.end(), present.begin(), present.end());
-        const int kept = int(apart.first - m_labels.begin());
-        if (kept < int(m_labels.size())) {
-            Model::beginRemoveRows({}, kept, int(m_labels.size()) - 1);
-            m_labels.resize(std::size_t(kept));
+        const int same = int(apart.first - m_labels.begin());
+        if (same < int(m_labels.size())) {
+            Model::beginRemoveRows({}, same, int(m_labels.size()) - 1);
+            m_labels.resize(std::size_t(same));
             Model::endRemoveRows();
         }
-        if (kept < int(present.size())) {
-            Model::beginInsertRows({}, kept, int(present.size()) - 1);
+        if (same < int(present.size())) {
+            Model::beginInsertRows({}, same, int(present.size()) - 1);
             m_labels = std::move(present);
             Model::endInsertRows();
         }
