@@ -82,7 +82,12 @@ EditableSection::EditableSection(Workspace& workspace, QWidget* parent)
         connect(each, &QCheckBox::clicked, this, &EditableSection::take);
     for (const QDoubleSpinBox* each : {m_lower, m_upper})
         connect(each, &QDoubleSpinBox::valueChanged, this, &EditableSection::takeValues);
-    connect(m_where, &QComboBox::activated, this, &EditableSection::take);
+    connect(m_where, &QComboBox::activated, this, [this] {
+        // Who chooses where voxels may change wants that to hold.
+        if (m_where->currentData().toPoint() != placeOf(Where::Anywhere))
+            m_on->setChecked(true);
+        take();
+    });
 }
 
 void EditableSection::showEvent(QShowEvent* event)
@@ -100,7 +105,6 @@ void EditableSection::showSettings()
     m_byValue->setChecked(settings.byValue);
     m_boxed->setChecked(settings.boxed);
     m_byValue->setEnabled(settings.on);
-    m_where->setEnabled(settings.on);
     m_boxed->setEnabled(settings.on && (settings.boxed || m_workspace.editableBox()));
     const core::Volume* volume = m_workspace.volume();
     for (QDoubleSpinBox* box : {m_lower, m_upper}) {

@@ -106,6 +106,30 @@ private Q_SLOTS:
         QVERIFY(!core::editToJson(fixture.lastEdit()).contains(QStringLiteral("editable")));
     }
 
+    /// Where voxels may change is chosen in one go; that they may change anywhere switches nothing
+    /// on.
+    void aPlaceSwitchesItOn()
+    {
+        Fixture fixture;
+        QVERIFY(fixture.its<QComboBox>("editableWhere").isEnabled());
+        fixture.choose(QStringLiteral("anywhere"));
+        QVERIFY(!fixture.workspace.editableSettings().on);
+        fixture.choose(QStringLiteral("inside visible segments"));
+        QVERIFY(fixture.workspace.editableSettings().on);
+        QVERIFY(fixture.its<QCheckBox>("editableOn").isChecked());
+        QVERIFY(fixture.its<QCheckBox>("editableByValue").isEnabled());
+        QCOMPARE(fixture.its<QComboBox>("editableWhere").currentText(),
+            QStringLiteral("inside visible segments"));
+
+        // Switched off again it keeps the place, and anywhere leaves it on.
+        fixture.its<QCheckBox>("editableOn").click();
+        QVERIFY(!fixture.workspace.editableRange());
+        QCOMPARE(fixture.workspace.editableSettings().where, Where::InsideVisible);
+        fixture.its<QCheckBox>("editableOn").click();
+        fixture.choose(QStringLiteral("anywhere"));
+        QVERIFY(fixture.workspace.editableSettings().on);
+    }
+
     /// Of what is under the brush only what the range allows; the row has it, and its recipe comes
     /// to the same.
     void paintingChangesOnlyWhatItAllows()
