@@ -7,7 +7,7 @@
 layout(binding = 0) uniform sampler3D intensity; // code / 65535
 layout(binding = 1) uniform sampler3D radiation; // ≥ 0.5: carved away
 layout(binding = 3) uniform usampler3D labels;
-layout(binding = 7) uniform sampler2D palette;   // rgb, shown
+layout(binding = 7) uniform sampler2D palette;   // rgb, opacity (0: not shown)
 #if BARRIERS || WARNED || AT_TOLERANCE || CUT_PREVIEW
 #include "kernels/labels/memberWords.glsl"
 #endif

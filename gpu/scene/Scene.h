@@ -35,6 +35,10 @@ struct ToleranceDisplay {
 struct SegmentDisplay {
     std::array<std::uint32_t, 256> rgb{}; ///< 0xRRGGBB
     std::array<bool, 256> visible{};
+    /// 0: opaque. In slices it holds for fill and outline. In the 3D view, behind a translucent
+    /// segment are seen tissue and opaque segments, but not others that are translucent.
+    std::array<std::uint8_t, 256> transparencyPercent{};
+    bool voxelTrue = false; ///< bodies in the 3D view are their voxels, not smoothed
     /// Members of later generations of the growth are drawn in `warningRgb`; by default none are.
     std::uint32_t warnAfterGeneration = 0xFFFFFFFFu;
     std::uint32_t warningRgb = 0xF0B04A;

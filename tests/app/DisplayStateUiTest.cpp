@@ -15,8 +15,8 @@
 #include "ui/tools/contour/ContourTool.h"
 #include "ui/tools/growth/FillOutlineTool.h"
 #include "ui/tools/growth/FloodFillTool.h"
-#include "ui/tools/scissors/SegmentScissorsTool.h"
 #include "ui/tools/nudge/NudgeTool.h"
+#include "ui/tools/scissors/SegmentScissorsTool.h"
 #include "ui/tools/sculpt/PeelTool.h"
 #include "ui/tools/sculpt/ScissorsTool.h"
 #include "ui/tools/view/MeasureTool.h"
@@ -330,6 +330,36 @@ private Q_SLOTS:
         QVERIFY(!views.axial().place());
     }
 
+    /// Translucent segments come back; a session without any does not speak of them.
+    void opacitiesComeBack()
+    {
+        const auto named = [](app::Application& application) {
+            return displayOf(application.window())
+                .composed()[QLatin1String("views")]
+                .toObject()
+                .contains(QLatin1String("segments"));
+        };
+        {
+            const auto application = opened();
+            QVERIFY(!named(*application));
+            const std::size_t rows = application->workspace().session()->history().rows().size();
+            application->workspace().setSegmentOpacity(2, 45);
+            QVERIFY(named(*application));
+            QCOMPARE(application->workspace().session()->history().rows().size(), rows);
+        }
+        {
+            const auto application = opened();
+            QCOMPARE(application->workspace().segmentOpacity(2), 45);
+            QCOMPARE(application->workspace().segmentOpacity(1), 100);
+            QCOMPARE(int(application->workspace().segmentDisplay().transparencyPercent[2]), 55);
+            QCOMPARE(application->workspace().session()->stateHash(), m_hash);
+            application->workspace().setSegmentOpacity(2, 100);
+        }
+        const auto application = opened();
+        QVERIFY(application->workspace().segmentOpacities().empty());
+        QVERIFY(!named(*application));
+    }
+
     /// The cutting plane where it was, and the pen view beside the stage.
     void thePlaneComesBack()
     {
@@ -448,7 +478,9 @@ private Q_SLOTS:
                           "maximum':[1,1,1],'on':true},"
                           "'planes':[{'normalLps':[0,0,0],'on':true}]},'volume':{'mode':'hologram',"
                           "'transferFunction':[{'value':3,'color':'#fff','opacity':2}]},"
-                          "'views':{'alone':'ceiling','axial':{'mmPerPixel':-1},'volume':"
+                          "'views':{'alone':'ceiling','axial':{'mmPerPixel':-1},"
+                          "'segments':[3,{'segment':700,'opacityPercent':9},"
+                          "{'segment':1,'opacityPercent':'half'}],'volume':"
                           "{'up':[0,0,0],'towardsViewer':[1,1,1],'heightMm':-3}},"
                           "'drill':{'shape':9,'sweep':-1,'rate':'often','freehand':true,"
                           "'outline':[[0,0],[1,'far']]},"

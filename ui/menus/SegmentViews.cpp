@@ -24,6 +24,7 @@ using Drawing = Workspace::SegmentDrawing;
 
 constexpr QLatin1String drawingKey("segments/drawing");
 constexpr QLatin1String fillKey("segments/fillPercent");
+constexpr QLatin1String voxelTrueKey("segments/voxelTrue");
 constexpr int leastFillPercent = 5;
 constexpr int fillStepPercent = 5;
 
@@ -43,7 +44,16 @@ void restoreDrawing(Workspace& workspace)
     const int percent = settings.value(fillKey).toInt(&isNumber);
     if (isNumber)
         options.segmentFillPercent = std::clamp(percent, leastFillPercent, 100);
+    options.voxelTrueSegments = settings.value(voxelTrueKey).toString() == QLatin1String("true");
     workspace.setViewOptions(options);
+}
+
+void setVoxelTrue(Workspace& workspace, bool voxelTrue)
+{
+    Workspace::ViewOptions options = workspace.viewOptions();
+    options.voxelTrueSegments = voxelTrue;
+    workspace.setViewOptions(options);
+    QSettings().setValue(voxelTrueKey, voxelTrue ? QLatin1String("true") : QLatin1String("false"));
 }
 
 void setDrawing(Workspace& workspace, Drawing drawing)
@@ -170,6 +180,30 @@ void addDrawings(Actions& actions, Workspace& workspace)
         .possible = filled});
 }
 
+void addBodies(Actions& actions, Workspace& workspace)
+{
+    struct Choice {
+        const char* id;
+        QString text;
+        QString tip;
+        bool voxelTrue;
+    };
+    for (const Choice& choice :
+        {Choice{"segments.smooth", QObject::tr("Smooth"),
+             QObject::tr("The surfaces of segments are smoothed to be looked at"), false},
+            Choice{"segments.voxelTrue", QObject::tr("Voxel by voxel"),
+                QObject::tr("Segments are the cubes of their voxels, as an export has them"),
+                true}})
+        actions.add({.id = QLatin1String(choice.id),
+            .text = choice.text,
+            .tip = choice.tip,
+            .run = [&workspace, wanted = choice.voxelTrue] { setVoxelTrue(workspace, wanted); },
+            .checked =
+                [&workspace, wanted = choice.voxelTrue] {
+                    return workspace.viewOptions().voxelTrueSegments == wanted;
+                }});
+}
+
 } // namespace
 
 QString showAloneText(const Workspace& workspace, const core::Segment& segment)
@@ -184,6 +218,7 @@ void addSegmentViews(Actions& actions, Workspace& workspace)
 {
     addSteps(actions, workspace);
     addDrawings(actions, workspace);
+    addBodies(actions, workspace);
     restoreDrawing(workspace);
 }
 

@@ -15,8 +15,8 @@ class Actions;
 class Workspace;
 
 /// Adds to the window's actions how segments are looked at: the one before or after the active one
-/// becomes active, the views go to it, it is shown alone, and what is drawn of segments in slices.
-/// That last choice is a setting, which is restored now.
+/// becomes active, the views go to it, it is shown alone, and what is drawn of segments in slices,
+/// and whether their bodies are smooth. The last two are settings, which are restored now.
 void addSegmentViews(Actions& actions, Workspace& workspace);
 
 /// What an entry of a menu says that shows a segment alone (ViewSteps), as things stand.

@@ -14,6 +14,17 @@
 
 namespace ui {
 
+namespace {
+
+/// Empty for an opaque segment.
+QString opacityText(const Workspace& workspace, const core::Segment& segment)
+{
+    const int percent = workspace.segmentOpacity(segment.label);
+    return percent < 100 ? SegmentListModel::tr("opacity %1 %").arg(percent) : QString();
+}
+
+} // namespace
+
 SegmentListModel::SegmentListModel(Workspace& workspace, QObject* parent)
     : SegmentRows(parent)
     , m_workspace(workspace)
@@ -80,13 +91,16 @@ QVariant SegmentListModel::data(const QModelIndex& index, int role) const
         const QString text = tr("%1, %2, %3")
                                  .arg(segment->name, data(index, VolumeRole).toString(),
                                      segment->visible ? tr("shown") : tr("hidden"));
-        const QString follows = followsText(*segment);
-        return follows.isEmpty() ? text : tr("%1, %2").arg(text, follows);
+        QStringList parts{text, opacityText(m_workspace, *segment), followsText(*segment)};
+        parts.removeAll(QString());
+        return parts.join(QLatin1String(", "));
     }
     case Qt::ToolTipRole: {
         QStringList lines{segment->name, data(index, CodeTextRole).toString()};
         if (const QString follows = followsText(*segment); !follows.isEmpty())
             lines += follows;
+        if (const QString opacity = opacityText(m_workspace, *segment); !opacity.isEmpty())
+            lines += opacity;
         if (data(index, UnwrittenRole).toBool())
             lines += tr("It differs from its surface. Write the surface back, or have the surface "
                         "follow it.");

@@ -205,6 +205,8 @@ void ImageView::requestFrame(bool interacting)
         const gpu::SegmentDisplay usual;
         request.segments.fillOpacity = usual.fillOpacity;
         request.segments.outlineWidthPixels = usual.outlineWidthPixels;
+    } else if (!volume) {
+        request.segments.voxelTrue = false; // slices have no bodies
     }
     request.interacting = interacting || m_rest.isActive() || (m_pointer.isAtWork() && !m_penRests);
     const bool same = m_requested && request.sizePixels == m_request.sizePixels

@@ -79,6 +79,7 @@ void Workspace::setSession(std::unique_ptr<core::EditSession> session)
     m_measured.clear();
     m_activeSegment = 0;
     m_activeLayer = 0;
+    m_opacities.clear();
     if (const core::Volume* opened = volume()) {
         const core::VolumeGeometry& geometry = opened->geometry;
         m_crosshairLps = initialCrosshairLps(geometry);
@@ -233,6 +234,9 @@ gpu::SegmentDisplay Workspace::segmentDisplay() const
     display.fillOpacity = m_viewOptions.segmentDrawing == SegmentDrawing::Outline
         ? 0.0f
         : float(m_viewOptions.segmentFillPercent) / 100.0f;
+    display.voxelTrue = m_viewOptions.voxelTrueSegments;
+    for (const auto& [label, percent] : m_opacities)
+        display.transparencyPercent[std::size_t(label)] = std::uint8_t(100 - percent);
     return display;
 }
 
@@ -325,6 +329,32 @@ void Workspace::setViewOptions(const ViewOptions& options)
         return;
     m_viewOptions = options;
     Q_EMIT viewOptionsChanged();
+}
+
+void Workspace::setSegmentOpacities(const std::map<int, int>& percents)
+{
+    std::map<int, int> opacities;
+    for (const auto& [label, percent] : percents) {
+        if (label > 0 && label < 256 && percent < 100)
+            opacities[label] = std::max(percent, leastSegmentOpacity);
+    }
+    if (opacities == m_opacities)
+        return;
+    m_opacities = std::move(opacities);
+    Q_EMIT viewOptionsChanged();
+}
+
+int Workspace::segmentOpacity(int label) const
+{
+    const auto found = m_opacities.find(label);
+    return found == m_opacities.end() ? 100 : found->second;
+}
+
+void Workspace::setSegmentOpacity(int label, int percent)
+{
+    std::map<int, int> opacities = m_opacities;
+    opacities[label] = percent;
+    setSegmentOpacities(opacities);
 }
 
 void Workspace::acceptCaution()

@@ -120,6 +120,7 @@ public:
         bool linkedPlaces = false; ///< slices are zoomed and panned together
         SegmentDrawing segmentDrawing = SegmentDrawing::FillAndOutline; ///< of all segments
         int segmentFillPercent = 35; ///< opacity of their fill in slices
+        bool voxelTrueSegments = false; ///< in the 3D view: not smoothed, but as their voxels are
         bool operator==(const ViewOptions&) const = default;
     };
 
@@ -196,6 +197,14 @@ public:
 
     [[nodiscard]] const ViewOptions& viewOptions() const { return m_viewOptions; }
     void setViewOptions(const ViewOptions& options);
+
+    static constexpr int leastSegmentOpacity = 5; ///< percent: none is lost from sight
+    /// How opaque segments are drawn in all views, in percent by label; those that are not named
+    /// are opaque. Kept with the session, and no step of undo. A new session begins without.
+    [[nodiscard]] const std::map<int, int>& segmentOpacities() const { return m_opacities; }
+    void setSegmentOpacities(const std::map<int, int>& percents);
+    [[nodiscard]] int segmentOpacity(int label) const;
+    void setSegmentOpacity(int label, int percent);
     /// Whether the user has accepted the problems of the open volume's geometry; until then every
     /// view carries a caution bar. A new session starts unaccepted.
     [[nodiscard]] bool cautionAccepted() const { return m_cautionAccepted; }
@@ -252,7 +261,8 @@ Q_SIGNALS:
     void growSettingsChanged();
     void editableChanged(); ///< the settings, or what they come to
     void atToleranceChanged();
-    void viewOptionsChanged(); ///< or the warning of setWarnAfter()
+    /// Or the warning of setWarnAfter(), or the opacity of a segment.
+    void viewOptionsChanged();
     void cautionAcceptedChanged();
     void pointedLpsChanged();
     void measuredChanged();
@@ -295,6 +305,7 @@ private:
     EditableSettings m_editable;
     std::optional<gpu::ToleranceDisplay> m_atTolerance;
     ViewOptions m_viewOptions;
+    std::map<int, int> m_opacities; ///< of segments, in percent by label; none is 100
     bool m_cautionAccepted = false;
     std::optional<std::uint32_t> m_warnAfter;
     std::optional<glm::dvec3> m_pointedLps;

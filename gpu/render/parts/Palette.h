@@ -6,8 +6,8 @@
 
 namespace gpu {
 
-/// The colour of each label and whether it is shown, as a texture of 256 × 1 texels, RGBA8 (alpha
-/// 1: shown). Texel 0 holds the warning colour (alpha 0).
+/// The colour of each label and its opacity, as a texture of 256 × 1 texels, RGBA8 (alpha 0: not
+/// shown). Texel 0 holds the warning colour (alpha 0).
 class Palette {
 public:
     Palette();
@@ -21,10 +21,15 @@ public:
         return m_current.warnAfterGeneration;
     }
     [[nodiscard]] bool showsBarriers() const { return m_current.showBarriers; }
+    /// Bodies are not smoothed; but a segment at a tolerance has no voxels of its own.
+    [[nodiscard]] bool voxelTrue() const { return m_current.voxelTrue && !m_current.atTolerance; }
+    /// Whether bodies of segments look otherwise than opaque and smooth.
+    [[nodiscard]] bool changesBodies() const { return m_translucent || voxelTrue(); }
 
 private:
     Texture2D m_texture;
     SegmentDisplay m_current;
+    bool m_translucent = false; ///< a segment that is shown is
 };
 
 } // namespace gpu

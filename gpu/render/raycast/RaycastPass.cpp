@@ -20,16 +20,17 @@ namespace {
 
 /// Steps in units of the finest spacing. Surfaces are refined by bisection, so the step only has to
 /// find them; the other modes refine by accumulated, jittered pictures.
-double stepMm(const VolumeScene& scene, const core::VolumeGeometry& geometry)
+/// @param voxelTrue of segments, whose corners long steps would miss
+double stepMm(const VolumeScene& scene, const core::VolumeGeometry& geometry, bool voxelTrue)
 {
     const RenderMode mode = scene.mode;
     const glm::dvec3 spacing = geometry.spacingMm();
     const double finest = std::min({spacing.x, spacing.y, spacing.z}) * PieceSet::finestZoom(scene);
     switch (mode) {
     case RenderMode::Surface:
-        return 0.8 * finest;
+        return (voxelTrue ? 0.3 : 0.8) * finest;
     case RenderMode::Dvr:
-        return 0.8 * finest;
+        return (voxelTrue ? 0.3 : 0.8) * finest;
     case RenderMode::Mip:
         return 0.8 * finest;
     case RenderMode::Xray:
@@ -100,7 +101,7 @@ Program& RaycastPass::oftenProgram(std::size_t variant)
                 .defines = {{"MODE", int(mode)}, {"SCULPTED", kind > 0 ? 1 : 0},
                     {"SEGMENTS", kind > 1 ? 1 : 0}, {"CLIPPED", int(variant & 1)}, {"PIECES", 0},
                     {"SEEDS", 0}, {"BARRIERS", 0}, {"WARNED", 0}, {"CUT_PREVIEW", 0}, {"SHEETS", 0},
-                    {"CHUNKS", 0}, {"CONTEXT", 0}}});
+                    {"CHUNKS", 0}, {"CONTEXT", 0}, {"SEGMENT_LOOKS", 0}}});
     return program;
 }
 
@@ -111,10 +112,11 @@ Program& RaycastPass::seldomProgram(const VolumeScene& scene, const Seldom& with
     const bool home = with.pieces && m_pieces.anyAtHome();
     const bool sculpted = with.pieces || with.kind != RayBlocks::Kind::Plain;
     const bool segments = with.pieces || with.kind > RayBlocks::Kind::Carved;
+    const bool looks = with.segmentLooks && segments;
     const int context = contextVariant(scene);
     std::size_t variant = 3 * mode + std::size_t(context);
     for (const bool part : {clipped, home, sculpted, segments, with.pieces, with.seeds,
-             with.barriers, with.warned, with.cutPreview, with.sheets, with.chunks})
+             with.barriers, with.warned, with.cutPreview, with.sheets, with.chunks, looks})
         variant = 2 * variant + std::size_t(part);
     const auto make = [&] {
         return std::make_shared<Program>(m_library,
@@ -125,7 +127,8 @@ Program& RaycastPass::seldomProgram(const VolumeScene& scene, const Seldom& with
                     {"PIECES", int(with.pieces)}, {"SEEDS", int(with.seeds)},
                     {"BARRIERS", int(with.barriers)}, {"WARNED", int(with.warned)},
                     {"CUT_PREVIEW", int(with.cutPreview)}, {"SHEETS", int(with.sheets)},
-                    {"CHUNKS", int(with.chunks)}, {"CONTEXT", context}}});
+                    {"CHUNKS", int(with.chunks)}, {"CONTEXT", context},
+                    {"SEGMENT_LOOKS", int(looks)}}});
     };
     return *m_seldomPrograms.of(variant, make);
 }
@@ -141,13 +144,14 @@ std::size_t RaycastPass::variantOf(const VolumeScene& scene, RayBlocks::Kind kin
 
 Program& RaycastPass::programFor(RayBlocks::Kind kind, const VolumeScene& scene, const Seldom& with)
 {
-    const bool marked = with.warned || with.cutPreview;
+    const bool marked = with.warned || with.cutPreview || with.segmentLooks;
     if (kind == RayBlocks::Kind::Pieces || (kind == RayBlocks::Kind::Sculpted && marked))
         return seldomProgram(scene,
             {.pieces = kind == RayBlocks::Kind::Pieces,
                 .warned = with.warned,
                 .cutPreview = with.cutPreview,
-                .sheets = with.sheets});
+                .sheets = with.sheets,
+                .segmentLooks = with.segmentLooks});
     if (with.sheets || contextVariant(scene) != 0)
         return seldomProgram(scene, {.sheets = with.sheets, .kind = kind});
     const std::size_t variant = variantOf(scene, kind);
@@ -184,7 +188,8 @@ void RaycastPass::drawMode(VolumeTextures& volume, const VolumeScene& scene, con
     const PassTarget& target, const Tile& tile, const VertexArray& noVertices,
     const RaySheets& sheets, const ChunkTextures* chunks)
 {
-    const bool pieces = m_pieces.set(volume, scene, stepMm(scene, volume.geometry()));
+    m_voxelTrue = palette.voxelTrue();
+    const bool pieces = m_pieces.set(volume, scene, stepMm(scene, volume.geometry(), m_voxelTrue));
     const bool seeds = m_seeds.set(volume, scene);
     BrickField* words = volume.seedWords();
     BrickField* cutPreview = volume.cutPreview();
@@ -197,7 +202,8 @@ void RaycastPass::drawMode(VolumeTextures& volume, const VolumeScene& scene, con
         .warned = words && palette.warns(),
         .cutPreview = cutPreview != nullptr,
         .sheets = sheets.any(),
-        .chunks = chunks != nullptr};
+        .chunks = chunks != nullptr,
+        .segmentLooks = palette.changesBodies()};
     Tile over;
     const auto overlay = [&over](const Tile& blocks) {
         over = over.size.x > 0 ? united(over, blocks) : blocks;
@@ -334,6 +340,7 @@ void RaycastPass::prepare(Program& active, VolumeTextures& volume, const VolumeS
     volume.cells().ranges().bindUnit(5);
     m_transfer.texture().bindUnit(6);
     palette.texture().bindUnit(7);
+    active.set("voxelTrue", palette.voxelTrue()).set("bodiless", unsigned(scene.bodiless));
     if (contextVariant(scene) == 1) {
         m_segmentCells.distances(volume).bindUnit(28);
         active.set("contextOpacity", contextOpacity(scene));
@@ -390,7 +397,7 @@ void RaycastPass::setRays(Program& program, const VolumeTextures& volume, const 
         .set("planeCentre", glm::vec2(view.ahead))
         .set("planePerPixel", float(planePerPixel))
         .set("nearest", float(nearest))
-        .set("stepMm", float(stepMm(scene, volume.geometry())))
+        .set("stepMm", float(stepMm(scene, volume.geometry(), m_voxelTrue)))
         .set("jitterPhase", float(phase))
         .set("pixelScale", target.pixelScale)
         .set("pixelJitter", target.pixelJitter)
@@ -464,12 +471,12 @@ VisibleCodes RaycastPass::setMode(
                 ? materialColours(scene.surfaceThreshold,
                     scene.surfaceThreshold + solid * valueOfTexel(encoding).x / 65535.0)
                 : scene.transferFunction,
-            stepMm(scene, volume.geometry()));
+            stepMm(scene, volume.geometry(), m_voxelTrue));
         setFaces(program, volume, scene);
         return {{{code, lastCode}}};
     }
     case RenderMode::Dvr: {
-        m_transfer.set(scene.transferFunction, stepMm(scene, volume.geometry()));
+        m_transfer.set(scene.transferFunction, stepMm(scene, volume.geometry(), m_voxelTrue));
         setFaces(program, volume, scene);
         const glm::dvec2 value = valueOfTexel(encoding);
         program.set("gradientFull", float(0.08 * m_transfer.span() / value.x));

@@ -81,6 +81,7 @@ private:
         bool cutPreview = false; ///< marks what a cut would remove
         bool sheets = false; ///< the surface that is being refined, or the cutting plane
         bool chunks = false;
+        bool segmentLooks = false; ///< segments are translucent, or drawn as their voxels are
         RayBlocks::Kind kind = RayBlocks::Kind::Sculpted; ///< how sculpted the rest is
     };
 
@@ -107,6 +108,7 @@ private:
     /// By all features that they are compiled for. There are thousands of combinations; a picture
     /// takes a dozen at most.
     RecentPrograms<std::size_t, Program, 32> m_seldomPrograms;
+    bool m_voxelTrue = false; ///< segments of the picture that is drawn
     TransferLookup m_transfer;
     ColourTable m_colours;
     RayBlocks m_blocks;

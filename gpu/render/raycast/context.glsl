@@ -17,7 +17,7 @@ float segmentOpenness(vec3 at, vec3 directionWorld)
         reached += stride;
         stride *= 1.6;
         const vec3 there = at + worldToTexture * (directionWorld * reached);
-        float solid = smoothstep(0.35, 0.65, texture(segmentation, there).r);
+        float solid = smoothstep(0.35, 0.65, segmentationAt(there));
 #if CLIPPED
         solid = isClipped(there) ? 0.0 : solid;
 #endif
@@ -81,7 +81,7 @@ float segmentFrom(Ray ray)
         }
         const float end = min(max(leaves(samples, cell, 0.0), n + 0.5), samples.last);
         do {
-            const float inside = texture(segmentation, samples.origin + samples.step * n).r;
+            const float inside = segmentationAt(samples.origin + samples.step * n);
             hit = n < end && inside >= 0.5;
             n = hit || n >= end ? n : floor(n) + 1.0;
         } while (n < end && !hit);
@@ -90,8 +90,7 @@ float segmentFrom(Ray ray)
     float before = max(t - stepMm, ray.first);
     for (int halving = 0; halving < 5; ++halving) {
         const float middle = 0.5 * (before + t);
-        const bool inside
-            = texture(segmentation, ray.origin + ray.direction * middle).r >= 0.5;
+        const bool inside = segmentationAt(ray.origin + ray.direction * middle) >= 0.5;
         before = inside ? before : middle;
         t = inside ? middle : t;
     }
@@ -102,12 +101,14 @@ float segmentFrom(Ray ray)
 vec3 segmentLook(Ray ray, float t)
 {
     const vec3 at = ray.origin + ray.direction * min(t, ray.last);
-    const vec3 inward = centralDifferences(segmentation, at, 1.0);
+    const vec3 inward = segmentRise(ray, at);
     const vec3 onBody = normalize(gradientToWorld * -inward - 1e-9 * ray.world);
     const bool onBox = t - ray.first < stepMm * 0.05;
     const vec3 normal = onBox ? faceNormal(ray) : onBody;
     const float open = onBox ? 1.0 : segmentOpenness(at, normal);
-    return lit(segmentColour(at), lightOn(normal, -ray.world, open, 0.22));
+    const vec3 own = segmentColour(at);
+    meetSegment(t < nowhere);
+    return lit(own, lightOn(normal, -ray.world, open, 0.22));
 }
 #endif
 
@@ -119,7 +120,7 @@ float findSegment(Ray ray)
     if (ray.first < ray.last)
         segmentAt = segmentFrom(ray);
 #endif
-    bool meets = segmentAt < nowhere;
+    bool meets = segmentAt < nowhere || pastTranslucent;
 #if SHEETS
     meets = meets || surfaceMetAt < nowhere;
 #endif

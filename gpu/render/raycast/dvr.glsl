@@ -42,7 +42,7 @@ Matter matterAt(vec3 at, float n)
     matter.colour.a *= 1.0 - smoothstep(0.45, 0.55, carved);
 #endif
 #if SEGMENTS
-    matter.inSegment = texture(segmentation, at).r >= 0.5;
+    matter.inSegment = segmentationAt(at) >= 0.5;
     matter.colour.a = matter.inSegment ? 0.0 : matter.colour.a;
 #endif
 #if CLIPPED
@@ -234,10 +234,11 @@ vec3 restAlong(Ray ray)
 #endif
 #if SEGMENTS
         const vec3 place = samples.origin + samples.step * n;
-        const vec3 inward = centralDifferences(segmentation, place, 1.0);
+        const vec3 inward = segmentRise(ray, place);
         const vec3 outward = normalize(gradientToWorld * -inward + 1e-9 * toViewer);
         const vec3 segment = lit(segmentColour(place), lightOn(outward, toViewer, 1.0, 0.22));
         seen += segmentSeen ? through * segment : vec3(0.0);
+        meetSegment(segmentSeen);
         through = segmentSeen ? 0.0 : through;
 #endif
     } while (n < samples.last && through > enough);

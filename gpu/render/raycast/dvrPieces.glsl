@@ -120,7 +120,7 @@ Joint jointAt(float n)
         float kept = 1.0;
         bool solid = false;
         if (piece < 0) {
-            solid = texture(segmentation, at).r >= 0.5;
+            solid = segmentationAt(at) >= 0.5;
             kept = solid ? 0.0 : 1.0 - smoothstep(0.45, 0.55, carved);
         } else {
             own = footprintAt(piece, at);
@@ -190,7 +190,7 @@ vec3 solidAt(Ray ray, int way, float n)
     vec3 inward = vec3(0.0);
     vec3 colour = vec3(0.0);
     if (piece < 0) {
-        inward = centralDifferences(segmentation, at, 1.0);
+        inward = segmentRise(ray, at);
         colour = segmentColour(at);
     } else {
         inward = footprintRise(piece, at);
@@ -298,6 +298,7 @@ vec3 seenAlong(Ray ray)
         const float opacity = solid < 0 ? 0.0 : piece < 0 ? 1.0 : pieces[piece].low.w;
         const float left = leftBehind(through);
         seen += opacity > 0.0 ? left * opacity * solidAt(ray, way, n) : vec3(0.0);
+        meetSegment(solid >= 0 && piece < 0);
 #if CONTEXT == 1
         besides *= 1.0 - opacity;
 #else

@@ -95,7 +95,7 @@ vec3 seenAlong(Ray ray)
             const vec3 at = ray.origin + ray.direction * t;
             const bool kept = texture(radiation, at).r < 0.5;
             greatest = max(greatest, kept ? texture(intensity, at).r : -1.0);
-            segmentAt = segmentAt == nowhere && texture(segmentation, at).r >= 0.5 ? t : segmentAt;
+            segmentAt = segmentAt == nowhere && segmentationAt(at) >= 0.5 ? t : segmentAt;
             t += stepMm;
         }
         end = wanted && plain ? stretch.end : t;
@@ -108,15 +108,16 @@ vec3 seenAlong(Ray ray)
     vec3 result = greatest < 0.0 ? vec3(0.0) : shownGreatest(greatest);
     float over = 0.7;
 #if CONTEXT == 1
-    const float grey = segmentAt == nowhere ? contextOpacity.x : contextOpacity.y;
+    const float grey = segmentAt == nowhere && !pastTranslucent ? contextOpacity.x : contextOpacity.y;
     result *= grey;
     over = mix(1.0, over, grey);
 #endif
     const vec3 at = ray.origin + ray.direction * segmentAt;
-    const vec3 inward = centralDifferences(segmentation, at, 1.0);
+    const vec3 inward = segmentRise(ray, at);
     const vec3 normal = normalize(gradientToWorld * -inward - 1e-9 * ray.world);
     const vec3 segment = lit(segmentColour(at), lightOn(normal, -ray.world, 1.0, 0.15));
     result = segmentAt != nowhere ? mix(result, segment, over) : result;
+    meetSegment(segmentAt != nowhere);
 #if PIECES
     if (solid >= 0 && solidAt < segmentAt)
         result = overPieces(ray, result, solidAt, solid);

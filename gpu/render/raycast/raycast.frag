@@ -29,15 +29,69 @@
 #include "render/raycast/chunks.glsl"
 #endif
 
-void main()
+vec3 lookAlong(Ray ray)
 {
-    const Ray ray = rayOf(gl_FragCoord.xy);
 #if SHEETS
     findSheets();
 #endif
     vec3 seen = seenAlong(ray);
 #if SHEETS
     seen = withSheets(seen);
+#endif
+    return seen;
+}
+
+#if SEGMENT_LOOKS
+/// The second look begins as the first one did.
+void lookPastTranslucent()
+{
+    pastTranslucent = true;
+#if SHEETS
+    sheetsMet = 0;
+    nearSheet.shining = 0.0;
+    farSheet.shining = 0.0;
+#endif
+#if CONTEXT == 1
+    besides = 1.0;
+#endif
+#if SEEDS || BARRIERS || CHUNKS
+    solidFrom = nowhere;
+#endif
+}
+
+/// All that a ray sees: both looks, mixed by the opacity of the segment that it meets first.
+vec3 looksAlong(Ray ray)
+{
+    vec3 seen = vec3(0.0);
+    bool again = false;
+#if SEEDS || BARRIERS || CHUNKS
+    float firstSolid = nowhere;
+#endif
+    do {
+        const vec3 look = lookAlong(ray);
+#if SEEDS || BARRIERS || CHUNKS
+        firstSolid = pastTranslucent ? firstSolid : solidFrom;
+#endif
+        seen += (pastTranslucent ? 1.0 - metOpacity : metOpacity) * look;
+        again = !pastTranslucent && metOpacity < 0.999;
+        if (again)
+            lookPastTranslucent();
+    } while (again);
+#if SEEDS || BARRIERS || CHUNKS
+    // A segment that is seen by half hides what is behind it.
+    solidFrom = metOpacity < 0.5 ? solidFrom : firstSolid;
+#endif
+    return seen;
+}
+#endif
+
+void main()
+{
+    const Ray ray = rayOf(gl_FragCoord.xy);
+#if SEGMENT_LOOKS
+    vec3 seen = looksAlong(ray);
+#else
+    vec3 seen = lookAlong(ray);
 #endif
 #if SEEDS
     seen = withSeeds(ray, seen);

@@ -8,7 +8,8 @@
 // group, so what is not needed must not be compiled. Hence the variants by SCULPTED (something is
 // carved away or a segment is shown), SEGMENTS (a segment is shown; then SCULPTED, too) and CLIPPED
 // (a clip box or plane is on) and CONTEXT (1: the volume is translucent or cut away in front of
-// segments, 2: only segments are drawn; then MODE is 0), and loops that put much work behind few tests.
+// segments, 2: only segments are drawn; then MODE is 0) and SEGMENT_LOOKS (a segment is translucent, or
+// all are drawn as their voxels are), and loops that put much work behind few tests.
 
 /* Textures */
 layout(binding = 0) uniform sampler3D intensity;    // code / 65535
@@ -18,7 +19,7 @@ layout(binding = 3) uniform usampler3D labels;
 layout(binding = 4) uniform usampler3D skipMap;     // distance in cells, flags
 layout(binding = 5) uniform sampler3D cellRanges;   // least and greatest code / 65535
 layout(binding = 6) uniform sampler2D transferFunction;
-layout(binding = 7) uniform sampler2D palette;      // rgb, shown
+layout(binding = 7) uniform sampler2D palette;      // rgb, opacity (0: not shown)
 
 /* Uniforms */
 uniform vec3 originBase; // texture: start of the ray of pixel (0, 0)
@@ -271,6 +272,8 @@ vec3 tetrahedronDifferences(sampler3D field, vec3 at)
 #include "render/raycast/cutPreview.glsl"
 #endif
 
+#include "render/raycast/segmentLooks.glsl"
+
 /// The colour of the shown segments around a point, weighted as by interpolation.
 vec3 segmentColour(vec3 at)
 {
@@ -279,18 +282,30 @@ vec3 segmentColour(vec3 at)
     const vec3 part = place - vec3(base);
     const ivec3 last = textureSize(labels, 0) - 1;
     vec4 sum = vec4(0.0);
+#if SEGMENT_LOOKS
+    float opacity = 0.0;
+#endif
 #if CUT_PREVIEW
     float going = 0.0;
     float reached = 0.0;
 #endif
     for (int corner = 0; corner < 8; ++corner) {
         const ivec3 offset = ivec3(corner & 1, corner >> 1 & 1, corner >> 2);
+#if SEGMENT_LOOKS
+        const vec3 share = cornerShare(part, offset);
+#else
         const vec3 share = mix(1.0 - part, part, vec3(offset));
+#endif
         const ivec3 there = clamp(base + offset, ivec3(0), last);
         const uint label = texelFetch(labels, there, 0).r;
         const vec4 entry = texelFetch(palette, ivec2(int(label), 0), 0);
         // Near a thin part no shown voxel may be in reach; then any weight will do.
+#if SEGMENT_LOOKS
+        const float weight = counted(entry.a) * (share.x * share.y * share.z + 1e-4);
+        opacity += entry.a * weight;
+#else
         const float weight = entry.a * (share.x * share.y * share.z + 1e-4);
+#endif
         sum += vec4(entry.rgb, 1.0) * weight;
 #if CUT_PREVIEW
         const uint mark = previewMarkAt(there);
@@ -299,6 +314,9 @@ vec3 segmentColour(vec3 at)
 #endif
     }
     vec3 own = sum.a > 0.0 ? sum.rgb / sum.a : vec3(0.8);
+#if SEGMENT_LOOKS
+    segmentOpacity = sum.a > 0.0 ? opacity / sum.a : 1.0;
+#endif
 #if WARNED
     const ivec3 nearestVoxel = clamp(ivec3(floor(place + 0.5)), ivec3(0), last);
     own = warns(nearestVoxel) ? texelFetch(palette, ivec2(0), 0).rgb : own;

@@ -22,7 +22,7 @@ bool isCarved(vec3 at)
 #if SEGMENTS
 bool isSegment(vec3 at)
 {
-    return texture(segmentation, at).r >= 0.5;
+    return segmentationAt(at) >= 0.5;
 }
 #endif
 
@@ -182,17 +182,18 @@ vec3 lookOf(Ray ray, int piece, Hit hit)
     normal = normalize(mix(normal, cutNormal, cut) + 1e-6 * toViewer);
     float grey = greyFaces * face;
 #if SEGMENTS
-    const vec3 inward = centralDifferences(segmentation, at, 1.0);
+    const vec3 inward = segmentRise(ray, at);
     normal = segmentHit && !onBox ? normalize(gradientToWorld * -inward + 1e-9 * toViewer) : normal;
     // If a segment's surface and the tissue's coincide to a fraction of a voxel the segment's
     // colour is shown; otherwise the two would speckle.
     const vec3 behind = at + ray.direction * 2.0 * stepMm;
-    const float near = max(texture(segmentation, at).r, texture(segmentation, behind).r);
+    const float near = max(segmentationAt(at), segmentationAt(behind));
     float tinted = segmentHit ? 1.0 : smoothstep(0.25, 0.5, near);
 #if PIECES
     tinted = piece < 0 ? tinted : 0.0; // segments stay where they are
 #endif
     albedo = mix(albedo, segmentColour(segmentHit ? at : behind), tinted);
+    meetSegment(tinted > 0.0 && hit.t < nowhere);
     gloss = segmentHit ? 0.22 : gloss;
     grey *= 1.0 - tinted;
 #endif

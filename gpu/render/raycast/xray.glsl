@@ -66,7 +66,7 @@ vec3 seenAlong(Ray ray)
             const float kept = there && texture(radiation, at).r < 0.5 ? 1.0 : 0.0;
             sum += kept * texture(intensity, at).r;
             count += kept;
-            const bool enters = there && segmentAt == nowhere && texture(segmentation, at).r >= 0.5;
+            const bool enters = there && segmentAt == nowhere && segmentationAt(at) >= 0.5;
             segmentAt = enters ? n : segmentAt;
             n += there ? 1.0 : 0.0;
         } while (n < sculptedEnd);
@@ -79,16 +79,17 @@ vec3 seenAlong(Ray ray)
         } while (n < plainEnd);
     } while (n < samples.last);
     const vec3 at = samples.origin + samples.step * segmentAt;
-    const vec3 inward = centralDifferences(segmentation, at, 1.0);
+    const vec3 inward = segmentRise(ray, at);
     const vec3 normal = normalize(gradientToWorld * -inward - 1e-9 * ray.world);
     const vec3 segment = lit(segmentColour(at), lightOn(normal, -ray.world, 1.0, 0.15));
     vec3 picture = greyOf(sum, count);
     float over = 0.7;
 #if CONTEXT == 1
-    const float grey = segmentAt == nowhere ? contextOpacity.x : contextOpacity.y;
+    const float grey = segmentAt == nowhere && !pastTranslucent ? contextOpacity.x : contextOpacity.y;
     picture *= grey;
     over = mix(1.0, over, grey);
 #endif
+    meetSegment(segmentAt != nowhere);
     return mix(picture, segment, segmentAt != nowhere ? over : 0.0);
 }
 #else

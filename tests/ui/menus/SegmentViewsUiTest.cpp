@@ -455,6 +455,37 @@ private Q_SLOTS:
         QCOMPARE(drawn(volume).outlineWidthPixels, 0.0f);
     }
 
+    /// Smooth or voxel by voxel; slices are not drawn again for that.
+    void bodiesAreSmoothOrVoxelByVoxel()
+    {
+        {
+            Fixture fixture(test::smallStudy(), 1);
+            const auto voxelTrue = [&fixture](const ui::ImageView& view) {
+                return fixture.frames.lastRequest(view.viewId()).segments.voxelTrue;
+            };
+            const ui::VolumeView& volume = fixture.window.views().volume();
+            QVERIFY(fixture.action("segments.smooth").isChecked());
+            QVERIFY(!voxelTrue(volume));
+            fixture.action("segments.voxelTrue").trigger();
+            QTRY_VERIFY(voxelTrue(volume));
+            QVERIFY(!voxelTrue(fixture.axial()));
+            QVERIFY(fixture.action("segments.voxelTrue").isChecked());
+            QVERIFY(!fixture.action("segments.smooth").isChecked());
+        }
+        {
+            Fixture fixture(test::smallStudy(), 1);
+            QVERIFY(fixture.action("segments.voxelTrue").isChecked());
+            fixture.action("segments.smooth").trigger();
+        }
+        {
+            Fixture fixture(test::smallStudy(), 1);
+            QVERIFY(fixture.action("segments.smooth").isChecked());
+        }
+        QSettings().setValue(QStringLiteral("segments/voxelTrue"), QStringLiteral("cubes"));
+        Fixture fixture(test::smallStudy(), 1);
+        QVERIFY(fixture.action("segments.smooth").isChecked());
+    }
+
     void theNextWindowShowsThemSo()
     {
         {

@@ -7,6 +7,7 @@
 #include "ui/dialogs/CodeDialog.h"
 #include "ui/measure/CentreOnSegment.h"
 #include "ui/menus/SegmentMenus.h"
+#include "ui/menus/SegmentOpacity.h"
 #include "ui/menus/SegmentViews.h"
 #include "ui/models/SegmentListModel.h"
 #include "ui/panels/lists/IntervalNotice.h"
@@ -184,6 +185,7 @@ void SegmentsPanel::showMenu(const QPoint& position)
     QAction* alone = menu.addAction(showAloneText(m_workspace, *document.segment(label)), this,
         [this, label] { m_workspace.viewSteps().showAlone(label); });
     alone->setEnabled(document.segments.size() > 1);
+    addSegmentOpacity(menu, m_workspace, label);
     menu.addAction(
         tr("Centre views on it"), this, [this, label] { centreOnSegment(m_workspace, label); });
     menu.addAction(tr("Paste as a piece"), this, [this, index] {

@@ -28,6 +28,8 @@ using displayJson::apply;
 using displayJson::coloursNamed;
 using displayJson::contextNamed;
 using displayJson::nameOf;
+using displayJson::opacitiesFrom;
+using displayJson::opacitiesToJson;
 using displayJson::read;
 using displayJson::slabNamed;
 using displayJson::toJson;
@@ -131,6 +133,8 @@ QJsonObject DisplayState::composedViews() const
                 {QStringLiteral("mm"), options.slabMm}};
     if (options.colours != gpu::ColourMap::Grey)
         object[QStringLiteral("colours")] = nameOf(options.colours);
+    if (!m_workspace.segmentOpacities().empty())
+        object[QStringLiteral("segments")] = opacitiesToJson(m_workspace.segmentOpacities());
     if (options.referenceLines)
         object[QStringLiteral("referenceLines")] = true;
     if (options.linkedPlaces)
@@ -164,6 +168,8 @@ void DisplayState::apply(const QJsonObject& state)
     ui::apply(state[QLatin1String("plane")], m_workspace.plane());
     ui::apply(state[QLatin1String("pieces")], m_workspace.pieces());
     ui::apply(state[QLatin1String("layers")], m_workspace.layerLooks());
+    m_workspace.setSegmentOpacities(
+        opacitiesFrom(state[QLatin1String("views")][QLatin1String("segments")]));
     applyTools(state);
     applyViews(state[QLatin1String("views")].toObject());
 }

@@ -259,4 +259,22 @@ void apply(const QJsonValue& json, LayerLooks& layers)
     }
 }
 
+QJsonArray opacitiesToJson(const std::map<int, int>& opacities)
+{
+    QJsonArray list;
+    for (const auto& [label, percent] : opacities)
+        list.append(QJsonObject{
+            {QStringLiteral("segment"), label}, {QStringLiteral("opacityPercent"), percent}});
+    return list;
+}
+
+std::map<int, int> opacitiesFrom(const QJsonValue& json)
+{
+    std::map<int, int> opacities;
+    for (const QJsonValue& entry : json.toArray())
+        opacities[entry[QLatin1String("segment")].toInt()] =
+            entry[QLatin1String("opacityPercent")].toInt(100);
+    return opacities;
+}
+
 } // namespace ui::displayJson

@@ -43,4 +43,8 @@ void apply(const QJsonValue& json, Pieces& pieces);
 [[nodiscard]] QJsonArray toJson(const std::map<int, LayerLook>& looks);
 void apply(const QJsonValue& json, LayerLooks& layers);
 
+/// Of segments: percent by label.
+[[nodiscard]] QJsonArray opacitiesToJson(const std::map<int, int>& opacities);
+[[nodiscard]] std::map<int, int> opacitiesFrom(const QJsonValue& json);
+
 } // namespace ui::displayJson
