@@ -3,6 +3,7 @@
 
 #include "core/brick/ThreadWithoutVoxels.h"
 #include "core/contour/ContourRule.h"
+#include "core/contour/ContourWatch.h"
 #include "core/session/questions/VoxelQuestions.h"
 #include "tests/reference/Contour.h"
 #include "tests/support/faults/FailingLog.h"
@@ -14,6 +15,7 @@
 #include "ui/panels/contour/ContourPanel.h"
 #include "ui/views/ViewGrid.h"
 #include "ui/widgets/StepSlider.h"
+#include "ui/workspace/SegmentActions.h"
 
 #include <QAction>
 #include <QApplication>
@@ -296,6 +298,76 @@ private Q_SLOTS:
         fixture.workspace.setActiveTool(&fixture.tool);
         QVERIFY(!fixture.in<QPushButton>("contourAbort").isEnabled());
         QVERIFY(!fixture.in<QPushButton>("contourAccept").isEnabled());
+    }
+
+    /// Where there is no segment one is made when the contour is accepted, and not before.
+    void noSegmentIsLeft()
+    {
+        Fixture fixture;
+        const QByteArray hash = fixture.session().stateHash();
+        QCOMPARE(fixture.tool.target(), QStringLiteral("fills a new segment"));
+        fixture.click({20.0, 20.0, 20.0});
+        QTRY_VERIFY(fixture.hasPlayed());
+        const std::vector<bool> seen = fixture.shownVoxels();
+        QVERIFY(std::count(seen.begin(), seen.end(), true) > 50);
+        QTest::keyClick(&fixture.view, Qt::Key_Escape);
+        QVERIFY(!fixture.tool.run().isOpen());
+        QVERIFY(fixture.session().settle());
+        QCOMPARE(fixture.rows(), std::size_t(0));
+        QVERIFY(fixture.session().document().segments.empty());
+        QCOMPARE(fixture.session().stateHash(), hash);
+        // A segment that somebody makes meanwhile is another one: nothing is watched any more.
+        fixture.click({20.0, 20.0, 20.0});
+        QVERIFY(fixture.tool.run().isOpen());
+        QVERIFY(ui::addSegment(fixture.workspace));
+        QVERIFY(!fixture.tool.run().isOpen());
+        QVERIFY(fixture.session().settle());
+        QVERIFY(fixture.session().undo() && fixture.session().settle());
+        QTRY_VERIFY(fixture.session().idle());
+        QVERIFY(fixture.session().document().segments.empty());
+        fixture.click({20.0, 20.0, 20.0});
+        QTRY_VERIFY(fixture.hasPlayed());
+        QVERIFY(fixture.shownVoxels() == seen);
+        QTest::keyClick(&fixture.view, Qt::Key_Return);
+        QVERIFY(fixture.session().settle());
+        QCOMPARE(fixture.session().document().segments.size(), std::size_t(1));
+        const int label = fixture.session().document().segments.front().label;
+        QCOMPARE(fixture.lastEdit().segment, label);
+        QCOMPARE(fixture.workspace.activeSegment(), label);
+        QVERIFY(fixture.writtenVoxels(label) == seen);
+    }
+
+    /// Where memory is used up it stops and says so; what is shown can be accepted.
+    void memoryEndsIt()
+    {
+        Fixture fixture;
+        QSignalSpy said(&fixture.workspace, &ui::Workspace::said);
+        fixture.tool.run().setMostBytes(0.0); // not even one generation
+        fixture.click({20.0, 20.0, 20.0});
+        QTRY_VERIFY(fixture.hasPlayed());
+        QCOMPARE(said.size(), 1);
+        QVERIFY(said.front().front().toString().contains(QStringLiteral("more memory")));
+        QVERIFY(fixture.tool.run().isOutOfMemory() && !fixture.tool.run().rests());
+        QCOMPARE(fixture.panel.summary(), QStringLiteral("no more memory"));
+        QCOMPARE(fixture.tool.run().track()->known(), 0);
+        QVERIFY(!fixture.tool.run().shownEdit());
+        // A box of fewer voxels than the study has, and some of what changes.
+        const double least = core::watchedContourBytes(40U * 40U * 40U, 0);
+        fixture.tool.drop();
+        QTest::qWait(1);
+        fixture.tool.run().setMostBytes(least + 4.0 * 100.0);
+        ui::GrowSettings growth = fixture.workspace.growSettings();
+        growth.upper = 100.0; // the brain as well
+        fixture.workspace.setGrowSettings(growth);
+        fixture.click({20.0, 20.0, 20.0});
+        QTRY_VERIFY(fixture.hasPlayed());
+        QVERIFY(fixture.tool.run().isOutOfMemory());
+        QCOMPARE(said.size(), 2);
+        QVERIFY(fixture.shown() >= 1);
+        const std::vector<bool> seen = fixture.shownVoxels();
+        fixture.press("contourAccept");
+        QVERIFY(fixture.session().settle());
+        QVERIFY(fixture.writtenVoxels() == seen);
     }
 
     /// From the segment as it stands, with a new rule by slider and field while it is watched.
