@@ -42,7 +42,7 @@ private Q_SLOTS:
             const ThreadWithoutVoxels here;
 #ifdef _GLIBCXX_ASSERTIONS
             QTest::ignoreMessage(
-                QtCriticalMsg, "A thread that serves a window looked at the voxels of a brick.");
+                QtWarningMsg, "A thread that serves a window looked at the voxels of a brick.");
 #endif
             does();
             return ThreadWithoutVoxels::looks() - before;
