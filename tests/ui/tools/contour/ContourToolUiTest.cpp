@@ -168,9 +168,13 @@ private Q_SLOTS:
     {
         Fixture fixture;
         QSignalSpy said(&fixture.workspace, &ui::Workspace::said);
+        const std::int64_t looks = core::ThreadWithoutVoxels::looks();
         fixture.click({20.0, 20.0, 20.0});
         QVERIFY(fixture.tool.run().isOpen());
         QTRY_VERIFY(fixture.hasPlayed());
+        QTRY_VERIFY(fixture.tool.run().isInSight());
+        (void)fixture.view.grab(); // it is drawn
+        QCOMPARE(core::ThreadWithoutVoxels::looks(), looks); // the window read no voxels for it
         const int known = fixture.tool.run().track()->known();
         QVERIFY(fixture.tool.run().rests());
         QVERIFY2(known >= 3 && known < 30, qPrintable(QString::number(known)));
