@@ -231,25 +231,10 @@ bool ContourEvolution::step(const Progress& progress)
     if (m_rests)
         return false;
     moveFront(changed);
-    m_changes.push_back(std::move(changed));
+    changed.shrink_to_fit(); // somebody may keep it for long
+    m_lastChanged = std::make_shared<const std::vector<Place>>(std::move(changed));
+    ++m_generation;
     return true;
-}
-
-void ContourEvolution::back()
-{
-    const std::vector<Place> changed = std::move(m_changes.back());
-    m_changes.pop_back();
-    for (const Place place : changed)
-        m_ground.voxels[place] ^= ContourGround::inside;
-    moveFront(changed);
-    m_rests = false;
-}
-
-std::span<const std::uint32_t> ContourEvolution::lastChanged() const
-{
-    if (m_changes.empty())
-        return {};
-    return m_changes.back();
 }
 
 bool ContourEvolution::isInside(const glm::ivec3& voxel) const

@@ -12,6 +12,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -41,8 +42,12 @@ struct ContourGround {
 /// Errors: OutOfMemory. @param box not empty
 [[nodiscard]] Result<void> checkContourMemory(const VoxelBox& box);
 
-/// A contour that evolves (ContourRule.h), forwards and backwards: what each generation changed is
-/// kept. Cost of a generation ∝ the front; of the first one also the box. One thread at a time.
+/// Places of voxels in a box, x fastest, in no order. Whoever keeps them shares them.
+using ContourPlaces = std::shared_ptr<const std::vector<std::uint32_t>>;
+
+/// A contour that evolves (ContourRule.h). What a generation changed is kept by whoever watches
+/// (ContourTrack.h), here only that of the last one. Cost of a generation ∝ the front; of the first
+/// one also the box. One thread at a time.
 class ContourEvolution {
 public:
     ContourEvolution(ContourRule rule, ContourGround ground);
@@ -50,16 +55,14 @@ public:
     /// One generation more, unless it rests. @return false: it rests, or it was cancelled in the
     /// midst of a generation, which is then as if it had not begun
     bool step(const Progress& progress);
-    /// One generation less. @pre generation() > 0
-    void back();
 
-    [[nodiscard]] int generation() const { return int(m_changes.size()); }
+    [[nodiscard]] int generation() const { return m_generation; }
     /// Whether the last step() found that nothing changes any more.
     [[nodiscard]] bool rests() const { return m_rests; }
     /// Voxels that the last generation changed; 0 before the first one.
-    [[nodiscard]] std::size_t lastChanges() const { return lastChanged().size(); }
-    /// Their places in the box, x fastest, in no order.
-    [[nodiscard]] std::span<const std::uint32_t> lastChanged() const;
+    [[nodiscard]] std::size_t lastChanges() const { return m_lastChanged->size(); }
+    /// Where they lie in the box; never null.
+    [[nodiscard]] const ContourPlaces& lastChanged() const { return m_lastChanged; }
     /// What the segment has gained and lost since before the bubble.
     [[nodiscard]] ShapeChange change() const;
     /// @param voxel of the box
@@ -90,7 +93,8 @@ private:
     std::vector<Place> m_front;
     bool m_frontKnown = false;
     bool m_rests = false;
-    std::vector<std::vector<Place>> m_changes; ///< by generation
+    int m_generation = 0;
+    ContourPlaces m_lastChanged = std::make_shared<const std::vector<Place>>();
 };
 
 } // namespace core

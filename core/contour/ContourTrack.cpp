@@ -1,71 +1,39 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/contour/ContourTrack.h"
 
+#include <algorithm>
+#include <cstddef>
 #include <utility>
 
 namespace core {
 
-ContourTrack::ContourTrack(const VoxelBox& box, std::vector<std::uint8_t> voxels)
-    : m_box(box)
-    , m_voxels(std::move(voxels))
+ContourTrack::ContourTrack(const ContourState& start)
+    : m_generations{{.gained = start.gained(), .lost = start.lost()}}
 {
-    for (const std::uint8_t voxel : m_voxels) {
-        if (voxel & ContourGround::held)
-            continue;
-        const bool isIn = voxel & ContourGround::inside;
-        const bool wasIn = voxel & ContourGround::own;
-        m_gained += isIn && !wasIn ? 1 : 0;
-        m_lost += wasIn && !isIn ? 1 : 0;
-    }
 }
 
-void ContourTrack::append(std::vector<std::uint32_t> changed)
+void ContourTrack::append(ContourGeneration generation)
 {
-    m_changes.push_back(std::move(changed));
+    m_generations.push_back(std::move(generation));
 }
 
-void ContourTrack::goTo(int generation)
+std::int64_t ContourTrack::gained() const
 {
-    while (m_shown < generation)
-        flip(m_changes[std::size_t(m_shown++)]);
-    while (m_shown > generation)
-        flip(m_changes[std::size_t(--m_shown)]);
+    return m_generations[std::size_t(m_shown)].gained;
 }
 
-void ContourTrack::flip(const std::vector<std::uint32_t>& places)
+std::int64_t ContourTrack::lost() const
 {
-    for (const std::uint32_t place : places) {
-        const std::uint8_t voxel = m_voxels[place] ^= ContourGround::inside;
-        if (voxel & ContourGround::held)
-            continue;
-        const bool isIn = voxel & ContourGround::inside;
-        if (voxel & ContourGround::own)
-            m_lost += isIn ? -1 : 1;
-        else
-            m_gained += isIn ? 1 : -1;
-    }
+    return m_generations[std::size_t(m_shown)].lost;
 }
 
-std::uint8_t ContourTrack::flagsAt(const glm::ivec3& voxel) const
+/// A voxel that changes twice is as it was, so the order does not matter.
+std::vector<ContourPlaces> ContourTrack::between(int from, int to) const
 {
-    const glm::ivec3 at = voxel - m_box.minimum;
-    const glm::ivec3 extent = m_box.maximum - m_box.minimum;
-    if (at.x < 0 || at.y < 0 || at.z < 0 || at.x >= extent.x || at.y >= extent.y
-        || at.z >= extent.z)
-        return 0;
-    return m_voxels[(std::size_t(at.z) * std::size_t(extent.y) + std::size_t(at.y))
-            * std::size_t(extent.x)
-        + std::size_t(at.x)];
-}
-
-bool ContourTrack::isInside(const glm::ivec3& voxel) const
-{
-    return isInside(flagsAt(voxel));
-}
-
-bool ContourTrack::wasInside(const glm::ivec3& voxel) const
-{
-    return flagsAt(voxel) & ContourGround::own;
+    std::vector<ContourPlaces> way;
+    for (int generation = std::min(from, to) + 1; generation <= std::max(from, to); ++generation)
+        way.push_back(m_generations[std::size_t(generation)].changed);
+    return way;
 }
 
 } // namespace core

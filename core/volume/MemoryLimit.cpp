@@ -5,12 +5,26 @@
 
 namespace core {
 
+namespace {
+
+double machinesBytes()
+{
+    return double(sysconf(_SC_PHYS_PAGES)) * double(sysconf(_SC_PAGESIZE));
+}
+
+} // namespace
+
+double allowedBytes()
+{
+    constexpr double share = 0.6;
+    return share * machinesBytes();
+}
+
 Result<void> checkBytes(double bytes, const QString& what)
 {
-    const double total = double(sysconf(_SC_PHYS_PAGES)) * double(sysconf(_SC_PAGESIZE));
-    constexpr double share = 0.6;
-    if (bytes <= share * total)
+    if (bytes <= allowedBytes())
         return {};
+    const double total = machinesBytes();
     constexpr double gigabyte = 1e9;
     return failure(ErrorCode::OutOfMemory,
         QStringLiteral("%1 needs %2 GB, this machine has %3 GB")

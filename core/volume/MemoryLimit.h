@@ -15,5 +15,7 @@ namespace core {
 /// The same for what takes so many bytes.
 /// @param what takes them, as a clause begins with it: "the volume"
 [[nodiscard]] Result<void> checkBytes(double bytes, const QString& what);
+/// The most that it allows.
+[[nodiscard]] double allowedBytes();
 
 } // namespace core

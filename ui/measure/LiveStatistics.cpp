@@ -80,8 +80,7 @@ LiveStatistics::LiveStatistics(Workspace& workspace, QObject* parent)
     connect(&workspace, &Workspace::documentChanged, this, &LiveStatistics::follow);
     connect(&m_fetch, &LabelFetch::finished, this, &LiveStatistics::takeLabels);
     connect(&m_fetch, &LabelFetch::failed, this, [this](const core::Error& error) {
-        // Edited meanwhile: once more.
-        if (error.code != core::ErrorCode::Internal)
+        if (!m_fetch.mayTryAgain(error))
             return fail(error);
         m_job.reset();
         later();

@@ -61,6 +61,7 @@ void LabelFetch::askNext()
             if (done.position && done.session.history().position() != *done.position)
                 return fail(editedMeanwhile());
             m_work.reset();
+            m_failures = 0;
             Q_EMIT finished(*planes);
         });
 }
@@ -87,8 +88,16 @@ void LabelFetch::take(const core::Result<void>& portion)
         askNext();
 }
 
+bool LabelFetch::mayTryAgain(const core::Error& error) const
+{
+    return error.code == core::ErrorCode::Internal && m_failures < mostFailures;
+}
+
 void LabelFetch::fail(const core::Error& error)
 {
+    const core::RowId position = m_work->session.history().position();
+    m_failures = position == m_failedAt ? m_failures + 1 : 1;
+    m_failedAt = position;
     m_work.reset();
     Q_EMIT failed(error);
 }

@@ -35,8 +35,14 @@ public:
     {
         m_assembling.cancel();
         m_work.reset();
+        m_failures = 0;
     }
     [[nodiscard]] bool running() const { return m_work != nullptr; }
+    /// Whether it is worth starting again after this failure: the study was edited meanwhile. Where
+    /// it fails again and again though nothing is edited, there is another reason, and it is not.
+    [[nodiscard]] bool mayTryAgain(const core::Error& error) const;
+    /// So often in a row, without an edit in between.
+    static constexpr int mostFailures = 5;
 
 Q_SIGNALS:
     void progressed(int done, int total);
@@ -55,6 +61,8 @@ private:
     void fail(const core::Error& error);
 
     std::shared_ptr<Work> m_work;
+    int m_failures = 0; ///< in a row, at the same position of the history
+    core::RowId m_failedAt{};
     core::Background m_assembling; ///< last: its results are delivered to all of the above
 };
 

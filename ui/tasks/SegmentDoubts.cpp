@@ -70,7 +70,7 @@ SegmentDoubts::SegmentDoubts(Workspace& workspace, QObject* parent)
     connect(&workspace, &Workspace::documentChanged, this, &SegmentDoubts::follow);
     connect(&m_fetch, &LabelFetch::finished, this, &SegmentDoubts::takeLabels);
     connect(&m_fetch, &LabelFetch::failed, this, [this](const core::Error& error) {
-        if (error.code == core::ErrorCode::Internal)
+        if (m_fetch.mayTryAgain(error))
             m_again.start();
         else
             fail(error);

@@ -86,7 +86,10 @@ QString ContourPanel::summary() const
     const ContourRun& run = m_tool.run();
     if (!run.isOpen())
         return {};
-    return run.isWorking() ? tr("working") : run.rests() ? tr("at rest") : tr("at the limit");
+    return run.isWorking()    ? tr("working")
+        : run.rests()         ? tr("at rest")
+        : run.isOutOfMemory() ? tr("no more memory")
+                              : tr("at the limit");
 }
 
 bool ContourPanel::hasSomething() const

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/tools/contour/ContourDrawing.h"
 
-#include "core/contour/ContourTrack.h"
+#include "core/contour/ContourState.h"
 #include "core/volume/VolumeGeometry.h"
 #include "ui/base/Theme.h"
 #include "ui/tools/aim/CursorLabel.h"
@@ -11,6 +11,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <variant>
 #include <vector>
 
 namespace ui {
@@ -20,10 +21,10 @@ namespace {
 /// What a pixel shows.
 enum class Seen : std::uint8_t { Nothing, Kept, Gained, Lost };
 
-Seen seenAt(const glm::ivec3& voxel, const core::ContourTrack& track)
+Seen seenAt(const glm::ivec3& voxel, const core::ContourState& state)
 {
-    const bool was = track.wasInside(voxel);
-    if (track.isInside(voxel))
+    const bool was = state.wasInside(voxel);
+    if (state.isInside(voxel))
         return was ? Seen::Kept : Seen::Gained;
     return was ? Seen::Lost : Seen::Nothing;
 }
@@ -54,6 +55,16 @@ QRect areaOf(
         .toAlignedRect();
 }
 
+/// What of a slice decides where voxels are seen.
+bool showsSamePixels(const ViewContext& one, const ViewContext& other)
+{
+    const auto* its = std::get_if<gpu::SliceScene>(&one.scene);
+    const auto* others = std::get_if<gpu::SliceScene>(&other.scene);
+    return its && others && one.sizePixels == other.sizePixels
+        && its->centreLps == others->centreLps && its->rightLps == others->rightLps
+        && its->downLps == others->downLps && its->mmPerPixel == others->mmPerPixel;
+}
+
 QRgb contourTint(const QColor& colour, double opacity)
 {
     QColor tint = colour;
@@ -64,7 +75,7 @@ QRgb contourTint(const QColor& colour, double opacity)
 } // namespace
 
 QImage ContourDrawing::picture(const QRect& area, double ratio, const ViewContext& view,
-    const core::ContourTrack& track, const core::VolumeGeometry& geometry, const QColor& segment)
+    const core::ContourState& state, const core::VolumeGeometry& geometry, const QColor& segment)
 {
     const int width = int(std::lround(area.width() * ratio));
     const int height = int(std::lround(area.height() * ratio));
@@ -81,7 +92,7 @@ QImage ContourDrawing::picture(const QRect& area, double ratio, const ViewContex
     for (int y = 0; y < height; ++y) {
         for (int x = 0; x < width; ++x) {
             seen.push_back(seenAt(
-                glm::ivec3(glm::floor(first + double(x) * right + double(y) * down)), track));
+                glm::ivec3(glm::floor(first + double(x) * right + double(y) * down)), state));
             isAnything = isAnything || seen.back() != Seen::Nothing;
         }
     }
@@ -110,25 +121,39 @@ QImage ContourDrawing::picture(const QRect& area, double ratio, const ViewContex
     return image;
 }
 
-void ContourDrawing::paint(QPainter& painter, const ViewContext& view,
-    const core::ContourTrack& track, const core::VolumeGeometry& geometry, const QColor& segment)
+void ContourDrawing::paint(QPainter& painter, const ViewContext& view, const State& state,
+    const core::VolumeGeometry& geometry, const QColor& segment)
 {
     const double ratio = painter.device()->devicePixelRatioF();
-    Drawn& drawn = m_drawn[view.view];
-    const bool isKnown = drawn.scene == view.scene && drawn.sizePixels == view.sizePixels
-        && drawn.ratio == ratio && drawn.segment == segment;
-    if (!isKnown) {
-        const QRect area = areaOf(track.box(), view, geometry);
-        drawn = {.scene = view.scene,
-            .sizePixels = view.sizePixels,
-            .ratio = ratio,
-            .segment = segment,
-            .corner = area.topLeft(),
-            .image =
-                area.isEmpty() ? QImage() : picture(area, ratio, view, track, geometry, segment)};
+    Drawn& its = m_drawn[view.view];
+    const bool isInPlace =
+        its.wish && its.wish->ratio == ratio && showsSamePixels(its.wish->view, view);
+    if (isInPlace && !its.image.isNull())
+        painter.drawImage(its.corner, its.image);
+    const bool isRight =
+        isInPlace && its.wish->segment == segment && its.wish->state.lock() == state;
+    if (isRight || its.making.running())
+        return;
+    const QRect area = areaOf(state->box(), view, geometry);
+    const Wish wish{.view = view, .ratio = ratio, .segment = segment, .state = state};
+    if (area.isEmpty()) {
+        its.wish = wish;
+        its.image = QImage();
+        return;
     }
-    if (!drawn.image.isNull())
-        painter.drawImage(drawn.corner, drawn.image);
+    its.making = m_background.start(
+        this,
+        [area, ratio, view, state, geometry, segment] {
+            return picture(area, ratio, view, *state, geometry, segment);
+        },
+        [this, wish, corner = area.topLeft()](const core::Result<QImage>& image) {
+            Drawn& made = m_drawn[wish.view.view];
+            made.wish = wish;
+            made.corner = corner;
+            // Where there is no room for it, it is not shown, and not asked for again and again.
+            made.image = image ? *image : QImage();
+            Q_EMIT drawn();
+        });
 }
 
 } // namespace ui

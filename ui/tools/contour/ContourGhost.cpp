@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/tools/contour/ContourGhost.h"
 
-#include "core/contour/ContourTrack.h"
+#include "core/contour/ContourState.h"
 
 #include <QPainter>
 
@@ -24,12 +24,13 @@ bool seesAlike(const ViewContext& one, const ViewContext& other)
         && its->heightMm == others->heightMm && its->orthographic == others->orthographic;
 }
 
-/// The voxels of a body by their place in its box.
+/// The voxels of a state by their place in its box.
 class BodyVoxels {
 public:
-    explicit BodyVoxels(const ContourGhost::Body& body)
-        : m_body(body)
-        , m_extent(body.box.maximum - body.box.minimum)
+    BodyVoxels(const core::ContourState& state, const core::VolumeGeometry& geometry)
+        : m_voxels(state.voxels())
+        , m_axes(geometry.indexToWorld)
+        , m_extent(state.box().maximum - state.box().minimum)
     {
     }
     [[nodiscard]] const glm::ivec3& extent() const { return m_extent; }
@@ -38,8 +39,8 @@ public:
     {
         if (x < 0 || y < 0 || z < 0 || x >= m_extent.x || y >= m_extent.y || z >= m_extent.z)
             return false;
-        return core::ContourTrack::isInside(
-            m_body.voxels[(std::size_t(z) * std::size_t(m_extent.y) + std::size_t(y))
+        return core::ContourState::isInside(
+            m_voxels[(std::size_t(z) * std::size_t(m_extent.y) + std::size_t(y))
                     * std::size_t(m_extent.x)
                 + std::size_t(x)]);
     }
@@ -53,13 +54,12 @@ public:
     [[nodiscard]] glm::dvec3 outwardsLps(int x, int y, int z) const
     {
         constexpr int reach = 2;
-        const glm::dmat3 axes(m_body.geometry.indexToWorld);
         glm::dvec3 sum(0.0);
         for (int dz = -reach; dz <= reach; ++dz) {
             for (int dy = -reach; dy <= reach; ++dy) {
                 for (int dx = -reach; dx <= reach; ++dx) {
                     if (!has(x + dx, y + dy, z + dz))
-                        sum += axes * glm::dvec3(dx, dy, dz);
+                        sum += m_axes * glm::dvec3(dx, dy, dz);
                 }
             }
         }
@@ -68,7 +68,8 @@ public:
     }
 
 private:
-    const ContourGhost::Body& m_body;
+    const std::vector<std::uint8_t>& m_voxels;
+    glm::dmat3 m_axes;
     glm::ivec3 m_extent;
 };
 
@@ -156,16 +157,17 @@ private:
 
 } // namespace
 
-QImage ContourGhost::picture(const ViewContext& view, const Body& body, const QColor& segment)
+QImage ContourGhost::picture(const ViewContext& view, const core::ContourState& state,
+    const core::VolumeGeometry& geometry, const QColor& segment)
 {
-    const BodyVoxels voxels(body);
-    GhostCanvas canvas(view, body.geometry, segment);
+    const BodyVoxels voxels(state, geometry);
+    GhostCanvas canvas(view, geometry, segment);
     for (int z = 0; z < voxels.extent().z; ++z) {
         for (int y = 0; y < voxels.extent().y; ++y) {
             for (int x = 0; x < voxels.extent().x; ++x) {
                 if (voxels.isAtSurface(x, y, z))
                     canvas.add(
-                        body.geometry.toWorld(glm::dvec3(body.box.minimum) + glm::dvec3(x, y, z)),
+                        geometry.toWorld(glm::dvec3(state.box().minimum) + glm::dvec3(x, y, z)),
                         voxels.outwardsLps(x, y, z));
             }
         }
@@ -173,24 +175,22 @@ QImage ContourGhost::picture(const ViewContext& view, const Body& body, const QC
     return canvas.image();
 }
 
-void ContourGhost::paint(QPainter& painter, const ViewContext& view,
-    const core::ContourTrack& track, const core::VolumeGeometry& geometry, const QColor& segment)
+void ContourGhost::paint(QPainter& painter, const ViewContext& view, const State& state,
+    const core::VolumeGeometry& geometry, const QColor& segment)
 {
-    if (track.voxels().size() > mostVoxels)
+    if (state->voxelCount() > mostVoxels)
         return;
     const Drawn& known = m_drawn[view.view];
     const bool isHere = !known.image.isNull() && seesAlike(known.view, view);
     if (isHere)
         painter.drawImage(QPoint(0, 0), known.image);
-    if ((isHere && known.revision == m_revision && known.segment == segment) || m_background.busy())
+    if ((isHere && known.state.lock() == state && known.segment == segment) || m_background.busy())
         return;
-    auto body = std::make_shared<Body>(
-        Body{.geometry = geometry, .box = track.box(), .voxels = track.voxels()});
     m_background.start(
-        this, [body, view, segment] { return picture(view, *body, segment); },
-        [this, view, segment, revision = m_revision](const core::Result<QImage>& image) {
+        this, [state, geometry, view, segment] { return picture(view, *state, geometry, segment); },
+        [this, view, segment, of = std::weak_ptr(state)](const core::Result<QImage>& image) {
             // Where there is no room for it, it is not shown, and not asked for again and again.
-            m_drawn[view.view] = {.revision = revision,
+            m_drawn[view.view] = {.state = of,
                 .view = view,
                 .segment = segment,
                 .image = image ? *image : QImage(1, 1, QImage::Format_ARGB32_Premultiplied)};

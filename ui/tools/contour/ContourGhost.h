@@ -2,7 +2,6 @@
 #pragma once
 
 #include "core/base/Background.h"
-#include "core/brick/BrickGrid.h"
 #include "core/volume/VolumeGeometry.h"
 #include "ui/geometry/ViewContext.h"
 
@@ -10,14 +9,14 @@
 #include <QImage>
 #include <QObject>
 
-#include <cstdint>
+#include <cstddef>
 #include <map>
-#include <vector>
+#include <memory>
 
 class QPainter;
 
 namespace core {
-class ContourTrack;
+class ContourState;
 }
 
 namespace ui {
@@ -33,10 +32,9 @@ public:
     static constexpr std::size_t mostVoxels = std::size_t(1) << 26;
 
     using QObject::QObject;
+    using State = std::shared_ptr<const core::ContourState>;
 
-    /// The contour has moved, or is another one.
-    void noteChange() { ++m_revision; }
-    /// There is none any more.
+    /// There is no contour any more.
     void forget()
     {
         m_background.cancel();
@@ -44,30 +42,23 @@ public:
     }
     /// Draws the picture that there is and, where it is not the right one, has another one made.
     /// @param view of a VolumeScene
-    void paint(QPainter& painter, const ViewContext& view, const core::ContourTrack& track,
+    void paint(QPainter& painter, const ViewContext& view, const State& state,
         const core::VolumeGeometry& geometry, const QColor& segment);
 
-    /// What is in a box: flags of ContourGround, x fastest.
-    struct Body {
-        core::VolumeGeometry geometry;
-        core::VoxelBox box;
-        std::vector<std::uint8_t> voxels;
-    };
     /// The picture of a view, in its logical pixels. Any thread.
-    [[nodiscard]] static QImage picture(
-        const ViewContext& view, const Body& body, const QColor& segment);
+    [[nodiscard]] static QImage picture(const ViewContext& view, const core::ContourState& state,
+        const core::VolumeGeometry& geometry, const QColor& segment);
 
 Q_SIGNALS:
     void drawn(); ///< another picture is there
 
 private:
     struct Drawn {
-        std::uint64_t revision = 0;
+        std::weak_ptr<const core::ContourState> state; ///< a picture does not keep it
         ViewContext view;
         QColor segment;
         QImage image; ///< null: none yet
     };
-    std::uint64_t m_revision = 1;
     std::map<gpu::ViewId, Drawn> m_drawn;
     core::Background m_background; ///< last: it uses all of the above
 };

@@ -5,27 +5,24 @@
 #include "core/edits/EditQuantise.h"
 #include "core/edits/kinds/Edit.h"
 #include "core/edits/kinds/filling/ContourTrial.h"
+#include "core/edits/kinds/segments/AddSegment.h"
 #include "core/session/questions/VoxelQuestions.h"
 #include "core/volume/MemoryLimit.h"
+#include "ui/workspace/SegmentActions.h"
 #include "ui/workspace/Workspace.h"
 
 #include <QPointer>
 
 #include <algorithm>
 #include <chrono>
-#include <functional>
 #include <utility>
 
 namespace ui {
 
 namespace {
 
-using Generations = std::vector<std::vector<std::uint32_t>>;
-
 /// The engine is asked for so many values together; other work comes in between.
 constexpr std::int64_t contourCodesAtOnce = 1 << 20;
-/// Ground, its copy that evolves, with g, and the voxels that are shown.
-constexpr double contourBytesPerVoxel = 8.0;
 
 /// When it looks again whether the session is at rest.
 constexpr std::chrono::milliseconds soonAgain{20};
@@ -51,42 +48,24 @@ std::vector<core::ContourPlane> viewsOf(const LabelFetch::Planes& planes)
     return views;
 }
 
-/// What the other thread hands over while it works.
-struct ContourReports {
-    std::function<void(std::shared_ptr<core::ContourTrack>)> begun;
-    std::function<void(Generations)> further;
+/// An edit of a segment that is not made yet, in the study as it would be with it.
+struct ContourTrialStudy {
+    core::EvolveContour edit;
+    core::Document document;
 };
 
-/// Evolves up to a generation in silence, and then reports one by one, though not each by itself
-/// where they come fast.
-/// @return whether it came to rest
-bool evolveAlong(core::ContourEvolution& evolution, core::ContourTrack track, int most, int silent,
-    const core::Progress& progress, const ContourReports& reports)
+core::Result<ContourTrialStudy> trialStudy(
+    const core::EvolveContour& edit, const core::Document& document)
 {
-    using Clock = std::chrono::steady_clock;
-    constexpr auto between = std::chrono::milliseconds(15);
-    const auto changed = [&evolution] {
-        const auto places = evolution.lastChanged();
-        return std::vector<std::uint32_t>(places.begin(), places.end());
-    };
-    while (evolution.generation() < std::min(silent, most) && evolution.step(progress))
-        track.append(changed());
-    if (progress.cancelled())
-        return false;
-    track.goTo(track.known());
-    reports.begun(std::make_shared<core::ContourTrack>(std::move(track)));
-    Generations waiting;
-    Clock::time_point last = Clock::now();
-    while (evolution.generation() < most && evolution.step(progress)) {
-        waiting.push_back(changed());
-        if (Clock::now() - last < between)
-            continue;
-        reports.further(std::exchange(waiting, {}));
-        last = Clock::now();
-    }
-    if (!waiting.empty())
-        reports.further(std::move(waiting));
-    return evolution.rests();
+    ContourTrialStudy trial{edit, document};
+    if (edit.segment != 0)
+        return trial;
+    const core::AddSegment added{
+        .name = nextSegmentName(document), .rgb = nextSegmentColour(document)};
+    if (const core::Result<bool> made = core::apply(added, trial.document); !made)
+        return tl::unexpected(made.error());
+    trial.edit.segment = trial.document.segments.back().label;
+    return trial;
 }
 
 } // namespace
@@ -108,7 +87,7 @@ struct ContourRun::Reading {
             return tl::unexpected(found.error());
         ground = *std::move(found);
         nextSlice = ground.box.minimum.z;
-        return core::checkBytes(contourBytesPerVoxel * double(ground.voxels.size()),
+        return core::checkBytes(core::watchedContourBytes(ground.voxels.size(), 0),
             QStringLiteral("the box in which the contour is watched"));
     }
     [[nodiscard]] core::Result<void> joinCodes()
@@ -125,6 +104,7 @@ struct ContourRun::Reading {
 ContourRun::ContourRun(Workspace& workspace, QObject* parent)
     : QObject(parent)
     , m_workspace(workspace)
+    , m_mostBytes(core::allowedBytes())
 {
     m_again.setSingleShot(true);
     setPace(60);
@@ -135,7 +115,7 @@ ContourRun::ContourRun(Workspace& workspace, QObject* parent)
     connect(&workspace, &Workspace::documentChanged, this, &ContourRun::follow);
     connect(&m_fetch, &LabelFetch::finished, this, &ContourRun::takeLabels);
     connect(&m_fetch, &LabelFetch::failed, this, [this](const core::Error& error) {
-        if (error.code == core::ErrorCode::Internal)
+        if (m_fetch.mayTryAgain(error))
             m_again.start(soonAgain); // labels changed while they were fetched
         else
             fail(error);
@@ -175,7 +155,7 @@ void ContourRun::stop()
     m_locks.clear();
     m_trackStands = false;
     m_isWorking = false;
-    m_rests = false;
+    m_end.reset();
 }
 
 void ContourRun::drop()
@@ -184,8 +164,10 @@ void ContourRun::drop()
         return;
     stop();
     m_playing.stop();
+    m_showing.cancel();
     m_edit.reset();
     m_track.reset();
+    m_state.reset();
     m_wanted = 0;
     Q_EMIT changed();
 }
@@ -232,7 +214,10 @@ void ContourRun::fetch()
     // What stands open would be closed by the question, and what waits may change labels.
     if (session->transactionOpen() || !session->idle())
         return m_again.start(soonAgain);
-    const auto planes = core::contourPlanes(*m_edit, session->document());
+    const core::Result<ContourTrialStudy> trial = trialStudy(*m_edit, session->document());
+    if (!trial)
+        return fail(trial.error());
+    const auto planes = core::contourPlanes(trial->edit, trial->document);
     if (!planes)
         return fail(planes.error());
     m_fetch.start(*session, *planes);
@@ -243,8 +228,11 @@ void ContourRun::takeLabels(const LabelFetch::Planes& planes)
     const core::EditSession* session = m_workspace.session();
     if (!session || !m_edit)
         return;
-    m_reading = std::make_shared<Reading>(
-        Reading{.edit = *m_edit, .document = session->document(), .planes = planes});
+    core::Result<ContourTrialStudy> trial = trialStudy(*m_edit, session->document());
+    if (!trial)
+        return fail(trial.error());
+    m_reading = std::make_shared<Reading>(Reading{
+        .edit = std::move(trial->edit), .document = std::move(trial->document), .planes = planes});
     for (const core::Segment& segment : session->document().segments)
         m_locks.emplace_back(segment.label, segment.locked);
     m_background.start(
@@ -308,61 +296,101 @@ void ContourRun::evolve()
     core::EditSession* session = m_workspace.session();
     if (!session)
         return;
-    const core::Result<core::ContourRule> rule = core::contourRule(*m_edit, session->document());
+    const core::Result<ContourTrialStudy> trial = trialStudy(*m_edit, session->document());
+    if (!trial)
+        return fail(trial.error());
+    const core::Result<core::ContourRule> rule = core::contourRule(trial->edit, trial->document);
     if (!rule)
         return fail(rule.error());
     m_isWorking = true;
-    m_rests = false;
-    const auto work = [this, rule = *rule, ground = m_ground, edit = *m_edit, silent = m_wanted](
+    m_end.reset();
+    const core::ContourWish wish{
+        .generations = m_edit->generations, .silent = m_wanted, .bytes = m_mostBytes};
+    const auto work = [this, rule = *rule, ground = m_ground, edit = *m_edit, wish](
                           const core::Progress& progress,
                           const core::Background::Meanwhile& meanwhile) {
-        const ContourReports reports{.begun =
-                                         [&](std::shared_ptr<core::ContourTrack> track) {
-                                             meanwhile(
-                                                 [this, track, edit] { takeTrack(track, edit); });
-                                         },
+        const core::ContourReports reports{
+            .begun =
+                [&](const auto& track, const auto& state) {
+                    meanwhile([this, track, state, edit] { takeTrack(track, state, edit); });
+                },
             .further =
-                [&](Generations changes) {
-                    auto all = std::make_shared<Generations>(std::move(changes));
-                    meanwhile([this, all] { takeGenerations(std::move(*all)); });
+                [&](std::vector<core::ContourGeneration> generations) {
+                    meanwhile([this, generations = std::move(generations)] {
+                        takeGenerations(generations);
+                    });
                 }};
-        core::ContourTrack track(ground->box, ground->voxels);
-        core::ContourEvolution evolution(rule, *ground);
-        return evolveAlong(
-            evolution, std::move(track), edit.generations, silent, progress, reports);
+        return core::watchContour(rule, *ground, wish, progress, reports);
     };
-    m_background.replace(this, work, [this](const core::Result<bool>& rests) {
-        if (!rests)
-            return fail(rests.error());
-        end(*rests);
+    m_background.replace(this, work, [this](const core::Result<core::ContourEnd>& how) {
+        if (!how)
+            return fail(how.error());
+        end(*how);
     });
 }
 
-void ContourRun::takeTrack(
-    std::shared_ptr<core::ContourTrack> track, const core::EvolveContour& edit)
+void ContourRun::takeTrack(const std::shared_ptr<core::ContourTrack>& track,
+    const std::shared_ptr<const core::ContourState>& state, const core::EvolveContour& edit)
 {
-    m_track = std::move(track);
+    m_showing.cancel(); // it belongs to another one
+    m_track = track;
+    m_state = state;
+    m_stateAt = track->shown();
     m_trackEdit = edit;
     m_trackStands = true;
     // Somebody may have wished for an earlier one meanwhile.
-    m_track->goTo(std::min(m_wanted, m_track->known()));
+    show(m_wanted);
     Q_EMIT changed();
+    Q_EMIT stateChanged();
 }
 
-void ContourRun::takeGenerations(std::vector<std::vector<std::uint32_t>> changes)
+void ContourRun::takeGenerations(std::vector<core::ContourGeneration> generations)
 {
-    for (std::vector<std::uint32_t>& each : changes)
+    for (core::ContourGeneration& each : generations)
         m_track->append(std::move(each));
-    m_track->goTo(std::min(m_wanted, m_track->known()));
+    show(m_wanted);
     Q_EMIT changed();
 }
 
-void ContourRun::end(bool rests)
+void ContourRun::end(core::ContourEnd how)
 {
     m_isWorking = false;
-    m_rests = rests;
+    m_end = how;
     m_wanted = std::min(m_wanted, m_track->known());
     Q_EMIT changed();
+    if (how == core::ContourEnd::OutOfMemory)
+        Q_EMIT ranOutOfMemory();
+}
+
+/// As far as it is known.
+void ContourRun::show(int generation)
+{
+    m_track->goTo(std::min(generation, m_track->known()));
+    bringIntoSight();
+}
+
+/// While a state is worked out others may be wished for; the newest wish is the next.
+void ContourRun::bringIntoSight()
+{
+    if (!m_track || isInSight() || m_showing.busy())
+        return;
+    using State = std::shared_ptr<const core::ContourState>;
+    const int to = m_track->shown();
+    m_showing.start(
+        this,
+        [state = m_state, way = m_track->between(m_stateAt, to)]() -> State {
+            const auto next = std::make_shared<core::ContourState>(*state);
+            next->pass(way);
+            return next;
+        },
+        [this, to](const core::Result<State>& next) {
+            if (!next)
+                return fail(next.error());
+            m_state = *next;
+            m_stateAt = to;
+            Q_EMIT stateChanged();
+            bringIntoSight();
+        });
 }
 
 std::optional<core::EvolveContour> ContourRun::shownEdit() const
@@ -382,7 +410,7 @@ void ContourRun::goTo(int generation)
     const bool isAllKnown = m_track && !m_isWorking;
     m_wanted = std::clamp(generation, 0, isAllKnown ? m_track->known() : m_edit->generations);
     if (m_track)
-        m_track->goTo(std::min(m_wanted, m_track->known()));
+        show(m_wanted);
     Q_EMIT changed();
 }
 
@@ -404,7 +432,7 @@ void ContourRun::playOn()
         return;
     if (m_track->shown() < m_track->known()) {
         m_wanted = m_track->shown() + 1;
-        m_track->goTo(m_wanted);
+        show(m_wanted);
     } else if (!m_isWorking) {
         m_playing.stop();
     } else {

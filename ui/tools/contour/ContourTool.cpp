@@ -47,8 +47,14 @@ ContourTool::ContourTool(Workspace& workspace, QObject* parent)
 {
     connect(&m_look, &SketchLook::found, this, &ContourTool::takeValues);
     connect(&m_run, &ContourRun::changed, this, &ContourTool::showRun);
+    connect(&m_run, &ContourRun::stateChanged, this, &Tool::overlayChanged);
+    connect(&m_drawing, &ContourDrawing::drawn, this, &Tool::overlayChanged);
     connect(&m_ghost, &ContourGhost::drawn, this, &Tool::overlayChanged);
     connect(&m_run, &ContourRun::failed, &workspace, &Workspace::fail);
+    connect(&m_run, &ContourRun::ranOutOfMemory, this, [this] {
+        m_workspace.say(tr("The contour evolves no further: that would take more memory than there "
+                           "is. What is shown can be accepted"));
+    });
     connect(&m_run, &ContourRun::foundNothing, this, [this] {
         m_workspace.say(tr("The segment has no voxels to begin with: click a bubble instead"));
     });
@@ -184,10 +190,14 @@ void ContourTool::start(const glm::dvec3& placeLps)
     if (session->segmentWork().percent())
         return m_workspace.say(tr("A segment is being worked out; Esc abandons it"));
     drop();
-    const core::Result<int> label = ensureActiveSegment(m_workspace);
-    if (!label)
-        return m_workspace.fail(label.error());
-    m_segment = *label;
+    if (session->foreseenDocument().segments.empty()) {
+        m_segment = 0; // Esc is to leave nothing
+    } else {
+        const core::Result<int> label = ensureActiveSegment(m_workspace);
+        if (!label)
+            return m_workspace.fail(label.error());
+        m_segment = *label;
+    }
     m_bubbleLps.reset();
     if (!m_settings.fromSegment)
         m_bubbleLps = placeLps;
@@ -231,12 +241,18 @@ void ContourTool::follow()
 
 void ContourTool::accept()
 {
-    const std::optional<core::EvolveContour> shown = m_run.shownEdit();
+    std::optional<core::EvolveContour> shown = m_run.shownEdit();
     if (!shown)
         return m_workspace.say(!m_run.isOpen() ? tr("There is no contour to accept")
                 : m_run.isWorking()            ? tr("The contour is still being worked out")
                                                : tr("The contour has not moved yet"));
     drop();
+    if (shown->segment == 0) {
+        const core::Result<int> label = addSegment(m_workspace);
+        if (!label)
+            return m_workspace.fail(label.error());
+        shown->segment = *label;
+    }
     evolveContour(m_workspace, *shown);
 }
 
@@ -295,10 +311,10 @@ void ContourTool::leave()
 
 void ContourTool::showRun()
 {
-    m_drawing.forget();
-    m_ghost.noteChange();
-    if (!m_run.track())
+    if (!m_run.track()) {
+        m_drawing.forget();
         m_ghost.forget();
+    }
     if (m_wasOpen != m_run.isOpen()) {
         m_wasOpen = m_run.isOpen();
         Q_EMIT stepsChanged();
@@ -333,13 +349,13 @@ void ContourTool::paintOverlay(QPainter& painter, const ViewContext& view) const
     if (!session || !worksIn(view))
         return;
     const core::VolumeGeometry& geometry = m_workspace.volume()->geometry;
-    if (const core::ContourTrack* track = m_run.track()) {
+    if (const std::shared_ptr<const core::ContourState>& state = m_run.state()) {
         const core::Segment* segment = session->document().segment(m_segment);
-        const QColor colour = segment ? QColor(segment->rgb) : toolColour();
+        const QColor colour(segment ? segment->rgb : nextSegmentColour(session->document()));
         if (view.isSlice())
-            m_drawing.paint(painter, view, *track, geometry, colour);
+            m_drawing.paint(painter, view, state, geometry, colour);
         else
-            m_ghost.paint(painter, view, *track, geometry, colour);
+            m_ghost.paint(painter, view, state, geometry, colour);
     }
     if (m_cursorView != view.view || !view.isSlice())
         return;

@@ -76,7 +76,7 @@ public:
 
     /// Begins as the settings say; a bubble at this place.
     void start(const glm::dvec3& placeLps);
-    /// Makes a step of what is shown.
+    /// Makes a step of what is shown, after one that makes a segment for it where there is none.
     void accept();
     /// Leaves nothing of what is watched.
     void drop();
@@ -108,7 +108,7 @@ private:
     bool m_awaitsValues = false; ///< it begins when they are known
     mutable ContourDrawing m_drawing; ///< in slices
     mutable ContourGhost m_ghost; ///< in the 3D view
-    int m_segment = 0; ///< label, of what is watched
+    int m_segment = 0; ///< label, of what is watched; 0: it has none before it is accepted
     std::optional<glm::dvec3> m_bubbleLps; ///< of the same
     bool m_wasOpen = false;
     QPointF m_cursor;

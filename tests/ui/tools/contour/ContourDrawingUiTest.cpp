@@ -1,16 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/tools/contour/ContourDrawing.h"
 
-#include "core/contour/ContourTrack.h"
+#include "core/brick/ThreadWithoutVoxels.h"
+#include "core/contour/ContourState.h"
 #include "core/volume/VolumeGeometry.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/program/TestProgram.h"
 
 #include <QPainter>
+#include <QSignalSpy>
 #include <QtTest>
 
 #include <array>
 #include <cmath>
+#include <memory>
 #include <random>
 #include <vector>
 
@@ -33,7 +36,7 @@ core::VolumeGeometry sheared()
 }
 
 /// A ball in a box, a half of which was the segment's before, with voxels that were and are not.
-core::ContourTrack someContour()
+core::ContourState someContour()
 {
     using Ground = core::ContourGround;
     const core::VoxelBox box{{6, 5, 4}, {24, 23, 20}};
@@ -97,24 +100,24 @@ private Q_SLOTS:
         QFETCH(const glm::dvec3, down);
         QFETCH(const double, ratio);
         const core::VolumeGeometry geometry = sheared();
-        const core::ContourTrack track = someContour();
+        const core::ContourState state = someContour();
         const ui::ViewContext view = sliceView(right, down);
         const QRect area(11, 7, 71, 66);
         const QImage picture =
-            ui::ContourDrawing::picture(area, ratio, view, track, geometry, segmentColour);
+            ui::ContourDrawing::picture(area, ratio, view, state, geometry, segmentColour);
         QCOMPARE(picture.size(), area.size() * ratio);
         QCOMPARE(picture.devicePixelRatio(), ratio);
         const auto voxelAt = [&](int x, int y) {
             const QPointF pixel(area.left() + (x + 0.5) / ratio, area.top() + (y + 0.5) / ratio);
             return glm::ivec3(glm::floor(geometry.toIndex(view.toLps(pixel)) + 0.5));
         };
-        const auto isIn = [&](int x, int y) { return track.isInside(voxelAt(x, y)); };
+        const auto isIn = [&](int x, int y) { return state.isInside(voxelAt(x, y)); };
         std::array<int, 5> counts{};
         for (int y = 1; y + 1 < picture.height(); ++y) {
             for (int x = 1; x + 1 < picture.width(); ++x) {
                 const QColor colour = picture.pixelColor(x, y);
                 const bool in = isIn(x, y);
-                const bool was = track.wasInside(voxelAt(x, y));
+                const bool was = state.wasInside(voxelAt(x, y));
                 const bool rim =
                     in && !(isIn(x - 1, y) && isIn(x + 1, y) && isIn(x, y - 1) && isIn(x, y + 1));
                 if (rim)
@@ -134,49 +137,105 @@ private Q_SLOTS:
             QVERIFY(count > 20);
     }
 
-    /// On a view it lies where the box is seen, and it follows contour and view.
+    /// On a view it lies where the box is seen, and it follows contour and view; the window's
+    /// thread reads no voxels for it.
     void itLiesWhereItIsSeen()
     {
         const core::VolumeGeometry geometry = sheared();
-        core::ContourTrack track = someContour();
+        auto state = std::make_shared<const core::ContourState>(someContour());
         const ui::ViewContext view = sliceView({1.0, 0.0, 0.0}, {0.0, 1.0, 0.0});
         ui::ContourDrawing drawing;
-        const auto painted = [&](const ui::ViewContext& in) {
+        QSignalSpy drawn(&drawing, &ui::ContourDrawing::drawn);
+        const auto empty = [] {
             QImage canvas(90, 80, QImage::Format_ARGB32_Premultiplied);
             canvas.fill(Qt::transparent);
+            return canvas;
+        };
+        const auto painted = [&](const ui::ViewContext& in) {
+            const core::ThreadWithoutVoxels here;
+            QImage canvas = empty();
             QPainter painter(&canvas);
-            drawing.paint(painter, in, track, geometry, segmentColour);
+            drawing.paint(painter, in, state, geometry, segmentColour);
             painter.end();
             return canvas;
         };
         const auto whole = [&](const ui::ViewContext& in) {
-            QImage image = ui::ContourDrawing::picture(
-                QRect(0, 0, 90, 80), 1.0, in, track, geometry, segmentColour);
-            if (image.isNull()) {
-                image = QImage(90, 80, QImage::Format_ARGB32_Premultiplied);
-                image.fill(Qt::transparent);
-            }
-            return image;
+            const QImage image = ui::ContourDrawing::picture(
+                QRect(0, 0, 90, 80), 1.0, in, *state, geometry, segmentColour);
+            return image.isNull() ? empty() : image;
         };
+        QVERIFY(painted(view) == empty());
+        QTRY_COMPARE(drawn.size(), 1);
         const QImage first = painted(view);
         QVERIFY(first == whole(view));
-        QVERIFY(painted(view) == first);
+        QVERIFY(first != empty());
+        QTest::qWait(20);
+        QCOMPARE(drawn.size(), 1); // no other one is made
+        // What does not move a voxel makes no other one.
+        ui::ViewContext darker = view;
+        std::get<gpu::SliceScene>(darker.scene).inverted = true;
+        QVERIFY(painted(darker) == first);
         ui::ViewContext moved = view;
         std::get<gpu::SliceScene>(moved.scene).centreLps.x += 5.0;
+        QVERIFY(painted(moved) == empty()); // not where it was seen before
+        QTRY_COMPARE(drawn.size(), 2);
         QVERIFY(painted(moved) == whole(moved));
         QVERIFY(painted(moved) != first);
         ui::ViewContext beside = view;
         std::get<gpu::SliceScene>(beside.scene).centreLps.z += 500.0;
-        QVERIFY(painted(beside) == whole(beside));
-        // A generation more: a voxel in the middle leaves.
+        (void)painted(beside);
+        QTRY_COMPARE(drawn.size(), 3);
+        QVERIFY(painted(beside) == empty());
+        QVERIFY(painted(view) == empty());
+        QTRY_COMPARE(drawn.size(), 4);
+        // A generation more: the last picture stays until the next one is there.
         std::vector<std::uint32_t> changed;
         for (std::uint32_t place = 0; place < 18U * 18U * 16U; place += 3)
             changed.push_back(place);
-        track.append(changed);
-        track.goTo(1);
-        drawing.forget();
+        auto next = std::make_shared<core::ContourState>(*state);
+        next->pass(changed);
+        state = next;
+        QVERIFY(painted(view) == first);
+        QTRY_COMPARE(drawn.size(), 5);
         QVERIFY(painted(view) == whole(view));
         QVERIFY(painted(view) != first);
+        drawing.forget();
+        QVERIFY(painted(view) == empty());
+        drawing.forget(); // while it is worked out
+        QTest::qWait(20);
+        QCOMPARE(drawn.size(), 5);
+    }
+
+    /// While a picture is made others may be wished for: then it is the newest that is made.
+    void theNewestWishWins()
+    {
+        const core::VolumeGeometry geometry = sheared();
+        auto state = std::make_shared<const core::ContourState>(someContour());
+        const ui::ViewContext view = sliceView({1.0, 0.0, 0.0}, {0.0, 1.0, 0.0});
+        ui::ContourDrawing drawing;
+        QSignalSpy drawn(&drawing, &ui::ContourDrawing::drawn);
+        const auto painted = [&] {
+            QImage canvas(90, 80, QImage::Format_ARGB32_Premultiplied);
+            canvas.fill(Qt::transparent);
+            QPainter painter(&canvas);
+            drawing.paint(painter, view, state, geometry, segmentColour);
+            painter.end();
+            return canvas;
+        };
+        for (std::uint32_t wish = 0; wish < 10; ++wish) {
+            auto next = std::make_shared<core::ContourState>(*state);
+            next->pass(std::vector<std::uint32_t>{wish * 7U, 2500U + wish * 18U});
+            state = next;
+            (void)painted(); // no event comes in between
+        }
+        QTRY_COMPARE(drawn.size(), 1); // of the first
+        (void)painted();
+        QTRY_COMPARE(drawn.size(), 2);
+        QVERIFY(painted()
+            == ui::ContourDrawing::picture(
+                QRect(0, 0, 90, 80), 1.0, view, *state, geometry, segmentColour));
+        QTest::qWait(20);
+        QCOMPARE(drawn.size(), 2);
     }
 };
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/tools/contour/ContourGhost.h"
 
-#include "core/contour/ContourTrack.h"
+#include "core/brick/ThreadWithoutVoxels.h"
+#include "core/contour/ContourState.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/program/TestProgram.h"
 
@@ -10,6 +11,7 @@
 #include <QtTest>
 
 #include <cmath>
+#include <memory>
 #include <random>
 #include <vector>
 
@@ -17,7 +19,17 @@ namespace contourGhostUiTest {
 
 namespace {
 
-using Body = ui::ContourGhost::Body;
+/// What a state is made of.
+struct Body {
+    core::VolumeGeometry geometry;
+    core::VoxelBox box;
+    std::vector<std::uint8_t> voxels;
+    [[nodiscard]] core::ContourState state() const { return {box, voxels}; }
+    [[nodiscard]] QImage picture(const ui::ViewContext& view, const QColor& colour) const
+    {
+        return ui::ContourGhost::picture(view, state(), geometry, colour);
+    }
+};
 
 const QColor ghostColour(80, 200, 120);
 
@@ -82,8 +94,8 @@ private Q_SLOTS:
     void itCoversItsVoxels()
     {
         const Body body = someBody();
-        const core::ContourTrack track(body.box, body.voxels);
-        const QImage picture = ui::ContourGhost::picture(frontView(), body, ghostColour);
+        const core::ContourState state = body.state();
+        const QImage picture = body.picture(frontView(), ghostColour);
         QCOMPARE(picture.size(), QSize(100, 80));
         int covered = 0;
         for (int row = 0; row < 80; ++row) {
@@ -93,7 +105,7 @@ private Q_SLOTS:
                 const glm::ivec3 voxel(glm::floor(body.geometry.toIndex({x, 0.0, z}) + 0.5));
                 bool isThere = false;
                 for (int y = 0; y < body.geometry.size.y; ++y)
-                    isThere = isThere || track.isInside({voxel.x, y, voxel.z});
+                    isThere = isThere || state.isInside({voxel.x, y, voxel.z});
                 QCOMPARE(picture.pixelColor(column, row).alpha() > 0, isThere);
                 covered += isThere ? 1 : 0;
             }
@@ -107,7 +119,7 @@ private Q_SLOTS:
         const Body body = someBody(false);
         const glm::dvec3 middle = body.geometry.toWorld({14.0, 13.0, 15.0});
         const ui::ViewContext view = frontView();
-        const QImage picture = ui::ContourGhost::picture(view, body, ghostColour);
+        const QImage picture = body.picture(view, ghostColour);
         const QPoint at = view.toPixel(middle).toPoint();
         const int bright = picture.pixelColor(at).green();
         const int rim = picture.pixelColor(at + QPoint(12, 0)).green(); // 6 of 7 mm
@@ -120,7 +132,7 @@ private Q_SLOTS:
             scene.orthographic = false;
             scene.eyeLps.y = eyeY;
             scene.targetLps.y = 20.0; // the body lies before it
-            const QImage image = ui::ContourGhost::picture(perspective, body, ghostColour);
+            const QImage image = body.picture(perspective, ghostColour);
             int count = 0;
             for (int row = 0; row < 80; ++row) {
                 for (int column = 0; column < 100; ++column)
@@ -131,28 +143,27 @@ private Q_SLOTS:
         QVERIFY(coveredBy(-60.0) > coveredBy(-600.0) + 50);
     }
 
-    /// Each picture is made beside the window; the last one stays until the next is there.
+    /// Each picture is made beside the window, whose thread reads no voxels; the last one stays
+    /// until the next is there.
     void itFollows()
     {
         const Body body = someBody();
-        core::ContourTrack track(body.box, body.voxels);
+        auto state = std::make_shared<const core::ContourState>(body.state());
         std::vector<std::uint32_t> changed;
         for (std::uint32_t place = 0; place < std::uint32_t(body.voxels.size()); place += 2)
             changed.push_back(place);
-        track.append(changed);
         ui::ContourGhost ghost;
         QSignalSpy drawn(&ghost, &ui::ContourGhost::drawn);
         const auto painted = [&](const ui::ViewContext& view) {
+            const core::ThreadWithoutVoxels here;
             QImage canvas = empty();
             QPainter painter(&canvas);
-            ghost.paint(painter, view, track, body.geometry, ghostColour);
+            ghost.paint(painter, view, state, body.geometry, ghostColour);
             painter.end();
             return canvas;
         };
         const auto expected = [&](const ui::ViewContext& view) {
-            return ui::ContourGhost::picture(view,
-                {.geometry = body.geometry, .box = body.box, .voxels = track.voxels()},
-                ghostColour);
+            return ui::ContourGhost::picture(view, *state, body.geometry, ghostColour);
         };
         const ui::ViewContext view = frontView();
         QVERIFY(painted(view) == empty());
@@ -161,8 +172,9 @@ private Q_SLOTS:
         QVERIFY(first == expected(view));
         QTest::qWait(20);
         QCOMPARE(drawn.size(), 1); // no other one is made
-        track.goTo(1);
-        ghost.noteChange();
+        auto next = std::make_shared<core::ContourState>(*state);
+        next->pass(changed);
+        state = next;
         QVERIFY(painted(view) == first);
         QTRY_COMPARE(drawn.size(), 2);
         QVERIFY(painted(view) == expected(view));

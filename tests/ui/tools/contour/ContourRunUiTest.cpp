@@ -59,11 +59,14 @@ struct Fixture : test::WorkspaceFixture {
         const std::vector<bool> inside = reference::evolvedContour(wanted,
             core::contourRule(wanted, session().document()).value(), head, none,
             [](int) { return false; });
+        // A state is worked out beside the window.
+        if (!QTest::qWaitFor([this] { return run.isInSight(); }))
+            return false;
         std::size_t place = 0;
         for (int z = 0; z < test::smallHead::side; ++z) {
             for (int y = 0; y < test::smallHead::side; ++y) {
                 for (int x = 0; x < test::smallHead::side; ++x, ++place) {
-                    if (run.track()->isInside({x, y, z}) != inside[place])
+                    if (run.state()->isInside({x, y, z}) != inside[place])
                         return false;
                 }
             }
@@ -194,7 +197,7 @@ private Q_SLOTS:
             QTest::qWait(30);
             QCOMPARE(changed.size(), 0);
             QVERIFY(!fixture.run.isOpen() && !fixture.run.isWorking() && !fixture.run.isPlaying());
-            QVERIFY(!fixture.run.track() && !fixture.run.shownEdit());
+            QVERIFY(!fixture.run.track() && !fixture.run.state() && !fixture.run.shownEdit());
         }
         fixture.run.begin(fixture.edit(4));
         QTRY_VERIFY(fixture.isThere(4));

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/tools/contour/ContourTool.h"
 
+#include "core/brick/ThreadWithoutVoxels.h"
 #include "core/contour/ContourRule.h"
+#include "core/contour/ContourWatch.h"
 #include "core/session/questions/VoxelQuestions.h"
 #include "tests/reference/Contour.h"
 #include "tests/support/faults/FailingLog.h"
@@ -13,6 +15,7 @@
 #include "ui/panels/contour/ContourPanel.h"
 #include "ui/views/ViewGrid.h"
 #include "ui/widgets/StepSlider.h"
+#include "ui/workspace/SegmentActions.h"
 
 #include <QAction>
 #include <QApplication>
@@ -112,12 +115,16 @@ public:
     /// Which voxels the segment would have, of the whole volume.
     [[nodiscard]] std::vector<bool> shownVoxels() const
     {
+        // A state is worked out beside the window, which reads none of its voxels.
+        if (!QTest::qWaitFor([this] { return tool.run().isInSight(); }))
+            return {};
+        const core::VoxelsAllowed looks; // a test has the time
         const glm::ivec3 size = workspace.volume()->geometry.size;
         std::vector<bool> has;
         for (int z = 0; z < size.z; ++z) {
             for (int y = 0; y < size.y; ++y) {
                 for (int x = 0; x < size.x; ++x)
-                    has.push_back(tool.run().track()->isInside({x, y, z}));
+                    has.push_back(tool.run().state()->isInside({x, y, z}));
             }
         }
         return has;
@@ -161,14 +168,19 @@ private Q_SLOTS:
     {
         Fixture fixture;
         QSignalSpy said(&fixture.workspace, &ui::Workspace::said);
+        const std::int64_t looks = core::ThreadWithoutVoxels::looks();
         fixture.click({20.0, 20.0, 20.0});
         QVERIFY(fixture.tool.run().isOpen());
         QTRY_VERIFY(fixture.hasPlayed());
+        QTRY_VERIFY(fixture.tool.run().isInSight());
+        (void)fixture.view.grab(); // it is drawn
+        QCOMPARE(core::ThreadWithoutVoxels::looks(), looks); // the window read no voxels for it
         const int known = fixture.tool.run().track()->known();
         QVERIFY(fixture.tool.run().rests());
         QVERIFY2(known >= 3 && known < 30, qPrintable(QString::number(known)));
-        // Nothing of the session has changed but for the segment.
-        QCOMPARE(fixture.rows(), std::size_t(1));
+        // Nothing of the session has changed: there is not even a segment.
+        QCOMPARE(fixture.rows(), std::size_t(0));
+        QVERIFY(fixture.session().document().segments.empty());
         const Labels before = fixture.labels();
         QCOMPARE(std::count(before.begin(), before.end(), 0), std::ptrdiff_t(before.size()));
 
@@ -290,6 +302,76 @@ private Q_SLOTS:
         fixture.workspace.setActiveTool(&fixture.tool);
         QVERIFY(!fixture.in<QPushButton>("contourAbort").isEnabled());
         QVERIFY(!fixture.in<QPushButton>("contourAccept").isEnabled());
+    }
+
+    /// Where there is no segment one is made when the contour is accepted, and not before.
+    void noSegmentIsLeft()
+    {
+        Fixture fixture;
+        const QByteArray hash = fixture.session().stateHash();
+        QCOMPARE(fixture.tool.target(), QStringLiteral("fills a new segment"));
+        fixture.click({20.0, 20.0, 20.0});
+        QTRY_VERIFY(fixture.hasPlayed());
+        const std::vector<bool> seen = fixture.shownVoxels();
+        QVERIFY(std::count(seen.begin(), seen.end(), true) > 50);
+        QTest::keyClick(&fixture.view, Qt::Key_Escape);
+        QVERIFY(!fixture.tool.run().isOpen());
+        QVERIFY(fixture.session().settle());
+        QCOMPARE(fixture.rows(), std::size_t(0));
+        QVERIFY(fixture.session().document().segments.empty());
+        QCOMPARE(fixture.session().stateHash(), hash);
+        // A segment that somebody makes meanwhile is another one: nothing is watched any more.
+        fixture.click({20.0, 20.0, 20.0});
+        QVERIFY(fixture.tool.run().isOpen());
+        QVERIFY(ui::addSegment(fixture.workspace));
+        QVERIFY(!fixture.tool.run().isOpen());
+        QVERIFY(fixture.session().settle());
+        QVERIFY(fixture.session().undo() && fixture.session().settle());
+        QTRY_VERIFY(fixture.session().idle());
+        QVERIFY(fixture.session().document().segments.empty());
+        fixture.click({20.0, 20.0, 20.0});
+        QTRY_VERIFY(fixture.hasPlayed());
+        QVERIFY(fixture.shownVoxels() == seen);
+        QTest::keyClick(&fixture.view, Qt::Key_Return);
+        QVERIFY(fixture.session().settle());
+        QCOMPARE(fixture.session().document().segments.size(), std::size_t(1));
+        const int label = fixture.session().document().segments.front().label;
+        QCOMPARE(fixture.lastEdit().segment, label);
+        QCOMPARE(fixture.workspace.activeSegment(), label);
+        QVERIFY(fixture.writtenVoxels(label) == seen);
+    }
+
+    /// Where memory is used up it stops and says so; what is shown can be accepted.
+    void memoryEndsIt()
+    {
+        Fixture fixture;
+        QSignalSpy said(&fixture.workspace, &ui::Workspace::said);
+        fixture.tool.run().setMostBytes(0.0); // not even one generation
+        fixture.click({20.0, 20.0, 20.0});
+        QTRY_VERIFY(fixture.hasPlayed());
+        QCOMPARE(said.size(), 1);
+        QVERIFY(said.front().front().toString().contains(QStringLiteral("more memory")));
+        QVERIFY(fixture.tool.run().isOutOfMemory() && !fixture.tool.run().rests());
+        QCOMPARE(fixture.panel.summary(), QStringLiteral("no more memory"));
+        QCOMPARE(fixture.tool.run().track()->known(), 0);
+        QVERIFY(!fixture.tool.run().shownEdit());
+        // A box of fewer voxels than the study has, and some of what changes.
+        const double least = core::watchedContourBytes(40U * 40U * 40U, 0);
+        fixture.tool.drop();
+        QTest::qWait(1);
+        fixture.tool.run().setMostBytes(least + 4.0 * 100.0);
+        ui::GrowSettings growth = fixture.workspace.growSettings();
+        growth.upper = 100.0; // the brain as well
+        fixture.workspace.setGrowSettings(growth);
+        fixture.click({20.0, 20.0, 20.0});
+        QTRY_VERIFY(fixture.hasPlayed());
+        QVERIFY(fixture.tool.run().isOutOfMemory());
+        QCOMPARE(said.size(), 2);
+        QVERIFY(fixture.shown() >= 1);
+        const std::vector<bool> seen = fixture.shownVoxels();
+        fixture.press("contourAccept");
+        QVERIFY(fixture.session().settle());
+        QVERIFY(fixture.writtenVoxels() == seen);
     }
 
     /// From the segment as it stands, with a new rule by slider and field while it is watched.

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/edits/kinds/filling/ContourTrial.h"
 #include "core/contour/ContourRule.h"
-#include "core/contour/ContourTrack.h"
+#include "core/contour/ContourWatch.h"
 #include "core/edits/EditQuantise.h"
 #include "core/edits/kinds/filling/EvolveContour.h"
 #include "core/session/EditSession.h"
 #include "core/session/questions/VoxelQuestions.h"
+#include "core/volume/MemoryLimit.h"
 #include "tests/reference/ReferenceEngine.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/program/TestProgram.h"
@@ -66,8 +67,19 @@ struct Bench {
     std::unique_ptr<EditSession> session;
 };
 
+/// What a window has of a contour.
+struct Watched {
+    ContourTrack track;
+    ContourState state; ///< at the generation that the track shows
+    void goTo(int generation)
+    {
+        state.pass(track.between(track.shown(), generation));
+        track.goTo(generation);
+    }
+};
+
 /// What a window would make of an edit, by way of a ground for all its generations.
-std::optional<ContourTrack> trackOf(const EvolveContour& edit, Bench& bench)
+std::optional<Watched> watchedOf(const EvolveContour& edit, Bench& bench)
 {
     const Document& document = bench.session->document();
     const Labels labels = bench.labels();
@@ -89,22 +101,32 @@ std::optional<ContourTrack> trackOf(const EvolveContour& edit, Bench& bench)
     }
     if (!holdUneditable(edit, document, planes, *ground))
         return std::nullopt;
-    ContourTrack track(ground->box, ground->voxels);
-    ContourEvolution evolution(*rule, *std::move(ground));
-    while (evolution.generation() < edit.generations && evolution.step(Progress())) {
-        const auto changed = evolution.lastChanged();
-        track.append({changed.begin(), changed.end()});
-    }
-    return track;
+    std::optional<Watched> watched;
+    const ContourReports reports{.begun =
+                                     [&](const std::shared_ptr<ContourTrack>& track,
+                                         const std::shared_ptr<const ContourState>& state) {
+                                         watched = Watched{*track, *state};
+                                     },
+        .further =
+            [&](std::vector<ContourGeneration> generations) {
+                for (ContourGeneration& each : generations)
+                    watched->track.append(std::move(each));
+            }};
+    const ContourEnd end = watchContour(*rule, *ground,
+        {.generations = edit.generations, .silent = 1, .bytes = allowedBytes()}, Progress(),
+        reports);
+    if (end == ContourEnd::OutOfMemory)
+        return std::nullopt;
+    return watched;
 }
 
-std::vector<bool> shownBy(const ContourTrack& track, const glm::ivec3& size)
+std::vector<bool> shownBy(const ContourState& state, const glm::ivec3& size)
 {
     std::vector<bool> shown;
     for (int z = 0; z < size.z; ++z) {
         for (int y = 0; y < size.y; ++y) {
             for (int x = 0; x < size.x; ++x)
-                shown.push_back(track.isInside({x, y, z}));
+                shown.push_back(state.isInside({x, y, z}));
         }
     }
     return shown;
@@ -161,12 +183,13 @@ private Q_SLOTS:
             EditableRange{.inside = std::vector<int>{}}};
         edit.editable = ranges[range];
         edit = quantised(edit).get<EvolveContour>();
-        std::optional<ContourTrack> track = trackOf(edit, bench);
-        QVERIFY(track);
-        QVERIFY(track->known() >= 3);
+        std::optional<Watched> watched = watchedOf(edit, bench);
+        QVERIFY(watched);
+        const ContourTrack& track = watched->track;
+        QVERIFY(track.known() >= 3);
         const Labels before = bench.labels();
-        for (const int generation : {1, 2, 3, track->known()}) {
-            track->goTo(generation);
+        for (const int generation : {1, 2, 3, track.known()}) {
+            watched->goTo(generation);
             EvolveContour one = edit;
             one.generations = generation;
             const std::size_t rows = bench.session->history().rows().size();
@@ -175,11 +198,11 @@ private Q_SLOTS:
             std::vector<bool> has;
             for (const std::uint8_t label : after)
                 has.push_back(label == 1);
-            QVERIFY(shownBy(*track, bench.study.volume.geometry.size) == has);
+            QVERIFY(shownBy(watched->state, bench.study.volume.geometry.size) == has);
             const auto owned = [](const Labels& labels) {
                 return std::int64_t(std::count(labels.begin(), labels.end(), 1));
             };
-            QCOMPARE(track->gained() - track->lost(), owned(after) - owned(before));
+            QCOMPARE(track.gained() - track.lost(), owned(after) - owned(before));
             if (range == 5)
                 QVERIFY(after == before); // nothing may change
             else if (bench.session->history().rows().size() > rows)
