@@ -35,11 +35,11 @@
 #include "ui/tools/growth/FloodFillTool.h"
 #include "ui/tools/growth/PaintTool.h"
 #include "ui/tools/growth/SeedTool.h"
-#include "ui/tools/scissors/SegmentScissorsTool.h"
 #include "ui/tools/growth/ShrinkTool.h"
 #include "ui/tools/nudge/NudgeTool.h"
 #include "ui/tools/refine/ChunkTool.h"
 #include "ui/tools/refine/RefineTool.h"
+#include "ui/tools/scissors/SegmentScissorsTool.h"
 #include "ui/tools/sculpt/CarveBrushTool.h"
 #include "ui/tools/sculpt/DrillTool.h"
 #include "ui/tools/sculpt/LaserTool.h"
@@ -280,6 +280,7 @@ void addExport(ui::MainWindow& window, ui::MendingSteps& mending, ui::Statistics
     for (QAction* each : {&action, &carved, &picture})
         menu.insertAction(&window.actionTable()[QStringLiteral("file.close")], each);
     menu.insertAction(&action, &deidentified);
+    window.views().addToMenus([saving = &picture](QMenu& ofView) { ofView.addAction(saving); });
     window.actionTable().refresh();
 }
 

@@ -2,8 +2,11 @@
 #include "core/edits/EditRows.h"
 
 #include "core/edits/kinds/AnyEdit.h"
+#include "core/edits/kinds/EditParts.h"
 
+#include <iterator>
 #include <type_traits>
+#include <utility>
 
 namespace core {
 
@@ -21,17 +24,29 @@ concept saysItsDependencies = requires
     static_cast<EditDependencies (*)(const E&, const DependencyFacts&)>(&dependencies);
 };
 
+/// Says that an edit kept to an editable range, before what it changed. Edits without one are
+/// called as ever.
+RowTitle limited(RowTitle title, const Edit& edit)
+{
+    const std::optional<EditableRange>* const range = editableRangeOf(edit);
+    if (range && *range && **range != EditableRange() && !title.then.empty())
+        title.then.insert(
+            std::prev(title.then.end()), RowTitle{.code = RowTitleCode::WithinLimits});
+    return title;
+}
+
 } // namespace
 
 RowTitle titleOf(const Edit& edit, const RowFacts& row)
 {
-    return visitEdit(
+    RowTitle title = visitEdit(
         [&row](const auto& known) {
             static_assert(saysItsTitle<std::decay_t<decltype(known)>>,
                 "an edit X needs RowTitle rowTitle(const X&, const RowFacts&)");
             return rowTitle(known, row);
         },
         edit);
+    return limited(std::move(title), edit);
 }
 
 EditDependencies dependenciesOf(const Edit& edit, const DependencyFacts& row)

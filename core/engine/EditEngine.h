@@ -55,6 +55,10 @@ public:
     virtual void setWakeUp(std::function<void()> wakeUp) = 0;
 
     [[nodiscard]] virtual GrowthProgress growthProgress() const = 0;
+
+    /// Tells that edits may follow that leave some voxels alone (EditableVoxels.h), so that an
+    /// engine which compiles for them can do so beforehand. Does not wait, and changes nothing.
+    virtual void expectEditableRanges() { }
 };
 
 /// Submits an edit as a whole: begin, all extensions, commit. Returns the ticket of its result.

@@ -36,6 +36,11 @@ GrowthProgress EditSession::growthProgress() const
     return m_queue->state().engine.growthProgress();
 }
 
+void EditSession::expectEditableRanges()
+{
+    m_queue->state().engine.expectEditableRanges();
+}
+
 QString EditSession::file() const
 {
     const SessionState& state = m_queue->state();

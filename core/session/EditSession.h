@@ -110,6 +110,9 @@ public:
     Result<void> redo();
     Result<void> goTo(RowId row); ///< of the history; 0: the beginning
 
+    /// Tells the engine that edits with an editable range may follow, for it to get ready.
+    void expectEditableRanges();
+
     void poll(); ///< takes in finished results; call it after a wake-up
     [[nodiscard]] bool idle() const; ///< nothing is waiting or running, and no stroke is open
     Result<void> settle(); ///< blocks until every command is carried out and on disk

@@ -121,6 +121,12 @@ void GpuEditEngine::warmUp()
         m_idleWork.warmUp(m_fields->grid().volumeSize);
 }
 
+void GpuEditEngine::expectEditableRanges()
+{
+    m_expectsRanges = true;
+    m_thread.wake();
+}
+
 std::size_t GpuEditEngine::brickBytes() const
 {
     return m_fields ? m_fields->bytes() + m_cutPreviewer.bytes() + m_growthMarks.bytes() : 0;
@@ -157,6 +163,8 @@ bool GpuEditEngine::workUnguarded()
         return true;
     }
     try {
+        if (m_fields && m_expectsRanges)
+            m_idleWork.warmUp(m_fields->grid().volumeSize, KernelWarmUp::Of::EditableRanges);
         const bool more = m_idleWork.doSome(m_fields.get(), m_transaction != nullptr);
         requireNoError();
         m_followUpsFailed = 0;

@@ -10,6 +10,7 @@
 #include "gpu/kernels/labels/PickKernel.h"
 #include "gpu/kernels/shrink/CutPreviewer.h"
 
+#include <atomic>
 #include <memory>
 #include <optional>
 
@@ -40,6 +41,7 @@ public:
     void showPieces(const std::vector<PieceSource>& sources) override;
     void showAtTolerance(const std::optional<ToleranceDisplay>& shown) override;
     void warmUp() override;
+    void expectEditableRanges() override;
     /// Bytes of GPU memory that the bricked fields take.
     [[nodiscard]] std::size_t brickBytes() const;
 
@@ -102,6 +104,7 @@ private:
 
     EngineThread& m_thread;
     VolumeTextures& m_textures;
+    std::atomic<bool> m_expectsRanges = false; ///< set on the session's thread
 
     // Engine thread.
     EditPrograms m_programs;

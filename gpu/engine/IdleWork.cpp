@@ -21,13 +21,13 @@ IdleWork::IdleWork(EditPrograms& programs, FieldPrograms& fieldPrograms)
 {
 }
 
-void IdleWork::warmUp(const glm::ivec3& volumeSize)
+void IdleWork::warmUp(const glm::ivec3& volumeSize, KernelWarmUp::Of kernels)
 {
-    const glm::ivec3 size = KernelWarmUp::sizeLike(volumeSize);
-    if (std::find(m_warmSizes.begin(), m_warmSizes.end(), size) != m_warmSizes.end())
+    const std::pair asked(kernels, KernelWarmUp::sizeLike(volumeSize));
+    if (std::find(m_warm.begin(), m_warm.end(), asked) != m_warm.end())
         return;
-    m_warmUp.emplace(m_programs, m_fieldPrograms, size);
-    m_warmSizes.push_back(size);
+    m_warm.push_back(asked);
+    m_warmUps.emplace_back(m_programs, m_fieldPrograms, asked.second, kernels);
 }
 
 bool IdleWork::doSome(VoxelFields* fields, bool editing)
@@ -45,14 +45,14 @@ bool IdleWork::doSome(VoxelFields* fields, bool editing)
         return true;
     }
     // Not while a pen is down: what it needs compiles for it anyway.
-    return m_warmUp && !editing && warmUpMore();
+    return !m_warmUps.empty() && !editing && warmUpMore();
 }
 
 bool IdleWork::warmUpMore()
 {
     bool more = false;
     try {
-        more = m_warmUp->runNext();
+        more = m_warmUps.front().runNext();
         requireNoError();
     } catch (const std::exception&) {
         qCDebug(core::log, "Kernels are not made ready: %s",
@@ -60,8 +60,8 @@ bool IdleWork::warmUpMore()
         more = false;
     }
     if (!more)
-        m_warmUp.reset();
-    return more;
+        m_warmUps.pop_front();
+    return !m_warmUps.empty();
 }
 
 } // namespace gpu

@@ -3,7 +3,8 @@
 
 #include "gpu/engine/KernelWarmUp.h"
 
-#include <optional>
+#include <deque>
+#include <utility>
 #include <vector>
 
 namespace gpu {
@@ -16,9 +17,10 @@ public:
     IdleWork(EditPrograms& programs, FieldPrograms& fieldPrograms);
 
     /// Requests that kernels are run once for volumes of such a size.
-    void warmUp(const glm::ivec3& volumeSize);
+    void warmUp(
+        const glm::ivec3& volumeSize, KernelWarmUp::Of kernels = KernelWarmUp::Of::AllTools);
     /// Cancels what warmUp() has requested and has not run yet.
-    void stop() { m_warmUp.reset(); }
+    void stop() { m_warmUps.clear(); }
     /// Does one slice of work.
     /// @param fields null if no volume is open
     /// @param editing a pen may be down
@@ -30,9 +32,9 @@ private:
 
     EditPrograms& m_programs;
     FieldPrograms& m_fieldPrograms;
-    std::optional<KernelWarmUp> m_warmUp; ///< kernels that were not run yet
-    /// Sizes (KernelWarmUp::sizeLike()) that were run or are being run.
-    std::vector<glm::ivec3> m_warmSizes;
+    std::deque<KernelWarmUp> m_warmUps; ///< of kernels that were not run yet
+    /// What was run or is being run, and at which sizes (KernelWarmUp::sizeLike()).
+    std::vector<std::pair<KernelWarmUp::Of, glm::ivec3>> m_warm;
 };
 
 } // namespace gpu

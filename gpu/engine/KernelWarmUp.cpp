@@ -19,6 +19,7 @@
 
 #include <array>
 #include <bit>
+#include <span>
 
 namespace gpu {
 
@@ -51,6 +52,15 @@ core::OrthographicView fromFront()
 
 const std::vector<glm::dvec2> outline{{-6, -6}, {6, -6}, {6, 6}, {-6, 6}};
 const std::vector<core::PenSample> path{{.xMm = -3.0}, {.xMm = 3.0, .tSeconds = 0.1}};
+/// Both kernels of ranges are needed for it: that of values and that of labels.
+core::EditableVoxels limits()
+{
+    core::EditableVoxels editable{.lowCode = 0, .highCode = matter};
+    editable.outside.push_back({.plane = 0});
+    editable.outside.back().labels.set(label + 1);
+    return editable;
+}
+
 const core::BrushPath brushPath{.radiusMm = 3.0, .pointsLps = {{16, 6, 16}, {16, 12, 16}}};
 
 } // namespace
@@ -69,8 +79,9 @@ glm::ivec3 KernelWarmUp::sizeLike(const glm::ivec3& volumeSize)
 }
 
 KernelWarmUp::KernelWarmUp(
-    EditPrograms& programs, FieldPrograms& fieldPrograms, const glm::ivec3& size)
+    EditPrograms& programs, FieldPrograms& fieldPrograms, const glm::ivec3& size, Of kernels)
     : m_programs(programs)
+    , m_kernels(kernels)
 {
     const std::vector<std::uint16_t> codes = someCodes(size);
     if (!m_textures.open(size, codes))
@@ -89,10 +100,15 @@ KernelWarmUp::KernelWarmUp(
 
 bool KernelWarmUp::runNext()
 {
-    static constexpr std::array runs{&KernelWarmUp::runDrill, &KernelWarmUp::runBrushes,
+    static constexpr std::array tools{&KernelWarmUp::runDrill, &KernelWarmUp::runBrushes,
         &KernelWarmUp::runTakingGrowth, &KernelWarmUp::runGrowth, &KernelWarmUp::runLaser,
         &KernelWarmUp::runPeel, &KernelWarmUp::runScissors, &KernelWarmUp::runTolerance,
         &KernelWarmUp::runRelabelling, &KernelWarmUp::runBarriers};
+    static constexpr std::array within{
+        &KernelWarmUp::runPaintWithin, &KernelWarmUp::runRelabellingWithin};
+    const std::span<void (KernelWarmUp::*const)()> runs = m_kernels == Of::AllTools
+        ? std::span<void (KernelWarmUp::*const)()>(tools)
+        : std::span<void (KernelWarmUp::*const)()>(within);
     if (!m_fields || m_done == runs.size())
         return false;
     (this->*runs[m_done++])();
@@ -165,15 +181,24 @@ void KernelWarmUp::runBrushes()
 {
     const core::CapsulePath capsules{
         core::capsules(brushPath, m_document.volumes.front().geometry)};
-    if (const auto paint = core::paintLabel({.segment = label, .path = brushPath}, m_document))
-        run(*paint, {capsules});
-    const core::PaintStroke alongEdges{.segment = label, .path = brushPath, .edgeTolerance = 1.0};
-    if (const auto paint = core::paintLabel(alongEdges, m_document))
-        run(*paint, {core::paintPath(alongEdges, m_document.volumes.front().geometry)});
+    runPaint(std::nullopt);
     if (const auto barrier = core::paintBarrier({.path = brushPath}, m_document))
         run(*barrier, {capsules});
     if (const auto carve = core::capsuleCut({.path = brushPath}, m_document))
         run(*carve, {capsules});
+}
+
+void KernelWarmUp::runPaint(const std::optional<core::EditableVoxels>& editable)
+{
+    core::PaintStroke stroke{.segment = label, .path = brushPath};
+    for (const std::optional<double> tolerance : {std::optional<double>(), std::optional(1.0)}) {
+        stroke.edgeTolerance = tolerance;
+        auto paint = core::paintLabel(stroke, m_document);
+        if (!paint)
+            continue;
+        paint->editable = editable;
+        run(*paint, {core::paintPath(stroke, m_document.volumes.front().geometry)});
+    }
 }
 
 void KernelWarmUp::runTakingGrowth()
@@ -213,24 +238,45 @@ void KernelWarmUp::runTolerance()
 
 void KernelWarmUp::runRelabelling()
 {
+    relabel(std::nullopt);
+}
+
+void KernelWarmUp::runPaintWithin()
+{
+    runPaint(limits());
+}
+
+void KernelWarmUp::runRelabellingWithin()
+{
+    relabel(limits());
+}
+
+void KernelWarmUp::relabel(const std::optional<core::EditableVoxels>& editable)
+{
     // A click on a chunk.
-    core::RelabelListed relabel{.target = {.plane = 0, .label = label}, .bricks = {}};
-    relabel.bricks.push_back({.brick = 0,
+    core::RelabelListed listed{.target = {.plane = 0, .label = label}, .bricks = {}};
+    listed.bricks.push_back({.brick = 0,
         .asked =
             std::vector<std::uint8_t>(core::BrickGrid::voxelsPerBrick, core::RelabelListed::give)});
-    run(relabel, {});
+    listed.editable = editable;
+    run(listed, {});
     // An outline on a slice.
-    core::LabelOutlined outlined{.target = relabel.target};
+    core::LabelOutlined outlined{.target = listed.target};
     outlined.perI[0] = outlined.perJ[1] = outlined.perK[2] = std::int64_t(1) << 30;
     outlined.corners = {{0, 0}, {2 << 16, 0}, {0, 2 << 16}};
+    outlined.editable = editable;
     run(outlined, {});
     // An interval of values that follows a slider.
-    run(core::LabelThreshold{.target = relabel.target, .lowCode = matter}, {});
+    core::LabelThreshold threshold{.target = listed.target, .lowCode = matter};
+    threshold.editable = editable;
+    run(threshold, {});
     // Scissors of segments, with their rays.
     core::SegmentScissors scissors{.segment = label, .view = fromFront(), .polygonMm = outline};
     scissors.depthMm = 2.0;
-    if (const auto snip = core::labelScissors(scissors, m_document))
+    if (auto snip = core::labelScissors(scissors, m_document)) {
+        snip->editable = editable;
         run(*snip, {});
+    }
 }
 
 void KernelWarmUp::runBarriers()

@@ -3,10 +3,12 @@
 
 #include "core/delta/Ending.h"
 #include "core/document/Document.h"
+#include "core/sculpt/labels/EditableVoxels.h"
 #include "gpu/engine/EditTransaction.h"
 #include "gpu/fields/textures/VolumeTextures.h"
 
 #include <memory>
+#include <optional>
 
 namespace gpu {
 
@@ -14,6 +16,10 @@ namespace gpu {
 /// when it first runs, and no stroke should wait for that. Engine thread only.
 class KernelWarmUp {
 public:
+    enum class Of {
+        AllTools,
+        EditableRanges, ///< those of edits of labels that must leave some voxels alone
+    };
     /// The size of a small volume for which the driver compiles the same code as for @p volumeSize.
     /// llvmpipe compiles separate code for textures whose sides, in voxels or in bricks, are powers
     /// of two.
@@ -21,7 +27,8 @@ public:
 
     /// @param programs both outlive this object
     /// @param size a result of sizeLike()
-    KernelWarmUp(EditPrograms& programs, FieldPrograms& fieldPrograms, const glm::ivec3& size);
+    KernelWarmUp(EditPrograms& programs, FieldPrograms& fieldPrograms, const glm::ivec3& size,
+        Of kernels = Of::AllTools);
 
     /// Begins an edit of the next tool and rolls it back. Costs what the compilation costs, up to a
     /// few tenths of a second with a software driver.
@@ -41,8 +48,13 @@ private:
     void runTolerance();
     void runRelabelling();
     void runBarriers();
+    void runPaint(const std::optional<core::EditableVoxels>& editable);
+    void relabel(const std::optional<core::EditableVoxels>& editable);
+    void runPaintWithin();
+    void runRelabellingWithin();
 
     EditPrograms& m_programs;
+    Of m_kernels;
     VolumeTextures m_textures;
     std::unique_ptr<VoxelFields> m_fields;
     core::Document m_document;

@@ -28,6 +28,8 @@ public:
     void finish() override { }
     void setWakeUp(std::function<void()> wakeUp) override;
     [[nodiscard]] core::GrowthProgress growthProgress() const override;
+    void expectEditableRanges() override { ++rangesExpected; }
+    int rangesExpected = 0; ///< how often it was told of them
 
     [[nodiscard]] const DenseFields& fields() const;
     /// Radiation of the layers that are not muted, as it is now.

@@ -86,6 +86,8 @@ QString WindowLanguage::form(const core::RowTitle& title)
         return tr("%1 mm");
     case RowTitleCode::MillimetresDeep:
         return tr("%1 mm deep");
+    case RowTitleCode::WithinLimits:
+        return tr("within limits");
     case RowTitleCode::SeedStroke:
         return tr("Seed stroke for '%1'");
     case RowTitleCode::MoveSeeds:

@@ -33,6 +33,7 @@ MessageBar::MessageBar(QWidget* parent)
     , m_icon(new QLabel(this))
     , m_text(new QLabel(this))
     , m_button(new QPushButton(this))
+    , m_close(new QToolButton(this))
 {
     setObjectName(QStringLiteral("messageBar"));
     setAttribute(Qt::WA_StyledBackground);
@@ -42,17 +43,15 @@ MessageBar::MessageBar(QWidget* parent)
     m_text->setWordWrap(true);
     m_text->setTextFormat(Qt::PlainText);
     m_text->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    auto* close = new QToolButton(this);
-    close->setIcon(stateIcon(QStringLiteral("close")));
-    close->setIconSize(QSize(16, 16));
-    close->setObjectName(QStringLiteral("closeMessage"));
-    close->setAccessibleName(tr("Close this message"));
-    close->setToolTip(tr("Close this message; nothing else changes"));
+    m_close->setIcon(stateIcon(QStringLiteral("close")));
+    m_close->setIconSize(QSize(16, 16));
+    m_close->setObjectName(QStringLiteral("closeMessage"));
+    m_close->setAccessibleName(tr("Close this message"));
     layout->addWidget(m_icon);
     layout->addWidget(m_text, 1);
     layout->addWidget(m_button);
-    layout->addWidget(close);
-    connect(close, &QToolButton::clicked, this, &MessageBar::dismiss);
+    layout->addWidget(m_close);
+    connect(m_close, &QToolButton::clicked, this, &MessageBar::dismiss);
     connect(m_button, &QPushButton::clicked, this, [this] {
         const auto run = m_run;
         dismiss();
@@ -92,11 +91,18 @@ void MessageBar::show(
     m_button->ensurePolished();
     m_text->setMinimumHeight(m_button->sizeHint().height());
     m_run = std::move(run);
+    setTips(QString(), tr("Close this message; nothing else changes"));
     setVisible(true);
     if (kind == Kind::Notice && button.isEmpty())
         m_leaving.start();
     else
         m_leaving.stop();
+}
+
+void MessageBar::setTips(const QString& button, const QString& close)
+{
+    m_button->setToolTip(button);
+    m_close->setToolTip(close);
 }
 
 void MessageBar::dismiss()

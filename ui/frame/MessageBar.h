@@ -8,6 +8,7 @@
 
 class QLabel;
 class QPushButton;
+class QToolButton;
 
 namespace ui {
 
@@ -25,6 +26,10 @@ public:
 
     void show(Kind kind, const QString& sentence);
     void show(Kind kind, const QString& sentence, const QString& button, std::function<void()> run);
+    /// Sets what the buttons of the message that is shown tell of themselves; the next message has
+    /// none of it.
+    /// @param close in place of what the × tells otherwise
+    void setTips(const QString& button, const QString& close);
     void dismiss();
     [[nodiscard]] QString sentence() const;
     /// How long a notice without a button stays, unless the pointer rests on it.
@@ -35,6 +40,7 @@ private:
     QLabel* m_icon;
     QLabel* m_text;
     QPushButton* m_button;
+    QToolButton* m_close;
     std::function<void()> m_run;
     QTimer m_leaving; ///< runs while a notice is shown that goes by itself
 };

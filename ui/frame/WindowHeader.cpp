@@ -32,13 +32,13 @@ QStringList ids(std::initializer_list<const char*> names)
 }
 
 /// Which views are shown, and how; in the menu View and behind the button.
+} // namespace
+
 QStringList layoutIds()
 {
     return ids({"view.four", "view.penAndStage", "view.volume", "view.axial", "view.sagittal",
         "view.coronal", "view.plane", "view.penApart"});
 }
-
-} // namespace
 
 WindowHeader::WindowHeader(Workspace& workspace, QWidget* parent)
     : QFrame(parent)

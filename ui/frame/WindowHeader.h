@@ -17,6 +17,9 @@ class Actions;
 class FittingLabel;
 class Workspace;
 
+/// The actions for the layouts of the views, in the order of menus.
+[[nodiscard]] QStringList layoutIds();
+
 /// The header of the window: its menus, whose study is shown, and the layouts of the views.
 class WindowHeader : public QFrame {
     Q_OBJECT

@@ -82,12 +82,11 @@ public:
     virtual bool pressKey(int /*key*/) { return false; }
     /// Shift + wheel and [ ]: @p steps is positive for greater.
     virtual void changeRadius(int /*steps*/) { }
-    /// Ctrl + Shift + wheel, in views that have no use of their own for it (Alt + wheel, which many
-    /// window managers take, does the same).
+    /// Ctrl + Shift + wheel, in views that have no use of their own for it.
     virtual void changeDepth(int /*steps*/) { }
     /// Whether Ctrl + wheel turns it, in the 3D view, which the wheel alone zooms as well.
     [[nodiscard]] virtual bool turns() const { return false; }
-    /// Ctrl + wheel, or Alt + Shift + wheel: @p steps is positive for counter-clockwise.
+    /// Ctrl + wheel: @p steps is positive for counter-clockwise.
     virtual void turn(int /*steps*/) { }
 
     /// Draws what the tool will do, in every view where it works; the part at the cursor only in

@@ -64,7 +64,9 @@ void addSegmentEntries(QMenu& menu, Workspace& workspace, const core::Segment& s
     menu.addSeparator();
 }
 
-void addWindows(QMenu& menu, Workspace& workspace)
+} // namespace
+
+void addWindowPresets(QMenu& menu, Workspace& workspace)
 {
     QMenu* windows = menu.addMenu(QObject::tr("Window"));
     windows->setObjectName(QStringLiteral("windowPresets"));
@@ -75,8 +77,6 @@ void addWindows(QMenu& menu, Workspace& workspace)
         entry->setChecked(preset.window == workspace.windowLevel());
     }
 }
-
-} // namespace
 
 void addPlaceEntries(QMenu& menu, Workspace& workspace, const PointedVoxel& pointed)
 {
@@ -93,7 +93,7 @@ void addPlaceEntries(QMenu& menu, Workspace& workspace, const PointedVoxel& poin
         [voxel = pointed.voxel](Workspace& where) {
             undoOnlyLast(where, {.box = {voxel, voxel + 1}}, QObject::tr("here"));
         });
-    addWindows(menu, workspace);
+    addWindowPresets(menu, workspace);
     const glm::ivec3& voxel = pointed.voxel;
     const QString value = valueText(
         volume->encoding.value(pointed.code), volume->unit, volume->maximum - volume->minimum);

@@ -22,5 +22,7 @@ struct PointedVoxel {
 /// and its value and position for the clipboard. Another session makes the entries do nothing. An
 /// entry that cannot be chosen says why by its tool tip.
 void addPlaceEntries(QMenu& menu, Workspace& workspace, const PointedVoxel& pointed);
+/// Adds the grey scales that are offered for the volume that is open, as a submenu.
+void addWindowPresets(QMenu& menu, Workspace& workspace);
 
 } // namespace ui

@@ -64,7 +64,7 @@ void VoxelMenu::openAbout(const glm::dvec3& placeLps)
     const core::VolumeGeometry& geometry = m_workspace.volume()->geometry;
     const glm::ivec3 voxel(glm::floor(geometry.toIndex(placeLps) + 0.5));
     if (!geometry.contains(voxel))
-        return withdraw();
+        return openElsewhere();
     // Its centre, so that no rounding on the way leads to its neighbour.
     const glm::dvec3 centreLps = geometry.toWorld(glm::dvec3(voxel));
     session->questions().probe({voxel},
@@ -83,18 +83,38 @@ void VoxelMenu::openAbout(const glm::dvec3& placeLps)
         });
 }
 
-void VoxelMenu::open(const PointedVoxel& pointed)
+void VoxelMenu::openElsewhere()
+{
+    QMenu* menu = m_workspace.session() ? newMenu("viewMenu") : nullptr;
+    if (menu) {
+        addWindowPresets(*menu, m_workspace);
+        if (m_more)
+            m_more(*menu);
+        menu->popup(m_at);
+    }
+    withdraw();
+}
+
+QMenu* VoxelMenu::newMenu(const char* name)
 {
     // A menu takes the pointer away from whoever holds it.
     if (QApplication::mouseButtons() != Qt::NoButton || QApplication::activeModalWidget()
         || QApplication::activePopupWidget())
-        return;
+        return nullptr;
     auto* menu = new QMenu(&m_view);
-    menu->setObjectName(QStringLiteral("voxelMenu"));
+    menu->setObjectName(QLatin1String(name));
     menu->setAttribute(Qt::WA_DeleteOnClose);
     menu->setToolTipsVisible(true);
-    // Its entries are about the voxels of this session.
+    // Its entries are about this session and its voxels.
     connect(&m_workspace, &Workspace::sessionChanged, menu, &QMenu::close);
+    return menu;
+}
+
+void VoxelMenu::open(const PointedVoxel& pointed)
+{
+    QMenu* menu = newMenu("voxelMenu");
+    if (!menu)
+        return;
     addEntries(*menu, pointed.label, pointed.centreLps);
     addPlaceEntries(*menu, m_workspace, pointed);
     if (m_more)

@@ -223,10 +223,22 @@ void SeriesDoctorPanel::showChoice()
     m_note->setText(note);
     m_note->setVisible(!note.isEmpty());
     const bool accept = !changes && volume->needsCaution() && !m_workspace.cautionAccepted();
-    m_apply->setText(accept && !changes                       ? tr("Keep as it is")
-            : chosen.isEmpty() && changes && stack == nullptr ? tr("Open as it is")
-                                                              : tr("Apply"));
+    const bool unrepaired = chosen.isEmpty() && changes && stack == nullptr;
+    m_apply->setText(accept ? tr("Keep as it is") : unrepaired ? tr("Open as it is") : tr("Apply"));
     m_apply->setEnabled(accept || (changes && atHand));
+    QString tip;
+    if (accept)
+        tip = tr("Takes the caution out of the views: nothing of the series changes, and exports "
+                 "still tell it");
+    else if (!changes)
+        tip = tr("Choose something else above first");
+    else if (stack != nullptr)
+        tip = tr("Opens the other images");
+    else if (unrepaired)
+        tip = tr("Opens the study again without repairs");
+    else
+        tip = tr("Opens the study again with the repairs that are chosen");
+    m_apply->setToolTip(tip);
 }
 
 void SeriesDoctorPanel::apply()

@@ -10,6 +10,7 @@
 #include <QApplication>
 #include <QKeyEvent>
 #include <QLineEdit>
+#include <QMenu>
 #include <QPainter>
 
 #include <algorithm>
@@ -269,6 +270,15 @@ bool ImageView::event(QEvent* event)
         break;
     }
     return QWidget::event(event);
+}
+
+void ImageView::addViewEntries(QMenu& menu)
+{
+    menu.addSeparator();
+    QAction* reset = menu.addAction(tr("Reset this view"), this, [this] { resetView(); });
+    reset->setObjectName(QStringLiteral("resetThisView"));
+    for (const auto& more : m_menuEnds)
+        more(menu);
 }
 
 void ImageView::wheelEvent(QWheelEvent* event)

@@ -10,8 +10,13 @@
 #include <QTimer>
 #include <QWidget>
 
+#include <functional>
 #include <memory>
 #include <optional>
+#include <utility>
+#include <vector>
+
+class QMenu;
 
 namespace ui {
 
@@ -54,6 +59,8 @@ public:
     void showEarlySlice(const std::shared_ptr<const core::EarlySlice>& early);
     /// Resets zoom, pan and camera to show the whole volume.
     virtual void resetView() = 0;
+    /// Has the menus of right clicks here end with what @p more adds.
+    void addToMenus(std::function<void(QMenu&)> more) { m_menuEnds.push_back(std::move(more)); }
 
 Q_SIGNALS:
     void maximiseToggled();
@@ -82,6 +89,8 @@ protected:
         return {};
     }
     virtual void activateSegmentAt(const QPointF& at) = 0;
+    /// Adds what a menu offers about the view itself, and what addToMenus() was given.
+    void addViewEntries(QMenu& menu);
     /// Called when early() has changed.
     virtual void earlySliceChanged() { resetView(); }
 
@@ -122,6 +131,7 @@ private:
     Workspace& m_workspace;
     gpu::ViewId m_view;
     ViewPointer m_pointer;
+    std::vector<std::function<void(QMenu&)>> m_menuEnds;
 
     gpu::FrameRequest m_request; ///< the latest request
     bool m_requested = false;

@@ -201,7 +201,10 @@ void SliceView::clicked(const QPointF& at)
 void SliceView::menuAsked(const QPointF& at)
 {
     auto* menu = new VoxelMenu(workspace(), *this, mapToGlobal(at.toPoint()));
-    menu->addAtEnd([this](QMenu& more) { listTurns(more); });
+    menu->addAtEnd([this](QMenu& more) {
+        listTurns(more);
+        addViewEntries(more);
+    });
     menu->openAbout(context().toLps(at));
 }
 

@@ -201,6 +201,12 @@ void ViewGrid::resetViews()
         view->resetView();
 }
 
+void ViewGrid::addToMenus(const std::function<void(QMenu&)>& more)
+{
+    for (ImageView* view : views())
+        view->addToMenus(more);
+}
+
 bool ViewGrid::showEarlySlice(const std::shared_ptr<const core::EarlySlice>& early)
 {
     const auto slices = {m_axial, m_sagittal, m_coronal};

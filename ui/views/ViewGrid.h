@@ -10,6 +10,7 @@
 #include <QWidget>
 
 #include <array>
+#include <functional>
 #include <memory>
 
 namespace ui {
@@ -48,6 +49,8 @@ public:
     void setPenApart(bool apart);
     [[nodiscard]] bool isPenApart() const { return m_penWindow != nullptr; }
     void resetViews();
+    /// Has the menus of right clicks in all views end with what @p more adds.
+    void addToMenus(const std::function<void(QMenu&)>& more);
     /// Has the next box that is drawn on a slice with the left button set the grey scale. Ctrl and
     /// the right button draw one at any time.
     void awaitBox(bool awaits);

@@ -200,20 +200,18 @@ void ViewPointer::followTool()
 
 void ViewPointer::turnWheel(QWheelEvent& event)
 {
-    // Alt turns a wheel sideways on some systems.
+    // Some systems turn a wheel sideways while a key is held.
     const QPoint angle = event.angleDelta();
     const double steps = (angle.y() != 0 ? angle.y() : angle.x()) / 120.0;
     event.accept();
     if (steps == 0.0 || !m_workspace.volume() || m_gesture == Gesture::Tool)
         return;
     const int whole = steps > 0.0 ? std::max(1, int(steps)) : std::min(-1, int(steps));
+    // Alt means nothing: window managers keep it to themselves.
     const Qt::KeyboardModifiers keys =
-        event.modifiers() & (Qt::ShiftModifier | Qt::ControlModifier | Qt::AltModifier);
-    // Alt is for those who know it from before: many window managers keep it to themselves.
-    const bool deeper =
-        keys == (Qt::ControlModifier | Qt::ShiftModifier) || keys == Qt::AltModifier;
-    const bool turns = keys == (Qt::ShiftModifier | Qt::AltModifier)
-        || (keys == Qt::ControlModifier && m_tool && m_tool->turns());
+        event.modifiers() & (Qt::ShiftModifier | Qt::ControlModifier);
+    const bool deeper = keys == (Qt::ControlModifier | Qt::ShiftModifier);
+    const bool turns = keys == Qt::ControlModifier && m_tool && m_tool->turns();
     if (m_view.ownsWheel(event.modifiers()))
         m_view.wheelTurned(steps, event.position(), event.modifiers());
     else if (toolWorksHere() && turns)

@@ -115,16 +115,17 @@ void VolumeView::askForPlace(const QPointF& at, const PlaceAnswer& then)
 
 void VolumeView::menuAsked(const QPointF& at)
 {
-    if (!canBePointedAt())
-        return;
     auto* menu = new VoxelMenu(workspace(), *this, mapToGlobal(at.toPoint()));
+    menu->addAtEnd([this](QMenu& more) { addViewEntries(more); });
+    if (!canBePointedAt())
+        return menu->openElsewhere();
     askForPlace(at, [menu = QPointer(menu)](const std::optional<glm::dvec3>& placeLps) {
         if (!menu || menu->withdrawn())
             return false;
         if (placeLps)
             menu->openAbout(*placeLps);
         else
-            menu->withdraw();
+            menu->openElsewhere();
         return !placeLps;
     });
 }

@@ -112,6 +112,11 @@ MainWindow::MainWindow(Workspace& workspace, const QString& graphics)
     const QStringList stage = addStageActions(*this);
     m_header->fillMenus(m_actions, plane, stage);
     m_bookmarks->fill(m_header->bookmarksMenu());
+    m_views->addToMenus([this](QMenu& menu) {
+        QMenu* layouts = menu.addMenu(tr("Layout"));
+        layouts->setObjectName(QStringLiteral("layoutOfViews"));
+        m_actions.fill(*layouts, layoutIds());
+    });
     // Before what is done to the segment alone.
     addCombinations(
         m_header->segmentsMenu(), &m_actions[QLatin1String(segmentActions().front().id)], workspace,

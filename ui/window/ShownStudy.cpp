@@ -13,8 +13,8 @@ namespace {
 
 QString cautionSentence(const core::Volume& volume)
 {
-    return QStringLiteral("%1 Views and exports say so until you choose to keep the series as it "
-                          "is; the panel Series doctor shows what can be mended.")
+    return QStringLiteral("%1 Views say so until you choose to keep the series as it is, exports "
+                          "always; the panel Series doctor shows what can be mended.")
         .arg(cautionText(volume));
 }
 
@@ -77,6 +77,10 @@ void ShownStudy::showCaution()
     // In the words of the series doctor, whose button does the same.
     m_messages.show(MessageBar::Kind::Caution, cautionSentence(*volume),
         QStringLiteral("Keep as it is"), [this] { m_workspace.acceptCaution(); });
+    m_messages.setTips(
+        QStringLiteral("Takes the caution out of the views: nothing of the series changes, and "
+                       "exports still tell it"),
+        QStringLiteral("Closes this message only: the views keep their caution"));
 }
 
 } // namespace ui

@@ -294,6 +294,9 @@ void Workspace::setEditableSettings(const EditableSettings& settings)
 {
     if (settings == m_editable)
         return;
+    // The first stroke that keeps to it need not wait until the engine has compiled for it.
+    if (settings.on && !m_editable.on && m_session)
+        m_session->expectEditableRanges();
     m_editable = settings;
     Q_EMIT editableChanged();
 }

@@ -293,7 +293,7 @@ std::vector<core::BrickKey> write(
 
 Program& LabelPrograms::following(const char* rule, bool editable)
 {
-    Program& known = m_known[std::string(rule) + (editable ? " EDITABLE" : "")];
+    Program& known = m_known[nameOf(rule, editable)];
     if (!known) {
         const char* path = "kernels/labels/chooseLabel.comp";
         ShaderDefines defines{{rule, 1}};

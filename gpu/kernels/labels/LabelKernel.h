@@ -28,9 +28,19 @@ public:
     [[nodiscard]] Program& scissorsCast();
     /// @param editable some voxels must not change
     [[nodiscard]] Program& following(const char* rule, bool editable = false);
+    /// Whether following() need not compile any more.
+    [[nodiscard]] bool isReady(const char* rule, bool editable) const
+    {
+        return m_known.count(nameOf(rule, editable)) != 0;
+    }
     [[nodiscard]] EditableBits& editable() { return m_editable; }
 
 private:
+    [[nodiscard]] static std::string nameOf(const char* rule, bool editable)
+    {
+        return std::string(rule) + (editable ? " EDITABLE" : "");
+    }
+
     const ShaderLibrary& m_library;
     std::map<std::string, Program> m_known; ///< by rule
     Program m_scissorsCast;

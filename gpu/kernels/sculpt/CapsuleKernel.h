@@ -35,6 +35,11 @@ struct CapsulePrograms {
     /// The kernel that paints; those for the members of a brush that follows edges, and for strokes
     /// that must leave some voxels alone, are compiled when they are first needed, too.
     [[nodiscard]] Program& paint(bool members, bool editable);
+    /// Whether paint() need not compile any more.
+    [[nodiscard]] bool isReady(bool members, bool editable) const
+    {
+        return bool(m_paint.at((members ? 1u : 0u) + (editable ? 2u : 0u)));
+    }
     [[nodiscard]] EditableBits& editable() { return m_editable; }
 
 private:

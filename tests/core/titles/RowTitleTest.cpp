@@ -100,6 +100,10 @@ private Q_SLOTS:
                     .arguments = {TitleDigits{1234567.0}, TitleDigits{0.0}}})},
                 .then = {{.code = Code::NoVoxel}}},
             "Grow 1.23457e+06 … 0, no voxel");
+        row({.code = Code::SegmentSeen,
+                .arguments = {QStringLiteral("A")},
+                .then = {{.code = Code::WithinLimits}, count(Code::VoxelsGained, 3)}},
+            "Segment what is seen as 'A', within limits, +3 voxels");
         row({.code = Code::MoveSeeds, .arguments = {TitleCount{1}, QStringLiteral("A")}},
             "Move 1 seed of 'A'");
         const RowTitle reasons{.code = Code::Reasons,

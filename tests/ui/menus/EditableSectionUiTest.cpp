@@ -274,8 +274,15 @@ private Q_SLOTS:
     void anotherStudyBeginsWithout()
     {
         Fixture fixture;
+        QCOMPARE(fixture.engine.rangesExpected, 0);
         fixture.its<QCheckBox>("editableOn").click();
         QVERIFY(fixture.workspace.editableSettings().on);
+        // The engine gets ready for it, once each time that it is switched on.
+        QCOMPARE(fixture.engine.rangesExpected, 1);
+        ui::EditableSettings byValue = fixture.workspace.editableSettings();
+        byValue.byValue = true;
+        fixture.workspace.setEditableSettings(byValue);
+        QCOMPARE(fixture.engine.rangesExpected, 1);
         fixture.workspace.setSession(nullptr);
         QVERIFY(!fixture.workspace.editableSettings().on);
         QVERIFY(fixture.workspace.editableText().isEmpty());

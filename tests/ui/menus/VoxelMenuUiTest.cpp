@@ -265,12 +265,59 @@ private Q_SLOTS:
         QVERIFY(fixture.workspace.viewOptions().colours == gpu::ColourMap::HotIron);
     }
 
-    /// Outside the volume there is nothing to ask for, and a drag is no click.
+    /// Outside of the volume no voxel can be meant, but the view can.
+    void besideTheVolumeItIsAboutTheView()
+    {
+        Dabs fixture;
+        ui::ViewGrid& views = fixture.window.views();
+        ui::SliceView& axial = views.axial();
+        const auto beside = [&fixture, &axial] {
+            return fixture.clicked(axial, QPoint(3, axial.height() / 2));
+        };
+        QMenu* menu = beside();
+        QVERIFY(menu);
+        QCOMPARE(menu->objectName(), QStringLiteral("viewMenu"));
+        QVERIFY(!entryOf(*menu, "crosshairHere") && !entryOf(*menu, "copyValue"));
+        const auto presets = ui::windowPresets(*fixture.workspace.volume());
+        auto* windows = menu->findChild<QMenu*>(QStringLiteral("windowPresets"));
+        QVERIFY(windows && windows->actions().size() == qsizetype(presets.size()));
+        choose(*menu, *windows->actions().at(1));
+        QCOMPARE(fixture.workspace.windowLevel(), presets[1].window);
+
+        menu = beside();
+        QVERIFY(menu);
+        auto* colours = menu->findChild<QMenu*>(QStringLiteral("coloursOfSlices"));
+        QVERIFY(colours && menu->findChild<QMenu*>(QStringLiteral("turnsOfView")));
+        choose(*menu, *colours->actions().at(1));
+        QVERIFY(fixture.workspace.viewOptions().colours == gpu::ColourMap::HotIron);
+
+        const double fitted = axial.context().mmPerPixel();
+        const QPointF middle = axial.rect().toRectF().center();
+        QWheelEvent wheel(middle, axial.mapToGlobal(middle), {}, {0, -240}, Qt::NoButton,
+            Qt::ControlModifier, Qt::NoScrollPhase, false);
+        QApplication::sendEvent(&axial, &wheel);
+        QVERIFY(axial.context().mmPerPixel() > fitted);
+        menu = beside();
+        QVERIFY(menu && entryOf(*menu, "resetThisView"));
+        choose(*menu, *entryOf(*menu, "resetThisView"));
+        QCOMPARE(axial.context().mmPerPixel(), fitted);
+
+        menu = beside();
+        QVERIFY(menu);
+        auto* layouts = menu->findChild<QMenu*>(QStringLiteral("layoutOfViews"));
+        QAction& coronalAlone = fixture.window.actionTable()[QStringLiteral("view.coronal")];
+        QVERIFY(layouts && layouts->actions().contains(&coronalAlone));
+        choose(*menu, coronalAlone);
+        QVERIFY(views.maximised() == &views.coronal());
+        // It is how the window looks, no step of the history.
+        QCOMPARE(fixture.session().history().rows().size(), std::size_t(5));
+    }
+
+    /// A drag is no click.
     void noMenuWhereNoneIsMeant()
     {
         Dabs fixture;
         ui::SliceView& axial = fixture.window.views().axial();
-        QVERIFY(!fixture.clicked(axial, QPoint(3, axial.height() / 2)));
         const QPoint from = axial.context().toPixel(fixture.placeOf({10, 10, 10})).toPoint();
         QTest::mousePress(&axial, Qt::RightButton, {}, from);
         const QPointF to = QPointF(from) + QPointF(0.0, 20.0);
@@ -477,8 +524,12 @@ private Q_SLOTS:
         choose(*menu, *menu->actions().front());
         fixture.settle();
         QCOMPARE(fixture.voxels(ball.label), std::int64_t(0));
-        // Nothing is seen there any more.
-        QVERIFY(!fixture.clicked(view, view.rect().center()));
+        // Nothing is seen there any more: it is about the view.
+        menu = fixture.clicked(view, view.rect().center());
+        QVERIFY(menu);
+        QCOMPARE(menu->objectName(), QStringLiteral("viewMenu"));
+        QVERIFY(entryOf(*menu, "resetThisView") && !entryOf(*menu, "crosshairHere"));
+        menu->close();
     }
 };
 

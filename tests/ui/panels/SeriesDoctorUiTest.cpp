@@ -64,7 +64,14 @@ private Q_SLOTS:
         QVERIFY(window().actionTable()[QStringLiteral("file.seriesDoctor")].isEnabled());
         QVERIFY(find<QLabel>("finding")->text().contains(QLatin1String("tilted by")));
         QVERIFY(find<QRadioButton>("repairChoice0")->isChecked());
-        QCOMPARE(find<QPushButton>("applyRepair")->text(), QStringLiteral("Keep as it is"));
+        auto* keep = find<QPushButton>("applyRepair");
+        QCOMPARE(keep->text(), QStringLiteral("Keep as it is"));
+        QVERIFY(keep->toolTip().contains(QStringLiteral("nothing of the series changes")));
+        find<QRadioButton>("repairChoice1")->click();
+        QCOMPARE(keep->text(), QStringLiteral("Apply"));
+        QVERIFY(keep->toolTip().contains(QStringLiteral("with the repairs")));
+        find<QRadioButton>("repairChoice0")->click();
+        QCOMPARE(keep->text(), QStringLiteral("Keep as it is"));
     }
 
     void keepingItAcceptsTheCaution()

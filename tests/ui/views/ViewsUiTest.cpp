@@ -33,11 +33,13 @@ public:
     void leave() override { isHere = false; }
     void changeRadius(int steps) override { radius += steps; }
     void changeDepth(int steps) override { depth += steps; }
+    void turn(int steps) override { turned += steps; }
 
     QByteArray heard;
     bool isHere = false; ///< the pointer
     int radius = 0;
     int depth = 0;
+    int turned = 0;
 };
 
 void drag(QWidget& view, Qt::MouseButton button, const QPoint& from, const QPoint& by,
@@ -421,9 +423,17 @@ void ViewsUiTest::wheelWithModifiersServesTheTool()
     NotingTool tool;
     fixture.workspace.setActiveTool(&tool);
     wheel(axial, 1, Qt::ShiftModifier);
-    wheel(axial, -1, Qt::AltModifier);
     QCOMPARE(tool.radius, 1);
-    QCOMPARE(tool.depth, -1);
+    QCOMPARE(axial.sliceNumber(), slice);
+    // Alt means nothing: the slice walks, as by the wheel alone, and the radius is the radius.
+    wheel(axial, -1, Qt::AltModifier);
+    QCOMPARE(tool.depth, 0);
+    QCOMPARE(axial.sliceNumber(), slice + 1);
+    wheel(axial, 1, Qt::AltModifier | Qt::ShiftModifier);
+    QCOMPARE(tool.radius, 2);
+    QCOMPARE(tool.turned, 0);
+    QCOMPARE(axial.sliceNumber(), slice + 1);
+    wheel(axial, 1, Qt::AltModifier);
     QCOMPARE(axial.sliceNumber(), slice);
     fixture.workspace.setActiveTool(nullptr);
     const double before = sliceScene(fixture, axial).mmPerPixel;

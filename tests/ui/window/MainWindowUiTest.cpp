@@ -117,8 +117,15 @@ void MainWindowUiTest::cautionStaysUntilAccepted()
         QVERIFY2(stripIn(view), qPrintable(view->title()));
     auto buttons = bar.findChildren<QPushButton*>();
     QCOMPARE(buttons.size(), 1);
+    // Each button says what it does, and only for this message.
+    auto* close = bar.findChild<QToolButton*>(QStringLiteral("closeMessage"));
+    const auto tellsOfTheCaution = [close, &buttons] {
+        return close->toolTip().contains(QStringLiteral("the views keep their caution"))
+            && buttons.front()->toolTip().contains(QStringLiteral("out of the views"));
+    };
+    QVERIFY(tellsOfTheCaution());
     // Closing it hides the message and answers nothing.
-    QTest::mouseClick(bar.findChild<QToolButton*>(QStringLiteral("closeMessage")), Qt::LeftButton);
+    QTest::mouseClick(close, Qt::LeftButton);
     QVERIFY(!bar.isVisible());
     QVERIFY(!fixture.workspace.cautionAccepted());
     for (ui::ImageView* view : fixture.window.views().views())
@@ -133,6 +140,11 @@ void MainWindowUiTest::cautionStaysUntilAccepted()
     QTest::mouseClick(buttons.front(), Qt::LeftButton);
     QVERIFY(fixture.workspace.cautionAccepted());
     QVERIFY(!bar.isVisible());
+    bar.show(ui::MessageBar::Kind::Notice, QStringLiteral("Something else"));
+    QVERIFY(!tellsOfTheCaution());
+    QCOMPARE(close->toolTip(), QStringLiteral("Close this message; nothing else changes"));
+    QVERIFY(buttons.front()->toolTip().isEmpty());
+    bar.dismiss();
     for (ui::ImageView* view : fixture.window.views().views())
         QVERIFY2(!stripIn(view), qPrintable(view->title()));
 }

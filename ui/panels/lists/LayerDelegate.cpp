@@ -33,8 +33,7 @@ EyeRowDelegate::Row LayerDelegate::row(const QModelIndex& index) const
 void LayerDelegate::eyeClicked(
     QAbstractItemModel& model, const QModelIndex& index, Qt::KeyboardModifiers modifiers)
 {
-    // Alt as before, where the window manager leaves it to programs.
-    const bool solo = modifiers & (Qt::ControlModifier | Qt::AltModifier);
+    const bool solo = modifiers.testFlag(Qt::ControlModifier);
     const int role = solo ? LayerListModel::SoloRole : LayerListModel::MutedRole;
     model.setData(index, !index.data(role).toBool(), role);
 }

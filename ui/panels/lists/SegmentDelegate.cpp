@@ -146,8 +146,7 @@ bool SegmentDelegate::editorEvent(QEvent* event, QAbstractItemModel* model,
             && (eye || colour || code || lock || shield || interval)) {
             // On release, so that a click begun elsewhere does nothing; a double click is two
             // clicks.
-            // Alt as for layers, where the window manager leaves it to programs.
-            if (release && eye && mouse->modifiers() & (Qt::ControlModifier | Qt::AltModifier)) {
+            if (release && eye && mouse->modifiers().testFlag(Qt::ControlModifier)) {
                 model->setData(index, true, SegmentListModel::AloneRole);
             } else if (release && eye) {
                 model->setData(index, !index.data(SegmentListModel::VisibleRole).toBool(),

@@ -7,6 +7,8 @@
 #include "ui/base/DisplayJson.h"
 #include "ui/tools/aim/CursorLabel.h"
 #include "ui/tools/aim/PickQuestion.h"
+#include "ui/tools/common/PaintLimits.h"
+#include "ui/tools/scissors/EditablePart.h"
 #include "ui/tools/scissors/SegmentScissorsOptions.h"
 #include "ui/workspace/SegmentActions.h"
 #include "ui/workspace/Workspace.h"
@@ -283,7 +285,8 @@ void SegmentScissorsTool::showCursor(const PointerSample& sample, gpu::ViewId vi
     Q_EMIT overlayChanged();
 }
 
-/// The curve, and on which side of it something would change: hatched where it is erased.
+/// The curve, and on which side of it something would change, as far as the editable range allows
+/// it: hatched where it is erased.
 void SegmentScissorsTool::paintCut(QPainter& painter, const ViewContext& view) const
 {
     const core::Document& document = m_workspace.session()->document();
@@ -300,6 +303,8 @@ void SegmentScissorsTool::paintCut(QPainter& painter, const ViewContext& view) c
         changed.addRect(QRectF(QPointF(), view.sizePixels));
         changed = changed.subtracted(inside);
     }
+    if (const auto range = m_workspace.editableRange())
+        changed = editablePart(*range, changed, m_workspace.volume()->geometry, view);
     painter.fillPath(changed, erases(doesNow()) ? QBrush(tint, Qt::BDiagPattern) : QBrush(tint));
     m_sketch.paint(painter);
 }
@@ -318,7 +323,10 @@ void SegmentScissorsTool::paintOverlay(QPainter& painter, const ViewContext& vie
         lines << (m_settings.depthMm > 0.0
                 ? tr("%1 mm deep").arg(QLocale().toString(m_settings.depthMm, 'f', 1))
                 : tr("through everything"));
-    drawCursorLabel(painter, view.sizePixels, m_cursor, 6.0, lines << target());
+    lines << target();
+    if (const QString limits = limitsText(m_workspace); !limits.isEmpty())
+        lines << limits;
+    drawCursorLabel(painter, view.sizePixels, m_cursor, 6.0, lines);
 }
 
 } // namespace ui

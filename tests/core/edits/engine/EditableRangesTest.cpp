@@ -383,6 +383,33 @@ private Q_SLOTS:
         QVERIFY(!checkSound(std::optional(twice)));
     }
 
+    /// Before what was changed, and only where there is a range that limits anything.
+    void rowsSaySo()
+    {
+        Bench bench;
+        const auto nameOf = [&bench](const Edit& edit) {
+            bench.run(edit);
+            const HistoryRow& row = bench.session->history().rows().back();
+            return row.title && canonicalName(*row.title) == row.name ? row.name : QString();
+        };
+        Edit edit = test::paintAt(3, {bench.at({4.0, 30.0, 4.0})}, 2.0);
+        const QString plain = nameOf(edit);
+        QVERIFY(plain.contains(QStringLiteral(", +")));
+        QVERIFY(!plain.contains(QStringLiteral("limits")));
+        const qsizetype figures = plain.lastIndexOf(QStringLiteral(", "));
+        QVERIFY(bench.session->undo() && bench.session->settle());
+        *editableRangeOf(edit) = EditableRange{};
+        QCOMPARE(nameOf(edit), plain);
+        QVERIFY(bench.session->undo() && bench.session->settle());
+        *editableRangeOf(edit) = EditableRange{.outside = std::vector<int>{1}};
+        const QString limited =
+            plain.left(figures) + QStringLiteral(", within limits") + plain.mid(figures);
+        QCOMPARE(nameOf(edit), limited);
+        // Rows that quote it say it, too.
+        const RowTitle quoted = headlineOf(*bench.session->history().rows().back().title);
+        QCOMPARE(canonicalName(quoted), plain.left(figures) + QStringLiteral(", within limits"));
+    }
+
     /// What the named segments hold decides, on their own plane too.
     void dependsOnTheNamedSegments()
     {

@@ -139,7 +139,7 @@ private Q_SLOTS:
         fixture.clickEye(1, Qt::ControlModifier);
         QVERIFY(fixture.session().document().layer(2)->solo);
         QCOMPARE(fixture.panel->summary(), QStringLiteral("1 of 2 solo"));
-        fixture.clickEye(1, Qt::AltModifier);
+        fixture.clickEye(1, Qt::ControlModifier);
         QVERIFY(!fixture.session().document().layer(2)->solo);
 
         QTest::mouseClick(fixture.list->viewport(), Qt::LeftButton, {},

@@ -17,7 +17,9 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
+#include <QImage>
 #include <QMouseEvent>
+#include <QPainter>
 #include <QSignalSpy>
 #include <QtTest>
 
@@ -373,6 +375,44 @@ private Q_SLOTS:
         QCOMPARE(tool.target(), QStringLiteral("fills a new segment"));
         draw();
         QCOMPARE(window.workspace.session()->history().rows().size(), std::size_t(2));
+    }
+
+    /// What is drawn shows what would change, as far as the editable range has a box for it.
+    void whatMayNotChangeIsNotTinted()
+    {
+        Fixture fixture;
+        fixture.tool.setSettings({.does = Does::FillInside, .shape = Shape::Rectangle});
+        fixture.mouse(QEvent::MouseButtonPress, fixture.at(-12.0, 12.0));
+        fixture.mouse(QEvent::MouseMove, fixture.at(12.0, -12.0));
+        const auto isTinted = [&fixture](int i) {
+            QImage picture(fixture.view.size(), QImage::Format_ARGB32_Premultiplied);
+            picture.fill(Qt::transparent);
+            QPainter painter(&picture);
+            fixture.tool.paintOverlay(painter, fixture.view.context());
+            painter.end();
+            const QPointF at = fixture.view.context().toPixel(fixture.place({i, 20, 24}));
+            return picture.pixelColor(at.toPoint()).alpha() > 0;
+        };
+        for (const int i : {14, 20, 21, 26})
+            QVERIFY(isTinted(i));
+        core::ClipRegion clip = fixture.workspace.clip();
+        clip.box.on = true;
+        clip.box.maximum.x = 20.5;
+        fixture.workspace.setClip(clip);
+        fixture.workspace.setEditableSettings({.on = true, .boxed = true});
+        QVERIFY(isTinted(14) && isTinted(20));
+        QVERIFY(!isTinted(21) && !isTinted(26));
+        // Values lie somewhere along the line of sight: what they limit is told, not shown.
+        fixture.workspace.setEditableSettings({.on = true, .byValue = true, .upper = 100.0});
+        QVERIFY(isTinted(14) && isTinted(26));
+        // Inside of a segment that is gone there is nothing.
+        fixture.workspace.setEditableSettings(
+            {.on = true, .where = ui::EditableSettings::Where::Inside, .segment = 9});
+        QVERIFY(!isTinted(14) && !isTinted(26));
+        fixture.workspace.setEditableSettings({});
+        QVERIFY(isTinted(14) && isTinted(26));
+        fixture.tool.cancel();
+        QVERIFY(!isTinted(14));
     }
 
     void settingsAreKept()
