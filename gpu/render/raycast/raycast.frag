@@ -68,7 +68,8 @@ vec3 looksAlong(Ray ray)
     float firstSolid = nowhere;
 #endif
     do {
-        const vec3 look = lookAlong(ray);
+        // As it would be seen alone: light beyond white is white before it is mixed.
+        const vec3 look = min(lookAlong(ray), vec3(1.0));
 #if SEEDS || BARRIERS || CHUNKS
         firstSolid = pastTranslucent ? firstSolid : solidFrom;
 #endif

@@ -90,6 +90,8 @@ private Q_SLOTS:
             const QPointF at(slider.rect().center());
             QWheelEvent turned(at, slider.mapToGlobal(at), {}, {0, -120}, Qt::NoButton,
                 Qt::NoModifier, Qt::NoScrollPhase, false);
+            // As one that a mouse sends: only such a one goes on to what the slider stands in.
+            QSpontaneKeyEvent::setSpontaneous(&turned);
             QCoreApplication::sendEvent(&slider, &turned);
             percent = slider.value();
             QVERIFY(percent < 95);

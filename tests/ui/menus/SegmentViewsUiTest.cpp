@@ -464,26 +464,26 @@ private Q_SLOTS:
                 return fixture.frames.lastRequest(view.viewId()).segments.voxelTrue;
             };
             const ui::VolumeView& volume = fixture.window.views().volume();
-            QVERIFY(fixture.action("segments.smooth").isChecked());
+            QTRY_VERIFY(fixture.action("segments.smooth").isChecked());
             QVERIFY(!voxelTrue(volume));
             fixture.action("segments.voxelTrue").trigger();
             QTRY_VERIFY(voxelTrue(volume));
             QVERIFY(!voxelTrue(fixture.axial()));
-            QVERIFY(fixture.action("segments.voxelTrue").isChecked());
+            QTRY_VERIFY(fixture.action("segments.voxelTrue").isChecked());
             QVERIFY(!fixture.action("segments.smooth").isChecked());
         }
         {
             Fixture fixture(test::smallStudy(), 1);
-            QVERIFY(fixture.action("segments.voxelTrue").isChecked());
+            QTRY_VERIFY(fixture.action("segments.voxelTrue").isChecked());
             fixture.action("segments.smooth").trigger();
         }
         {
             Fixture fixture(test::smallStudy(), 1);
-            QVERIFY(fixture.action("segments.smooth").isChecked());
+            QTRY_VERIFY(fixture.action("segments.smooth").isChecked());
         }
         QSettings().setValue(QStringLiteral("segments/voxelTrue"), QStringLiteral("cubes"));
         Fixture fixture(test::smallStudy(), 1);
-        QVERIFY(fixture.action("segments.smooth").isChecked());
+        QTRY_VERIFY(fixture.action("segments.smooth").isChecked());
     }
 
     void theNextWindowShowsThemSo()
