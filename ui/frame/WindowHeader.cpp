@@ -31,7 +31,6 @@ QStringList ids(std::initializer_list<const char*> names)
     return list;
 }
 
-/// Which views are shown, and how; in the menu View and behind the button.
 } // namespace
 
 QStringList layoutIds()

@@ -17,7 +17,8 @@ class Actions;
 class FittingLabel;
 class Workspace;
 
-/// The actions for the layouts of the views, in the order of menus.
+/// The actions for the layouts of the views, in the order of menus: of View, of the button, and of
+/// right clicks.
 [[nodiscard]] QStringList layoutIds();
 
 /// The header of the window: its menus, whose study is shown, and the layouts of the views.
