@@ -17,6 +17,7 @@ Actions::Actions(QWidget& window)
 
 QAction& Actions::add(Entry entry)
 {
+    Q_ASSERT_X(!m_actions.contains(entry.id), "Actions", qPrintable(entry.id));
     auto* action = new QAction(entry.text, this);
     action->setObjectName(entry.id);
     action->setShortcuts(entry.keys);

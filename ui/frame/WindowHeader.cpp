@@ -131,8 +131,8 @@ void WindowHeader::fillViewMenu(
     actions.fill(*view->addMenu(tr("Segments in slices")),
         ids({"segments.fillAndOutline", "segments.fill", "segments.outline", "",
             "segments.fillMore", "segments.fillLess"}));
-    actions.fill(
-        *view->addMenu(tr("Segments in 3D")), ids({"segments.smooth", "segments.voxelTrue"}));
+    actions.fill(*view->addMenu(tr("Segments in 3D")),
+        ids({"segments.smoothBodies", "segments.voxelTrueBodies"}));
     view->addSeparator();
     actions.fill(*view,
         ids({"view.crosshair", "view.referenceLines", "view.patient", "view.segments",

@@ -189,9 +189,9 @@ void addBodies(Actions& actions, Workspace& workspace)
         bool voxelTrue;
     };
     for (const Choice& choice :
-        {Choice{"segments.smooth", QObject::tr("Smooth"),
+        {Choice{"segments.smoothBodies", QObject::tr("Smooth"),
              QObject::tr("The surfaces of segments are smoothed to be looked at"), false},
-            Choice{"segments.voxelTrue", QObject::tr("Voxel by voxel"),
+            Choice{"segments.voxelTrueBodies", QObject::tr("Voxel by voxel"),
                 QObject::tr("Segments are the cubes of their voxels, as an export has them"),
                 true}})
         actions.add({.id = QLatin1String(choice.id),

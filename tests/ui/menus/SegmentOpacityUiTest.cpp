@@ -92,7 +92,7 @@ private Q_SLOTS:
                 Qt::NoModifier, Qt::NoScrollPhase, false);
             // As one that a mouse sends: only such a one goes on to what the slider stands in.
             QSpontaneKeyEvent::setSpontaneous(&turned);
-            QCoreApplication::sendEvent(&slider, &turned);
+            qApp->notify(&slider, &turned);
             percent = slider.value();
             QVERIFY(percent < 95);
             // The views follow while the menu is open.

@@ -464,26 +464,26 @@ private Q_SLOTS:
                 return fixture.frames.lastRequest(view.viewId()).segments.voxelTrue;
             };
             const ui::VolumeView& volume = fixture.window.views().volume();
-            QTRY_VERIFY(fixture.action("segments.smooth").isChecked());
+            QTRY_VERIFY(fixture.action("segments.smoothBodies").isChecked());
             QVERIFY(!voxelTrue(volume));
-            fixture.action("segments.voxelTrue").trigger();
+            fixture.action("segments.voxelTrueBodies").trigger();
             QTRY_VERIFY(voxelTrue(volume));
             QVERIFY(!voxelTrue(fixture.axial()));
-            QTRY_VERIFY(fixture.action("segments.voxelTrue").isChecked());
-            QVERIFY(!fixture.action("segments.smooth").isChecked());
+            QTRY_VERIFY(fixture.action("segments.voxelTrueBodies").isChecked());
+            QVERIFY(!fixture.action("segments.smoothBodies").isChecked());
         }
         {
             Fixture fixture(test::smallStudy(), 1);
-            QTRY_VERIFY(fixture.action("segments.voxelTrue").isChecked());
-            fixture.action("segments.smooth").trigger();
+            QTRY_VERIFY(fixture.action("segments.voxelTrueBodies").isChecked());
+            fixture.action("segments.smoothBodies").trigger();
         }
         {
             Fixture fixture(test::smallStudy(), 1);
-            QTRY_VERIFY(fixture.action("segments.smooth").isChecked());
+            QTRY_VERIFY(fixture.action("segments.smoothBodies").isChecked());
         }
         QSettings().setValue(QStringLiteral("segments/voxelTrue"), QStringLiteral("cubes"));
         Fixture fixture(test::smallStudy(), 1);
-        QTRY_VERIFY(fixture.action("segments.smooth").isChecked());
+        QTRY_VERIFY(fixture.action("segments.smoothBodies").isChecked());
     }
 
     void theNextWindowShowsThemSo()
