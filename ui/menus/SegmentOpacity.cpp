@@ -16,6 +16,7 @@ namespace ui {
 namespace {
 
 constexpr int opacitySliderWidth = 110;
+constexpr int besideIcons = 12; ///< so that the word stands below those of other entries
 
 /// What the slider stands in. Nothing scrolls here, so the wheel moves the slider, which has no
 /// focus as a rule and then leaves the wheel to what it stands in (FieldManners).
@@ -68,7 +69,7 @@ void addSegmentOpacity(QMenu& menu, Workspace& workspace, int label)
     name->setBuddy(slider);
     auto* layout = new QHBoxLayout(row);
     layout->setContentsMargins(
-        theme::padding, theme::smallPadding, theme::padding, theme::smallPadding);
+        theme::padding + besideIcons, theme::smallPadding, theme::padding, theme::smallPadding);
     layout->addWidget(name);
     layout->addWidget(slider);
     layout->addWidget(number);
