@@ -43,8 +43,6 @@ PanelSection::PanelSection(Panel& panel, QWidget* parent)
     layout->setSpacing(0);
     layout->addWidget(m_header);
     layout->addWidget(&panel, 1);
-    if (!panel.stretches())
-        setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
     setFolded(panel.foldedAtFirst());
     showPlace();
     connect(&panel, &Panel::unfoldRequested, this, [this] { setFolded(false); });
@@ -109,6 +107,9 @@ void PanelSection::setFolded(bool foldedNow)
 {
     m_folded = foldedNow;
     m_panel.setVisible(!m_folded);
+    // A folded list leaves the room to those that are open.
+    setSizePolicy(QSizePolicy::Preferred,
+        m_panel.stretches() && !m_folded ? QSizePolicy::Preferred : QSizePolicy::Fixed);
     updateGeometry();
     if (isFloating())
         resize(width(), sizeHint().height());

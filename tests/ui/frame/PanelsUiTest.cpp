@@ -172,6 +172,18 @@ private Q_SLOTS:
         QTRY_VERIFY(timeline->isVisible());
     }
 
+    /// Lists that are folded stretch no more than other panels that are.
+    void foldedPanelsTakeNoRoom()
+    {
+        PanelsFixture fixture(QSize(1280, 1000));
+        const auto sections = fixture.column().findChildren<ui::PanelSection*>();
+        QVERIFY(sections.size() > 5);
+        for (ui::PanelSection* section : sections)
+            section->setFolded(true);
+        for (const ui::PanelSection* section : sections)
+            QTRY_COMPARE(section->height(), section->sizeHint().height());
+    }
+
     /// With more than fits the column scrolls, and its bar takes nothing from the panels.
     void panelsKeepTheirWidthWhenTheyScroll()
     {
