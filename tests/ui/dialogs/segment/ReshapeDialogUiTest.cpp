@@ -258,7 +258,13 @@ private Q_SLOTS:
         QTimer::singleShot(0, &fixture.window, [&] {
             auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
             QVERIFY(menu);
-            for (QAction* each : menu->actions()) {
+            const QMenu* cleanUp = nullptr;
+            for (QMenu* each : menu->findChildren<QMenu*>()) {
+                if (each->title() == QStringLiteral("Clean up"))
+                    cleanUp = each;
+            }
+            QVERIFY(cleanUp);
+            for (QAction* each : cleanUp->actions()) {
                 if (each->text() == QStringLiteral("Hollow …")) {
                     found = true;
                     each->trigger();
