@@ -48,6 +48,9 @@ struct SegmentDisplay {
     /// it is.
     std::optional<ToleranceDisplay> atTolerance{};
     bool showBarriers = true; ///< voxels closed to growth: stripes in slices, bodies in the 3D view
+    /// What an interval suspends (core::CompareGrowth) is striped in slices anyway; here the 3D
+    /// view shows it, too, as translucent bodies.
+    bool suspendedBodies = false;
     bool operator==(const SegmentDisplay&) const = default;
 };
 

@@ -69,10 +69,17 @@ public:
     /// The bricks of the seed map that hold barriers, also owned by the edit engine.
     [[nodiscard]] const BarrierBricks* barriers() const { return m_barriers; }
     void setBarriers(const BarrierBricks* barriers) { m_barriers = barriers; }
-    /// What a cut of the growth of plane 0 would remove (R8UI, 1: would go), also owned by the edit
-    /// engine; null if nothing is foreseen.
+    /// The marks of what a cut of the growth of plane 0 would remove, or of what an interval
+    /// changes in it (R8UI, PreviewMarks::Mark), also owned by the edit engine; null if there are
+    /// none.
     [[nodiscard]] BrickField* cutPreview() { return m_cutPreview; }
-    void setCutPreview(BrickField* cutPreview) { m_cutPreview = cutPreview; }
+    /// A box around what is suspended, in whole bricks; empty if nothing is.
+    [[nodiscard]] const core::VoxelBox& suspended() const { return m_suspended; }
+    void setCutPreview(BrickField* cutPreview, const core::VoxelBox& suspended = {})
+    {
+        m_cutPreview = cutPreview;
+        m_suspended = suspended;
+    }
     /// The tolerance field of a label of plane 0 (R16UI, whole bricks), also owned by the edit
     /// engine; null if no valid one exists.
     [[nodiscard]] const Texture3D* tolerances(int label) const
@@ -114,6 +121,7 @@ private:
     BrickField* m_seedWords = nullptr;
     const BarrierBricks* m_barriers = nullptr;
     BrickField* m_cutPreview = nullptr;
+    core::VoxelBox m_suspended;
     const Texture3D* m_tolerances = nullptr;
     int m_toleranceLabel = 0;
     static constexpr std::size_t fields = 7;

@@ -3,10 +3,29 @@
 
 #include "gpu/fields/VoxelFields.h"
 
+#include <algorithm>
 #include <map>
 #include <utility>
 
 namespace gpu {
+
+namespace {
+
+/// In whole bricks; empty if nothing is suspended.
+core::VoxelBox suspendedBox(
+    const std::vector<PreviewMarks::Brick>& bricks, const core::BrickGrid& grid)
+{
+    core::VoxelBox box;
+    for (const PreviewMarks::Brick& brick : bricks) {
+        const auto first =
+            std::find(brick.marks.begin(), brick.marks.end(), PreviewMarks::Suspended);
+        if (first != brick.marks.end())
+            box = box.united(grid.boxOf(int(brick.brick)));
+    }
+    return box;
+}
+
+} // namespace
 
 PreviewMarks::PreviewMarks(VolumeTextures& textures)
     : m_textures(textures)
@@ -50,7 +69,7 @@ void PreviewMarks::show(VoxelFields& fields, std::vector<Brick> bricks)
             written, contents);
     }
     m_shown = std::move(bricks);
-    m_textures.setCutPreview(m_shown.empty() ? nullptr : &m_marks);
+    m_textures.setCutPreview(m_shown.empty() ? nullptr : &m_marks, suspendedBox(m_shown, grid));
     if (!dirty.empty())
         m_textures.markDirty(VolumeField::CutPreview, dirty);
 }

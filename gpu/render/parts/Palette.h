@@ -21,6 +21,7 @@ public:
         return m_current.warnAfterGeneration;
     }
     [[nodiscard]] bool showsBarriers() const { return m_current.showBarriers; }
+    [[nodiscard]] bool showsSuspended() const { return m_current.suspendedBodies; }
     /// Bodies are not smoothed; but a segment at a tolerance has no voxels of its own.
     [[nodiscard]] bool voxelTrue() const { return m_current.voxelTrue && !m_current.atTolerance; }
     /// Whether bodies of segments look otherwise than opaque and smooth.

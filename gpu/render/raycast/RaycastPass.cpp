@@ -115,8 +115,9 @@ Program& RaycastPass::seldomProgram(const VolumeScene& scene, const Seldom& with
     const bool looks = with.segmentLooks && segments;
     const int context = contextVariant(scene);
     std::size_t variant = 3 * mode + std::size_t(context);
-    for (const bool part : {clipped, home, sculpted, segments, with.pieces, with.seeds,
-             with.barriers, with.warned, with.cutPreview, with.sheets, with.chunks, looks})
+    for (const bool part :
+        {clipped, home, sculpted, segments, with.pieces, with.seeds, with.barriers, with.warned,
+            with.cutPreview, with.suspended, with.sheets, with.chunks, looks})
         variant = 2 * variant + std::size_t(part);
     const auto make = [&] {
         return std::make_shared<Program>(m_library,
@@ -126,9 +127,9 @@ Program& RaycastPass::seldomProgram(const VolumeScene& scene, const Seldom& with
                     {"SEGMENTS", int(segments)}, {"CLIPPED", int(clipped)}, {"HOME", int(home)},
                     {"PIECES", int(with.pieces)}, {"SEEDS", int(with.seeds)},
                     {"BARRIERS", int(with.barriers)}, {"WARNED", int(with.warned)},
-                    {"CUT_PREVIEW", int(with.cutPreview)}, {"SHEETS", int(with.sheets)},
-                    {"CHUNKS", int(with.chunks)}, {"CONTEXT", context},
-                    {"SEGMENT_LOOKS", int(looks)}}});
+                    {"CUT_PREVIEW", int(with.cutPreview) + int(with.suspended)},
+                    {"SHEETS", int(with.sheets)}, {"CHUNKS", int(with.chunks)},
+                    {"CONTEXT", context}, {"SEGMENT_LOOKS", int(looks)}}});
     };
     return *m_seldomPrograms.of(variant, make);
 }
@@ -193,6 +194,8 @@ void RaycastPass::drawMode(VolumeTextures& volume, const VolumeScene& scene, con
     const bool seeds = m_seeds.set(volume, scene);
     BrickField* words = volume.seedWords();
     BrickField* cutPreview = volume.cutPreview();
+    const core::VoxelBox suspended =
+        cutPreview && palette.showsSuspended() ? volume.suspended() : core::VoxelBox();
     const BarrierBricks* barriers = words && palette.showsBarriers() ? volume.barriers() : nullptr;
     if (barriers && !barriers->any())
         barriers = nullptr;
@@ -201,6 +204,7 @@ void RaycastPass::drawMode(VolumeTextures& volume, const VolumeScene& scene, con
         .barriers = barriers != nullptr,
         .warned = words && palette.warns(),
         .cutPreview = cutPreview != nullptr,
+        .suspended = !suspended.empty(),
         .sheets = sheets.any(),
         .chunks = chunks != nullptr,
         .segmentLooks = palette.changesBodies()};
@@ -212,6 +216,8 @@ void RaycastPass::drawMode(VolumeTextures& volume, const VolumeScene& scene, con
         overlay(m_seeds.blocksIn(scene, target));
     if (barriers)
         overlay(blocksAround(barriers->box(), volume.geometry(), scene, target));
+    if (with.suspended)
+        overlay(blocksAround(suspended, volume.geometry(), scene, target));
     if (chunks)
         overlay(blocksAround(scene.chunks->box, volume.geometry(), scene, target));
     const Tile overlaid = common(tile, over);
@@ -283,6 +289,9 @@ void RaycastPass::drawMode(VolumeTextures& volume, const VolumeScene& scene, con
             program.set("barrierLow", glm::vec3(barriers->box().minimum) - 1.0f)
                 .set("barrierHigh", glm::vec3(barriers->box().maximum));
         }
+        if (with.suspended)
+            program.set("suspendedLow", glm::vec3(suspended.minimum) - 1.0f)
+                .set("suspendedHigh", glm::vec3(suspended.maximum));
         if (chunks)
             chunks->bind(program, *scene.chunks, ChunkTextures::Drawn::Bodies);
         drawParts(program, {overlaid});

@@ -78,7 +78,8 @@ private:
         bool seeds = false;
         bool barriers = false;
         bool warned = false; ///< some members are drawn in the warning colour
-        bool cutPreview = false; ///< marks what a cut would remove
+        bool cutPreview = false; ///< marks what a cut would remove, or an interval changes
+        bool suspended = false; ///< of that, what is suspended has bodies
         bool sheets = false; ///< the surface that is being refined, or the cutting plane
         bool chunks = false;
         bool segmentLooks = false; ///< segments are translucent, or drawn as their voxels are

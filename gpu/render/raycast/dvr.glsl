@@ -98,7 +98,7 @@ vec3 withSegment(Ray ray, float segmentAt, vec3 seen, float through)
     const vec3 body = segmentLook(ray, segmentAt);
     seen += segmentAt < nowhere ? seenThrough(through) * body : vec3(0.0);
     besides = segmentAt < nowhere ? 0.0 : besides;
-#if SEEDS || BARRIERS || CHUNKS
+#if OVERLAID
     solidFrom = min(solidFrom, segmentAt);
 #endif
 #endif
@@ -228,7 +228,7 @@ vec3 restAlong(Ray ray)
         light = mix(light, onSurface, clamp(change / most, 0.0, 1.0));
         seen += through * shareOfContext() * (glow * light.rgb + glowOpacity * light.a);
         through *= groupThrough;
-#if SEEDS || BARRIERS || CHUNKS
+#if OVERLAID
         const bool solid = solidFrom == nowhere && (leftBehind(through) < 0.5 || segmentSeen);
         solidFrom = solid ? ray.gridZero + stepMm * n : solidFrom;
 #endif

@@ -289,7 +289,7 @@ vec3 seenAlong(Ray ray)
                 light, lightAt(ray, owner, changeN, change), clamp(change / most, 0.0, 1.0));
             seen += through * shareOfContext() * (glow * light.rgb + glowOpacity * light.a);
             through *= groupThrough;
-#if SEEDS || BARRIERS || CHUNKS
+#if OVERLAID
             solidFrom = solidFrom == nowhere && leftBehind(through) < 0.5 ? ray.gridZero + stepMm * n : solidFrom;
 #endif
         } while (solid < 0 && n < last && leftBehind(through) > enough);
@@ -308,7 +308,7 @@ vec3 seenAlong(Ray ray)
             ways[way].last = -nowhere; // only the front of a translucent one is seen
             n += 1.0;
         }
-#if SEEDS || BARRIERS || CHUNKS
+#if OVERLAID
         solidFrom
             = solidFrom == nowhere && leftBehind(through) < 0.5 ? ray.gridZero + stepMm * n : solidFrom;
 #endif

@@ -85,7 +85,7 @@ void meetSheet(inout vec3 seen, inout float through)
     farSheet.shining = isNear ? 0.0 : farSheet.behind * hidden;
     seen += through * own.a * own.rgb;
     through *= 1.0 - own.a;
-#if SEEDS || BARRIERS || CHUNKS
+#if OVERLAID
     solidFrom = through < 0.5 ? min(solidFrom, nextSheetAt) : solidFrom;
 #endif
     ++sheetsMet;

@@ -25,6 +25,9 @@
 #if BARRIERS
 #include "render/raycast/barriers.glsl"
 #endif
+#if CUT_PREVIEW == 2
+#include "render/raycast/suspended.glsl"
+#endif
 #if CHUNKS
 #include "render/raycast/chunks.glsl"
 #endif
@@ -54,7 +57,7 @@ void lookPastTranslucent()
 #if CONTEXT == 1
     besides = 1.0;
 #endif
-#if SEEDS || BARRIERS || CHUNKS
+#if OVERLAID
     solidFrom = nowhere;
 #endif
 }
@@ -64,13 +67,13 @@ vec3 looksAlong(Ray ray)
 {
     vec3 seen = vec3(0.0);
     bool again = false;
-#if SEEDS || BARRIERS || CHUNKS
+#if OVERLAID
     float firstSolid = nowhere;
 #endif
     do {
         // As it would be seen alone: light beyond white is white before it is mixed.
         const vec3 look = min(lookAlong(ray), vec3(1.0));
-#if SEEDS || BARRIERS || CHUNKS
+#if OVERLAID
         firstSolid = pastTranslucent ? firstSolid : solidFrom;
 #endif
         seen += (pastTranslucent ? 1.0 - metOpacity : metOpacity) * look;
@@ -78,7 +81,7 @@ vec3 looksAlong(Ray ray)
         if (again)
             lookPastTranslucent();
     } while (again);
-#if SEEDS || BARRIERS || CHUNKS
+#if OVERLAID
     // A segment that is seen by half hides what is behind it.
     solidFrom = metOpacity < 0.5 ? solidFrom : firstSolid;
 #endif
@@ -99,6 +102,9 @@ void main()
 #endif
 #if BARRIERS
     seen = withBarriers(ray, seen);
+#endif
+#if CUT_PREVIEW == 2
+    seen = withSuspended(ray, seen);
 #endif
 #if CHUNKS
     seen = withChunks(ray, seen);

@@ -9,7 +9,11 @@
 // carved away or a segment is shown), SEGMENTS (a segment is shown; then SCULPTED, too) and CLIPPED
 // (a clip box or plane is on) and CONTEXT (1: the volume is translucent or cut away in front of
 // segments, 2: only segments are drawn; then MODE is 0) and SEGMENT_LOOKS (a segment is translucent, or
-// all are drawn as their voxels are), and loops that put much work behind few tests.
+// all are drawn as their voxels are) and CUT_PREVIEW (1: marks on segments, 2: also bodies of what is
+// suspended), and loops that put much work behind few tests.
+
+// Bodies are laid over what a ray sees, so it is noted where that begins.
+#define OVERLAID (SEEDS || BARRIERS || CHUNKS || CUT_PREVIEW == 2)
 
 /* Textures */
 layout(binding = 0) uniform sampler3D intensity;    // code / 65535
@@ -68,7 +72,7 @@ const uint segmentFlag = 4u;
 
 const float nowhere = 1e30; // no t
 
-#if SEEDS || BARRIERS || CHUNKS
+#if OVERLAID
 float solidFrom = nowhere; // t behind which nothing is seen
 #endif
 #if SHEETS

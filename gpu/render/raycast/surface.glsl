@@ -329,7 +329,7 @@ vec3 seenAlong(Ray ray)
 #if CONTEXT == 1
     next = segmentLeft < nearest ? segmentOf : next;
     nearest = min(nearest, segmentLeft);
-#elif SEEDS || BARRIERS || CHUNKS
+#elif OVERLAID
     solidFrom = nearest;
 #endif
     // Opaque ones are evaluated once: drawing costs far more than finding the next.
@@ -364,7 +364,7 @@ vec3 seenAlong(Ray ray)
 #if CONTEXT == 1
         rest.t = next == restOf ? nowhere : rest.t;
         segmentLeft = next == segmentOf ? nowhere : segmentLeft;
-#if SEEDS || BARRIERS || CHUNKS
+#if OVERLAID
         solidFrom = through < 0.5 ? min(solidFrom, nearest) : solidFrom;
 #endif
 #endif
@@ -402,7 +402,7 @@ vec3 seenInContext(Ray ray)
     const float opacity = hit.t < nowhere ? layerOpacity(ray, hit) : 0.0;
     seen += opacity > 0.0 ? through * opacity * look : vec3(0.0);
     through *= 1.0 - opacity;
-#if SEEDS || BARRIERS || CHUNKS
+#if OVERLAID
     solidFrom = through < 0.5 ? min(solidFrom, hit.t) : solidFrom;
 #endif
 #if SEGMENTS
@@ -412,7 +412,7 @@ vec3 seenInContext(Ray ray)
     const vec3 body = segmentLook(ray, segmentAt);
     seen += segmentAt < nowhere ? through * body : vec3(0.0);
     through = segmentAt < nowhere ? 0.0 : through;
-#if SEEDS || BARRIERS || CHUNKS
+#if OVERLAID
     solidFrom = min(solidFrom, segmentAt);
 #endif
 #endif
@@ -433,7 +433,7 @@ vec3 seenAlong(Ray ray)
     return seenInContext(ray);
 #endif
     const Hit hit = firstHit(ray);
-#if SEEDS || BARRIERS || CHUNKS
+#if OVERLAID
     solidFrom = hit.t;
 #endif
     const vec3 look = lookOf(ray, restOf, hit);

@@ -95,6 +95,24 @@ bool isRed(const glm::ivec3& colour)
     return colour.r > 40 && colour.r > 2 * colour.g && colour.r > 2 * colour.b;
 }
 
+/// Like isRed(), also of the dark stripes through what is translucent.
+bool isReddish(const glm::ivec3& colour)
+{
+    return colour.r > 25 && 2 * colour.r > 3 * colour.g && 2 * colour.r > 3 * colour.b;
+}
+
+VolumeScene seenFrom(const glm::dvec3& eyeLps, RenderMode mode)
+{
+    VolumeScene scene;
+    scene.eyeLps = eyeLps;
+    scene.heightMm = side;
+    scene.mode = mode;
+    scene.surfaceThreshold = 1000.0;
+    scene.mipWindow = scene.xrayWindow = {2000.0, 1000.0};
+    scene.transferFunction.points = {{990.0, 0xFFFFFF, 0.0}, {1000.0, 0xFFFFFF, 0.9}};
+    return scene;
+}
+
 /// The segment's green, lightened.
 bool isPale(const glm::ivec3& colour)
 {
@@ -320,6 +338,80 @@ private Q_SLOTS:
         QVERIFY(pale > 50 && green > 50);
         marks.hide();
         QCOMPARE(*m_fixture->draw(scene, {96, 96}, segments).rgba, *plain.rgba);
+    }
+
+    void whatAnIntervalSuspendsHasABodyIfAskedFor_data() { whatCameLateWarnsIn3D_data(); }
+    void whatAnIntervalSuspendsHasABodyIfAskedFor()
+    {
+        QFETCH(int, mode);
+        open();
+        const ComparedGrowth compared = move();
+        m_fixture->fill(VolumeField::Segmentation, {{12, 12, 12}, {24, 36, 36}}, 255);
+        m_fixture->fill(VolumeField::Segmentation, {{30, 12, 12}, {44, 36, 36}}, 255);
+        VolumeScene scene = seenFrom({0, -300, 0}, RenderMode(mode));
+        SegmentDisplay segments = greenSegment();
+        segments.showBarriers = false;
+        SegmentDisplay withBodies = segments;
+        withBodies.suspendedBodies = true;
+        // Without marks there is nothing to show.
+        const Frame unmarked = m_fixture->draw(scene, {96, 96}, segments);
+        QCOMPARE(*m_fixture->draw(scene, {96, 96}, withBodies).rgba, *unmarked.rgba);
+        PreviewMarks marks(m_fixture->volume);
+        marks.show(*m_fixture->edits.fields, compared.bricks);
+        QCOMPARE(m_fixture->volume.suspended().minimum, glm::ivec3(16, 0, 0));
+        QCOMPARE(m_fixture->volume.suspended().maximum, glm::ivec3(32, 48, 48));
+        const Frame plain = m_fixture->draw(scene, {96, 96}, segments);
+        const Frame frame = m_fixture->draw(scene, {96, 96}, withBodies);
+        // Voxels 24 to 30 along x: pixels 48 to 60.
+        int bright = 0;
+        int dark = 0;
+        for (int y = 34; y < 62; ++y) {
+            for (int x = 51; x < 57; ++x) {
+                QVERIFY(!isReddish(test::pixel(plain, x, y)));
+                const glm::ivec3 colour = test::pixel(frame, x, y);
+                QVERIFY2(isReddish(colour),
+                    qPrintable(
+                        QStringLiteral("%1 %2 %3").arg(colour.r).arg(colour.g).arg(colour.b)));
+                ++(colour.r > 85 ? bright : dark);
+            }
+            for (int x = 28; x < 44; ++x)
+                QVERIFY(isGreen(test::pixel(frame, x, y)));
+        }
+        QVERIFY(bright > 40 && dark > 25);
+        // Above the body, beside it, and far from it nothing has changed.
+        for (const glm::ivec2 place : {glm::ivec2(54, 14), {54, 82}, {4, 48}, {92, 48}})
+            QCOMPARE(test::pixel(frame, place.x, place.y), test::pixel(plain, place.x, place.y));
+        // Translucent segments are drawn by other programs.
+        SegmentDisplay translucent = withBodies;
+        translucent.transparencyPercent[label] = 50;
+        QVERIFY(isReddish(test::pixel(m_fixture->draw(scene, {96, 96}, translucent), 54, 48)));
+        // What is clipped is not seen.
+        scene.clip.box = {.minimum = glm::dvec3(-0.5), .maximum = {23.0, 47.5, 47.5}, .on = true};
+        QVERIFY(!isReddish(test::pixel(m_fixture->draw(scene, {96, 96}, withBodies), 54, 48)));
+        scene.clip = {};
+        marks.hide();
+        QVERIFY(m_fixture->volume.suspended().empty());
+        QCOMPARE(*m_fixture->draw(scene, {96, 96}, withBodies).rgba, *unmarked.rgba);
+    }
+
+    void behindItsSegmentABodyShinesThrough()
+    {
+        open();
+        const ComparedGrowth compared = move();
+        m_fixture->fill(VolumeField::Segmentation, {{12, 12, 12}, {24, 36, 36}}, 255);
+        m_fixture->fill(VolumeField::Segmentation, {{30, 12, 12}, {44, 36, 36}}, 255);
+        const VolumeScene scene = seenFrom({-300, 0, 0}, RenderMode::Surface);
+        SegmentDisplay segments = greenSegment();
+        segments.showBarriers = false;
+        PreviewMarks marks(m_fixture->volume);
+        marks.show(*m_fixture->edits.fields, compared.bricks);
+        const glm::ivec3 plain = test::pixel(m_fixture->draw(scene, {96, 96}, segments), 48, 48);
+        segments.suspendedBodies = true;
+        const glm::ivec3 over = test::pixel(m_fixture->draw(scene, {96, 96}, segments), 48, 48);
+        QVERIFY(isGreen(plain));
+        QVERIFY2(over.r > plain.r + 6, qPrintable(QString::number(over.r)));
+        QVERIFY2(3 * over.g > 2 * plain.g && over.g < plain.g, qPrintable(QString::number(over.g)));
+        marks.hide();
     }
 
     void whatACutWouldTakeIsHatchedIn3D_data() { whatCameLateWarnsIn3D_data(); }
