@@ -49,13 +49,20 @@ struct PreviewCut {
     /// that it is being computed beside other commands and pictures: ask again.
     bool toTheEnd = true;
 };
-/// Discards what PreviewCut computed. The result is empty.
+/// Discards what PreviewCut computed, and what a CompareGrowth has left. The result is empty.
 struct DropCutPreview { };
 
 /// Compares the plane of the open growth with what it was when that began: what another interval
 /// suspends, and what it reaches (seed A §5.3). It changes nothing. The result contains the counts
 /// (`growthComparison`). From then on it can be shown, until EndEdit is carried out, another
 /// CompareGrowth is answered, or a volume is opened.
-struct CompareGrowth { };
+struct CompareGrowth {
+    /// A commit of the growth leaves what is suspended then, to be shown until SwapBricks,
+    /// XorBricks, DropCutPreview or a BeginEdit that is no growth is carried out, or a volume is
+    /// opened. If the next growth is compared, too, what it has not let in is shown as suspended
+    /// still, and what it has let in as reinstated; if it is rolled back, all is shown as before
+    /// it. The counts are those of the open growth alone.
+    bool keep = false;
+};
 
 } // namespace core

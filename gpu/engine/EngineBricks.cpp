@@ -43,6 +43,7 @@ GpuEditEngine::Outcome GpuEditEngine::put(const core::LabelGuard& guard,
         return tl::unexpected(checked.error());
     hideTolerance();
     m_cutPreviewer.forget();
+    m_growthMarks.forget();
     std::vector<core::BrickImage> held;
     held.reserve(images.size());
     core::EngineResult result;

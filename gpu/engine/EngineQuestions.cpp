@@ -167,10 +167,12 @@ GpuEditEngine::Outcome GpuEditEngine::carryOut(const core::PreviewCut& command)
 GpuEditEngine::Outcome GpuEditEngine::carryOut(const core::DropCutPreview&)
 {
     m_cutPreviewer.forget();
+    if (!m_transaction)
+        m_growthMarks.forget();
     return core::EngineResult{};
 }
 
-GpuEditEngine::Outcome GpuEditEngine::carryOut(const core::CompareGrowth&)
+GpuEditEngine::Outcome GpuEditEngine::carryOut(const core::CompareGrowth& command)
 {
     const auto why = m_transaction ? m_transaction->abandoned() : std::optional<core::Error>();
     if (why)
@@ -181,7 +183,7 @@ GpuEditEngine::Outcome GpuEditEngine::carryOut(const core::CompareGrowth&)
         return refusal("transaction", "no growth is open");
     ComparedGrowth compared = m_transaction->compareGrowth();
     if (*plane == 0)
-        m_growthMarks.show(*m_fields, std::move(compared.bricks));
+        m_growthMarks.show(*m_fields, std::move(compared.bricks), command.keep);
     core::EngineResult result;
     result.growthComparison = compared.counts;
     return result;

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <chrono>
 #include <utility>
+#include <variant>
 
 namespace gpu {
 
@@ -74,7 +75,7 @@ void GpuEditEngine::close()
     m_transaction.reset();
     m_trace.reset();
     m_cutPreviewer.forget();
-    m_growthMarks.hide();
+    m_growthMarks.forget();
     m_fields.reset();
 }
 
@@ -307,7 +308,7 @@ void GpuEditEngine::clearAfter(const core::PreviewCut&, const core::Error&)
 void GpuEditEngine::clearAfter(const core::CompareGrowth&, const core::Error&)
 {
     if (!m_lost)
-        m_growthMarks.hide();
+        m_growthMarks.forget();
 }
 
 GpuEditEngine::Outcome GpuEditEngine::carryOut(const core::BeginEdit& command)
@@ -316,6 +317,7 @@ GpuEditEngine::Outcome GpuEditEngine::carryOut(const core::BeginEdit& command)
         return refusal("transaction", "another edit is open");
     hideTolerance();
     m_cutPreviewer.forget();
+    m_growthMarks.begin(std::holds_alternative<core::GrowBurst>(command.edit));
     m_editMilliseconds = 0.0;
     auto transaction = EditTransaction::begin(m_programs, *m_fields, command.edit);
     if (!transaction)
@@ -344,6 +346,7 @@ GpuEditEngine::Outcome GpuEditEngine::carryOut(const core::EndEdit& command)
     m_growthMarks.hide();
     if (const std::optional<core::Error> why = m_transaction->abandoned()) {
         m_transaction.reset();
+        m_growthMarks.forget();
         return tl::unexpected(*why);
     }
     core::EngineResult result;
@@ -354,7 +357,25 @@ GpuEditEngine::Outcome GpuEditEngine::carryOut(const core::EndEdit& command)
     requireNoError();
     result.statistics.milliseconds = m_editMilliseconds;
     m_transaction.reset();
+    endMarks(command.ending, result.changes);
     return result;
+}
+
+/// The edit is worth more than its marks: where there is no memory for them there are none.
+void GpuEditEngine::endMarks(core::Ending ending, std::span<const core::BrickChange> changes)
+{
+    try {
+        if (ending == core::Ending::Rollback)
+            m_growthMarks.restore(*m_fields);
+        else if (m_growthMarks.keeps())
+            m_growthMarks.keep(*m_fields, compareGrowth(*m_fields, 0, changes).bricks);
+        else
+            m_growthMarks.forget();
+    } catch (const FieldsLost&) {
+        throw;
+    } catch (const std::exception&) {
+        m_growthMarks.forget();
+    }
 }
 
 void GpuEditEngine::hideTolerance()

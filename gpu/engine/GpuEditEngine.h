@@ -7,12 +7,14 @@
 #include "gpu/engine/IdleWork.h"
 #include "gpu/fields/textures/VolumeTextures.h"
 #include "gpu/frame/EditWorker.h"
+#include "gpu/kernels/growth/GrowthMarks.h"
 #include "gpu/kernels/labels/PickKernel.h"
 #include "gpu/kernels/shrink/CutPreviewer.h"
 
 #include <atomic>
 #include <memory>
 #include <optional>
+#include <span>
 
 namespace gpu {
 
@@ -99,6 +101,8 @@ private:
         const std::vector<core::BrickImage>& images, bool mayBeEmpty) const;
     Outcome put(const core::LabelGuard& guard, const std::vector<core::BrickImage>& now,
         std::vector<core::BrickImage> images);
+    /// Marks what the edit that has ended leaves to be shown.
+    void endMarks(core::Ending ending, std::span<const core::BrickChange> changes);
     /// Stops showing the tolerance field, because what it was computed from is about to change.
     void hideTolerance();
 
@@ -113,7 +117,7 @@ private:
     PickKernel m_picks;
     std::unique_ptr<VoxelFields> m_fields;
     CutPreviewer m_cutPreviewer;
-    PreviewMarks m_growthMarks; ///< what the open growth has changed
+    GrowthMarks m_growthMarks;
     std::unique_ptr<EditTransaction> m_transaction;
     std::optional<core::Error> m_lost; ///< why every command is refused until a volume is opened
     std::bitset<256> m_shownLabels;

@@ -254,7 +254,8 @@ void main()
     }
 #if LABELED
     const vec3 marksOwn = entry.rgb;
-    const float markShown = mark == growthReached ? entry.a : 1.0;
+    const float markShown
+        = mark == growthReached || mark == growthReinstated ? entry.a : 1.0;
 #else
     const vec3 marksOwn = vec3(1.0);
     const float markShown = 1.0;

@@ -126,9 +126,10 @@ void VoxelQuestions::dropCutPreview()
     m_line.ask(DropCutPreview{}, ignore);
 }
 
-void VoxelQuestions::compareGrowth(Answer<std::optional<GrowthComparison>> answer)
+void VoxelQuestions::compareGrowth(Answer<std::optional<GrowthComparison>> answer, bool keep)
 {
-    m_line.ask(CompareGrowth{}, answerWith(&EngineResult::growthComparison, std::move(answer)));
+    m_line.ask(CompareGrowth{.keep = keep},
+        answerWith(&EngineResult::growthComparison, std::move(answer)));
 }
 
 void VoxelQuestions::lastTouching(const Touch& touch, std::function<void(RowId)> answer)

@@ -34,19 +34,28 @@ ComparedGrowth compareGrowth(VoxelFields& fields, BeforeImages& before, std::uin
         if (key.field == core::Field::Labels && key.plane == plane)
             labels.push_back(key);
     }
-    const std::vector<core::BrickChange> changes = before.changes(std::move(labels));
+    return compareGrowth(fields, plane, before.changes(std::move(labels)));
+}
+
+ComparedGrowth compareGrowth(
+    VoxelFields& fields, std::uint8_t plane, std::span<const core::BrickChange> changes)
+{
+    std::vector<const core::BrickChange*> labels;
     std::vector<core::BrickKey> keys;
-    keys.reserve(changes.size());
-    for (const core::BrickChange& change : changes)
+    for (const core::BrickChange& change : changes) {
+        if (change.key.field != core::Field::Labels || change.key.plane != plane)
+            continue;
+        labels.push_back(&change);
         keys.push_back(
             {.field = core::Field::SeedWords, .plane = plane, .brick = change.key.brick});
+    }
     const std::vector<std::vector<std::uint8_t>> words = readImages(fields, keys);
 
     ComparedGrowth compared;
-    compared.bricks.reserve(changes.size());
-    for (std::size_t i = 0; i < changes.size(); ++i) {
-        const std::vector<std::uint8_t>& former = labelsOf(changes[i].before);
-        const std::vector<std::uint8_t>& now = labelsOf(changes[i].after);
+    compared.bricks.reserve(labels.size());
+    for (std::size_t i = 0; i < labels.size(); ++i) {
+        const std::vector<std::uint8_t>& former = labelsOf(labels[i]->before);
+        const std::vector<std::uint8_t>& now = labelsOf(labels[i]->after);
         std::vector<std::uint8_t> marks(perBrick, PreviewMarks::None);
         for (std::size_t voxel = 0; voxel < perBrick; ++voxel) {
             if (former[voxel] == now[voxel])
@@ -55,7 +64,7 @@ ComparedGrowth compareGrowth(VoxelFields& fields, BeforeImages& before, std::uin
             marks[voxel] = isReached ? PreviewMarks::Reached : PreviewMarks::Suspended;
             ++(isReached ? compared.counts.reached : compared.counts.suspended);
         }
-        compared.bricks.push_back({.brick = changes[i].key.brick, .marks = std::move(marks)});
+        compared.bricks.push_back({.brick = labels[i]->key.brick, .marks = std::move(marks)});
     }
     return compared;
 }

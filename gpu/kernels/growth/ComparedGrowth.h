@@ -6,6 +6,7 @@
 #include "gpu/kernels/shrink/PreviewMarks.h"
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace gpu {
@@ -22,5 +23,9 @@ struct ComparedGrowth {
 /// @param touched what the growth may have written; all of it was captured
 [[nodiscard]] ComparedGrowth compareGrowth(VoxelFields& fields, BeforeImages& before,
     std::uint8_t plane, const std::vector<core::BrickKey>& touched);
+/// The same of a growth that has ended.
+/// @param changes all that it has changed
+[[nodiscard]] ComparedGrowth compareGrowth(
+    VoxelFields& fields, std::uint8_t plane, std::span<const core::BrickChange> changes);
 
 } // namespace gpu

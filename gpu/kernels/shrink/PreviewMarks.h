@@ -22,6 +22,7 @@ public:
         Goes, ///< a cut would remove it
         Suspended, ///< it has left an open growth
         Reached, ///< an open growth has claimed it
+        Reinstated, ///< the same, after an earlier one had suspended it
     };
     struct Brick {
         std::uint32_t brick = 0;

@@ -8,6 +8,7 @@ layout(binding = 17) uniform usampler3D cutPreviewAtlas; // PreviewMarks::Mark
 const uint cutGoes = 1u; // a cut would remove it
 const uint growthSuspended = 2u; // it has left the growth
 const uint growthReached = 3u; // the growth has claimed it
+const uint growthReinstated = 4u; // the same, after an earlier growth had suspended it
 const vec3 cutPreviewColour = vec3(1.0, 0.30, 0.86);
 const vec3 cutPreviewDark = vec3(0.45, 0.02, 0.40);
 const vec3 suspendedColour = vec3(0.94, 0.25, 0.20);
@@ -32,6 +33,8 @@ vec3 previewMarkColour(uint mark, vec2 pixel, vec3 own)
     const bool bright = isBrightStripe(pixel);
     if (mark == growthReached)
         return bright ? own : mix(own, vec3(1.0), 0.55);
+    if (mark == growthReinstated)
+        return bright ? own : suspendedColour;
     if (mark == growthSuspended)
         return bright ? suspendedColour : suspendedDark;
     return bright ? cutPreviewColour : cutPreviewDark;
@@ -39,7 +42,7 @@ vec3 previewMarkColour(uint mark, vec2 pixel, vec3 own)
 
 vec3 previewMarkLine(uint mark, vec3 own)
 {
-    return mark == growthReached ? own
+    return mark == growthReached || mark == growthReinstated ? own
         : mark == growthSuspended ? suspendedColour
                                   : cutPreviewColour;
 }

@@ -292,6 +292,7 @@ vec3 segmentColour(vec3 at)
 #if CUT_PREVIEW
     float going = 0.0;
     float reached = 0.0;
+    float reinstated = 0.0;
 #endif
     for (int corner = 0; corner < 8; ++corner) {
         const ivec3 offset = ivec3(corner & 1, corner >> 1 & 1, corner >> 2);
@@ -315,6 +316,7 @@ vec3 segmentColour(vec3 at)
         const uint mark = previewMarkAt(there);
         going += mark == cutGoes ? weight : 0.0;
         reached += mark == growthReached ? weight : 0.0;
+        reinstated += mark == growthReinstated ? weight : 0.0;
 #endif
     }
     vec3 own = sum.a > 0.0 ? sum.rgb / sum.a : vec3(0.8);
@@ -326,7 +328,11 @@ vec3 segmentColour(vec3 at)
     own = warns(nearestVoxel) ? texelFetch(palette, ivec2(0), 0).rgb : own;
 #endif
 #if CUT_PREVIEW
-    const uint mark = going > 0.5 * sum.a ? cutGoes : reached > 0.5 * sum.a ? growthReached : 0u;
+    const float most = 0.5 * sum.a;
+    const uint mark = going > most ? cutGoes
+        : reached > most           ? growthReached
+        : reinstated > most        ? growthReinstated
+                                   : 0u;
     own = mark != 0u ? previewMarkColour(mark, gl_FragCoord.xy * pixelScale, own) : own;
 #endif
     return own;

@@ -20,6 +20,7 @@ private Q_SLOTS:
     void growsABall();
     void survivesAnOverflowingQueue();
     void swapsBackAndForth();
+    void keepsWhatIsSuspended();
 
 private:
     core::EngineResult resultOf(core::Ticket ticket);
@@ -123,6 +124,85 @@ void GpuEditEngineGlTest::swapsBackAndForth()
         QCOMPARE(undone.changes[i].before, grown.changes[i].after);
         QCOMPARE(undone.changes[i].after, grown.changes[i].before);
     }
+}
+
+/// Three bricks of different values beside each other; what an interval suspends of them stays
+/// known from drag to drag.
+void GpuEditEngineGlTest::keepsWhatIsSuspended()
+{
+    const glm::ivec3 size(48, 16, 16);
+    std::vector<std::uint16_t> codes;
+    for (int i = 0; i < size.x * size.y * size.z; ++i)
+        codes.push_back(std::uint16_t(100 * (1 + i % size.x / 16)));
+    QVERIFY(m_engine->openVolume(size, codes));
+    const core::SeedPlacement seed{.plane = 0, .label = 1, .voxels = {{2, 2, 2}}};
+    core::submitWhole(*m_engine, seed);
+    std::uint32_t generation = resultOf(
+        core::submitWhole(*m_engine, core::GrowBurst{.lowCode = 100, .highCode = 300},
+            {core::GrowAdvance{}})).generation;
+    QVERIFY(generation > 1);
+    const auto drag = [&](int high, bool keep, core::Ending ending) {
+        m_engine->submit(core::BeginEdit{core::GrowBurst{.lowCode = 100,
+            .highCode = high,
+            .opening = core::GrowOpening::Narrow,
+            .generation = generation}});
+        m_engine->submit(core::ExtendEdit{core::GrowAdvance{}});
+        const core::EngineResult asked =
+            resultOf(m_engine->submit(core::CompareGrowth{.keep = keep}));
+        core::EngineResult ended = resultOf(m_engine->submit(core::EndEdit{ending}));
+        if (asked.error || ended.error)
+            qFatal("the drag to %d failed", high);
+        if (ending == core::Ending::Commit)
+            generation = ended.generation;
+        return ended;
+    };
+    const auto isMarked = [&] {
+        bool is = false;
+        m_thread->run([&] { is = m_textures->cutPreview() != nullptr; });
+        return is;
+    };
+    /// From which x to which, in whole bricks; none if nothing is suspended.
+    const auto isSuspended = [&](int from, int to) {
+        core::VoxelBox box;
+        m_thread->run([&] { box = m_textures->suspended(); });
+        return isMarked() && !box.empty() && box.minimum.x == from && box.maximum.x == to;
+    };
+    const auto isNothingSuspended = [&] {
+        core::VoxelBox box;
+        m_thread->run([&] { box = m_textures->suspended(); });
+        return box.empty();
+    };
+    QVERIFY(!isMarked());
+    drag(100, true, core::Ending::Commit);
+    QVERIFY(isSuspended(16, 48));
+    drag(200, true, core::Ending::Commit); // the middle is reinstated
+    QVERIFY(isSuspended(32, 48));
+    drag(100, true, core::Ending::Rollback);
+    QVERIFY(isSuspended(32, 48));
+    drag(300, true, core::Ending::Commit);
+    QVERIFY(isNothingSuspended() && isMarked());
+    drag(200, true, core::Ending::Commit);
+    QVERIFY(isSuspended(32, 48));
+    drag(200, true, core::Ending::Commit); // nothing changes
+    QVERIFY(isSuspended(32, 48));
+    drag(200, false, core::Ending::Commit);
+    QVERIFY(isNothingSuspended() && !isMarked());
+    // Whoever asks no more, begins another edit or undoes this one sees none.
+    drag(100, true, core::Ending::Commit);
+    QVERIFY(isSuspended(16, 32));
+    QVERIFY(!resultOf(m_engine->submit(core::DropCutPreview{})).error);
+    QVERIFY(isNothingSuspended() && !isMarked());
+    drag(200, true, core::Ending::Commit);
+    QVERIFY(isNothingSuspended() && isMarked());
+    core::submitWhole(*m_engine, seed);
+    m_engine->finish();
+    QVERIFY(!isMarked());
+    core::SwapBricks back;
+    for (const core::BrickChange& change : drag(100, true, core::Ending::Commit).changes)
+        back.bricks.push_back({.key = change.key, .bytes = change.before});
+    QVERIFY(isSuspended(16, 32));
+    QVERIFY(!resultOf(m_engine->submit(back)).error);
+    QVERIFY(isNothingSuspended() && !isMarked());
 }
 
 BURIN_TEST(GpuEditEngineGlTest)

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/growth/SeedWord.h"
 #include "gpu/kernels/growth/ComparedGrowth.h"
+#include "gpu/kernels/growth/GrowthMarks.h"
 #include "gpu/kernels/shrink/CutPreviewer.h"
 #include "tests/support/fixtures/FrameTest.h"
 #include "tests/support/program/TestProgram.h"
 
 #include <QTest>
 
+#include <algorithm>
+#include <array>
 #include <numeric>
 
 namespace growthMarksGlTest {
@@ -411,6 +414,61 @@ private Q_SLOTS:
         QVERIFY(isGreen(plain));
         QVERIFY2(over.r > plain.r + 6, qPrintable(QString::number(over.r)));
         QVERIFY2(3 * over.g > 2 * plain.g && over.g < plain.g, qPrintable(QString::number(over.g)));
+        marks.hide();
+    }
+
+    void whatAnEarlierGrowthHasSuspendedIsSuspendedOrBack()
+    {
+        const auto brick = [](std::uint32_t number,
+                               const std::array<PreviewMarks::Mark, 3>& first) {
+            std::vector<std::uint8_t> marks(core::BrickGrid::voxelsPerBrick, PreviewMarks::None);
+            std::copy(first.begin(), first.end(), marks.begin());
+            return PreviewMarks::Brick{.brick = number, .marks = marks};
+        };
+        constexpr auto none = PreviewMarks::None;
+        constexpr auto suspended = PreviewMarks::Suspended;
+        constexpr auto reached = PreviewMarks::Reached;
+        constexpr auto reinstated = PreviewMarks::Reinstated;
+        const GrowthMarks::Bricks kept{brick(3, {suspended, suspended, reached}),
+            brick(5, {none, reached, reinstated}), brick(9, {none, none, suspended})};
+        const GrowthMarks::Bricks changed{
+            brick(3, {none, reached, suspended}), brick(7, {reached, none, none})};
+        const GrowthMarks::Bricks after{brick(3, {suspended, reinstated, suspended}),
+            brick(7, {reached, none, none}), brick(9, {none, none, suspended})};
+        QVERIFY(marksAfter(kept, changed) == after);
+        QVERIFY(marksAfter({}, changed) == changed);
+        QVERIFY(marksAfter({}, {}).empty());
+    }
+
+    void whatIsReinstatedIsStripedRedInItsColour()
+    {
+        open();
+        ComparedGrowth compared = move();
+        for (PreviewMarks::Brick& brick : compared.bricks)
+            std::replace(brick.marks.begin(), brick.marks.end(),
+                std::uint8_t(PreviewMarks::Reached), std::uint8_t(PreviewMarks::Reinstated));
+        m_fixture->fill(VolumeField::Segmentation, {{12, 12, 12}, {44, 36, 36}}, 255);
+        SegmentDisplay segments = greenSegment();
+        segments.showBarriers = false;
+        PreviewMarks marks(m_fixture->volume);
+        marks.show(*m_fixture->edits.fields, compared.bricks);
+        const std::array<Frame, 2> frames{m_fixture->draw(axial(), {96, 96}, segments),
+            m_fixture->draw(seenFrom({0, -300, 0}, RenderMode::Surface), {96, 96}, segments)};
+        for (const Frame& frame : frames) {
+            int red = 0;
+            int green = 0;
+            for (int y = 32; y < 64; ++y) {
+                for (int x = 76; x < 85; ++x) {
+                    const glm::ivec3 colour = test::pixel(frame, x, y);
+                    const bool isRedder = colour.r > 100 && colour.r > colour.g;
+                    QVERIFY(isRedder || isGreen(colour));
+                    ++(isRedder ? red : green);
+                }
+                for (int x = 28; x < 44; ++x)
+                    QVERIFY(isGreen(test::pixel(frame, x, y)));
+            }
+            QVERIFY(red > 50 && green > 50);
+        }
         marks.hide();
     }
 

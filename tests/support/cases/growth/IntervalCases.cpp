@@ -122,7 +122,7 @@ EngineCase randomDrags(int number)
                 GrowAdvance{random() % 4 ? GrowAdvance::toClosure : randomInt(random, 0, 5)}}));
             if ((drag + event) % 2 == 0) {
                 made.steps.push_back(Settle{});
-                made.steps.push_back(command(core::CompareGrowth{}));
+                made.steps.push_back(command(core::CompareGrowth{.keep = event % 3 != 0}));
             }
             move();
             if (event > 0)
