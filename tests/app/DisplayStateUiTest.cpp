@@ -133,7 +133,8 @@ private:
             .slabMode = gpu::SlabMode::Minimum,
             .slabMm = 12.25,
             .referenceLines = true,
-            .linkedPlaces = true});
+            .linkedPlaces = true,
+            .suspendedBodies = true});
         ui::Workspace::VolumeDisplay volume = workspace.volumeDisplay();
         volume.mode = gpu::RenderMode::Dvr;
         volume.surfaceThreshold = 444.0;

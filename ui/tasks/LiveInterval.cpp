@@ -49,6 +49,11 @@ void LiveInterval::settle()
 {
     if (m_wanted)
         send(true);
+    core::EditSession* session = m_workspace.session();
+    // However short the drag was, what it suspends is to be seen afterwards.
+    if (m_open && session && session->transactionOpen()
+        && m_workspace.viewOptions().suspendedBodies)
+        session->questions().compareGrowth([](const auto&) {}, true);
     end(core::Ending::Commit);
 }
 
@@ -133,7 +138,8 @@ void LiveInterval::compare()
             const core::Result<std::optional<core::GrowthComparison>>& comparison) {
             if (live && live->m_drag == drag)
                 live->take(comparison, asked, arrived);
-        });
+        },
+        m_workspace.viewOptions().suspendedBodies);
 }
 
 void LiveInterval::take(

@@ -25,7 +25,8 @@ class Workspace;
 ///
 /// Meanwhile every view marks what the bounds suspend and what they reach
 /// (VoxelQuestions::compareGrowth()). The engine finds that out; this class asks it, one question
-/// at a time, and puts the answer into words.
+/// at a time, and puts the answer into words. What is suspended stays marked after the release if
+/// the 3D view shows it (ViewOptions::suspendedBodies).
 class LiveInterval : public QObject {
     Q_OBJECT
 

@@ -208,6 +208,7 @@ void ImageView::requestFrame(bool interacting)
         request.segments.outlineWidthPixels = usual.outlineWidthPixels;
     } else if (!volume) {
         request.segments.voxelTrue = false; // slices have no bodies
+        request.segments.suspendedBodies = false;
     }
     request.interacting = interacting || m_rest.isActive() || (m_pointer.isAtWork() && !m_penRests);
     const bool same = m_requested && request.sizePixels == m_request.sizePixels

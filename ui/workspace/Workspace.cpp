@@ -235,6 +235,7 @@ gpu::SegmentDisplay Workspace::segmentDisplay() const
         ? 0.0f
         : float(m_viewOptions.segmentFillPercent) / 100.0f;
     display.voxelTrue = m_viewOptions.voxelTrueSegments;
+    display.suspendedBodies = m_viewOptions.suspendedBodies;
     for (const auto& [label, percent] : m_opacities)
         display.transparencyPercent[std::size_t(label)] = std::uint8_t(100 - percent);
     return display;

@@ -121,6 +121,8 @@ public:
         SegmentDrawing segmentDrawing = SegmentDrawing::FillAndOutline; ///< of all segments
         int segmentFillPercent = 35; ///< opacity of their fill in slices
         bool voxelTrueSegments = false; ///< in the 3D view: not smoothed, but as their voxels are
+        /// What an interval suspends has bodies in the 3D view and stays marked after a drag.
+        bool suspendedBodies = false;
         bool operator==(const ViewOptions&) const = default;
     };
 

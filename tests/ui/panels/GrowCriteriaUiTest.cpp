@@ -121,6 +121,22 @@ private Q_SLOTS:
         QCOMPARE(fixture.criteria().difference.value_or(0.0), 33.0);
     }
 
+    void whatIsSuspendedIsShownIfAskedFor()
+    {
+        CriteriaPanel fixture;
+        auto& shown = fixture.part<QCheckBox>("growSuspended");
+        QTRY_VERIFY(shown.isVisible());
+        QVERIFY(!shown.isChecked() && !fixture.workspace.segmentDisplay().suspendedBodies);
+        const core::GrowCriteria before = fixture.criteria();
+        QTest::mouseClick(&shown, Qt::LeftButton, {}, {10, shown.height() / 2});
+        QVERIFY(shown.isChecked() && fixture.workspace.segmentDisplay().suspendedBodies);
+        // It is no criterion.
+        QCOMPARE(fixture.criteria(), before);
+        QCOMPARE(fixture.part<QToolButton>("growCriteria").text(), QStringLiteral("Criteria"));
+        fixture.workspace.setViewOptions({});
+        QVERIFY(!shown.isChecked() && !fixture.workspace.segmentDisplay().suspendedBodies);
+    }
+
     /// Ventricle, brain and bone are 8, 40 and 900 HU: a step of 35 passes the first border alone.
     void aStepKeepsGrowthIn()
     {

@@ -4,6 +4,7 @@
 
 #include "core/edits/kinds/growth/ChangeInterval.h"
 #include "core/edits/kinds/growth/GrowCriteria.h"
+#include "core/engine/EngineCommands.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/fixtures/WorkspaceFixture.h"
 #include "tests/support/program/TestProgram.h"
@@ -19,8 +20,13 @@
 #include <QLabel>
 #include <QtTest>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <functional>
+#include <span>
+#include <utility>
+#include <variant>
 #include <vector>
 
 namespace liveIntervalUiTest {
@@ -40,8 +46,15 @@ public:
         , plot(*range.plot())
     {
         panel.show();
-        if (!QTest::qWaitForWindowExposed(&panel) || !ui::addSegment(workspace))
+        if (!QTest::qWaitForWindowExposed(&panel))
             qFatal("no panel");
+        seed(upper);
+    }
+    /// In a session without segments.
+    void seed(double upper)
+    {
+        if (!ui::addSegment(workspace))
+            qFatal("no segment");
         apply(middleSeed(1));
         ui::GrowSettings settings = workspace.growSettings();
         settings.lower = 0.0;
@@ -98,6 +111,37 @@ public:
     ui::GrowthPanel panel;
     ui::HistogramRange& range;
     ui::HistogramRangePlot& plot;
+};
+
+/// The oracle, but one that notes how it is asked.
+class NotingEngine final : public core::EditEngine {
+public:
+    core::Result<void> openVolume(
+        const glm::ivec3& size, std::span<const std::uint16_t> codes) override
+    {
+        return m_inner.openVolume(size, codes);
+    }
+    core::Ticket submit(core::EngineCommand command) override
+    {
+        if (const auto* compare = std::get_if<core::CompareGrowth>(&command))
+            kept.push_back(compare->keep);
+        if (std::holds_alternative<core::DropCutPreview>(command))
+            ++drops;
+        return m_inner.submit(std::move(command));
+    }
+    [[nodiscard]] std::vector<core::EngineResult> collect() override { return m_inner.collect(); }
+    void finish() override { m_inner.finish(); }
+    void setWakeUp(std::function<void()> wakeUp) override { m_inner.setWakeUp(std::move(wakeUp)); }
+    [[nodiscard]] core::GrowthProgress growthProgress() const override
+    {
+        return m_inner.growthProgress();
+    }
+
+    std::vector<bool> kept; ///< of each comparison
+    int drops = 0;
+
+private:
+    reference::ReferenceEngine m_inner;
 };
 
 constexpr glm::ivec3 inBrain{head::side / 2 + 9, head::side / 2, head::side / 2};
@@ -190,6 +234,39 @@ private Q_SLOTS:
         QVERIFY(line.text().isEmpty());
         fixture.panel.findChild<QCheckBox*>(QStringLiteral("growLive"))->click();
         QVERIFY(!line.isVisible());
+    }
+
+    /// What is suspended stays marked while the 3D view shows it, however short the drag was.
+    void whatTheViewIn3DShowsIsKept()
+    {
+        NotingEngine engine;
+        LivePanel fixture;
+        fixture.workspace.setSession(*core::EditSession::create(engine, head::volume(), {}));
+        fixture.seed(20.0);
+        fixture.grow();
+        auto& box = *fixture.panel.findChild<QCheckBox*>(QStringLiteral("growSuspended"));
+        const auto& line = *fixture.panel.findChild<QLabel*>(QStringLiteral("growIntervalChange"));
+        fixture.press(20.0);
+        fixture.moveTo(60.0);
+        QVERIFY(QTest::qWaitFor([&] {
+            fixture.session().poll();
+            return !line.text().isEmpty();
+        }));
+        fixture.release(60.0);
+        const std::size_t asked = engine.kept.size();
+        QVERIFY(asked > 0);
+        QVERIFY(std::count(engine.kept.begin(), engine.kept.end(), true) == 0);
+
+        box.click();
+        QCOMPARE(engine.drops, 0);
+        fixture.drag(fixture.range.upper(), 20.0);
+        QVERIFY(fixture.lastChange() && fixture.seen(inBrain, 0));
+        QVERIFY(engine.kept.size() > asked);
+        for (std::size_t i = asked; i < engine.kept.size(); ++i)
+            QVERIFY(engine.kept[i]);
+        box.click();
+        fixture.settle();
+        QCOMPARE(engine.drops, 1);
     }
 
     void aReleaseIsOneStepAndEqualsGrowingFromScratch()

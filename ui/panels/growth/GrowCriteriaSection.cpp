@@ -2,6 +2,8 @@
 #include "ui/panels/growth/GrowCriteriaSection.h"
 
 #include "core/edits/kinds/growth/GrowLimits.h"
+#include "core/session/EditSession.h"
+#include "core/session/questions/VoxelQuestions.h"
 #include "ui/base/SmallLabel.h"
 #include "ui/base/StudyTexts.h"
 #include "ui/base/Theme.h"
@@ -73,6 +75,7 @@ GrowCriteriaSection::GrowCriteriaSection(
     connect(&workspace, &Workspace::sessionChanged, this, &GrowCriteriaSection::showVolume);
     connect(&workspace, &Workspace::growSettingsChanged, this, &GrowCriteriaSection::showSettings);
     connect(&band, &SeedBand::changed, this, &GrowCriteriaSection::showBand);
+    connect(&workspace, &Workspace::viewOptionsChanged, this, &GrowCriteriaSection::showSuspended);
     showVolume();
 }
 
@@ -119,6 +122,7 @@ void GrowCriteriaSection::build()
     connect(m_onlyVisible, &QCheckBox::toggled, this, &GrowCriteriaSection::takeSwitches);
     grid->addWidget(m_onlyVisible, grid->rowCount(), 0, 1, 2);
     buildBox();
+    buildSuspended();
 
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
@@ -196,6 +200,38 @@ void GrowCriteriaSection::buildBox()
         connect(m_axes.of(axis), &RangeSlider::valuesEdited, this,
             [this, axis](double lower, double upper) { takeAxis(axis, lower, upper); });
     grid->addWidget(m_boxBody, line + 1, 0, 1, 2);
+}
+
+void GrowCriteriaSection::buildSuspended()
+{
+    m_suspended = new QCheckBox(tr("Suspended voxels in 3D"), m_body);
+    m_suspended->setObjectName(QStringLiteral("growSuspended"));
+    m_suspended->setMinimumHeight(theme::controlHeight);
+    m_suspended->setToolTip(
+        tr("What an interval suspends while it moves is shown in the 3D view, too, as a "
+           "translucent, striped body. It stays marked when the interval is released, until "
+           "something else is done; what another interval brings back of it is striped in red and "
+           "the segment's colour"));
+    connect(m_suspended, &QCheckBox::toggled, this, &GrowCriteriaSection::takeSuspended);
+    auto* grid = static_cast<QGridLayout*>(m_body->layout());
+    grid->addWidget(m_suspended, grid->rowCount(), 0, 1, 2);
+    showSuspended();
+}
+
+void GrowCriteriaSection::showSuspended()
+{
+    const QSignalBlocker quiet(m_suspended);
+    m_suspended->setChecked(m_workspace.viewOptions().suspendedBodies);
+}
+
+void GrowCriteriaSection::takeSuspended(bool shown)
+{
+    Workspace::ViewOptions options = m_workspace.viewOptions();
+    options.suspendedBodies = shown;
+    m_workspace.setViewOptions(options);
+    // What was kept for the 3D view is of no use in slices either.
+    if (core::EditSession* session = m_workspace.session(); session && !shown)
+        session->questions().dropCutPreview();
 }
 
 void GrowCriteriaSection::showVolume()

@@ -21,7 +21,8 @@ class SeedBand;
 class Workspace;
 
 /// The part of the growth panel for the limits of a growth besides its interval: one row per limit,
-/// with a tick and its value. Folded, it is one line that tells how many are on.
+/// with a tick and its value. Below them is whether the 3D view shows what an interval suspends.
+/// Folded, it is one line that tells how many limits are on.
 class GrowCriteriaSection : public QWidget {
     Q_OBJECT
 
@@ -41,9 +42,12 @@ private:
     void addRow(GrowSettings::Limit GrowSettings::*limit, const char* name, const QString& text,
         const QString& tip);
     void buildBox();
+    void buildSuspended();
     void showVolume();
     void showSettings();
     void showBand();
+    void showSuspended();
+    void takeSuspended(bool shown);
     void change(const Row& row);
     void takeSwitches();
     void takeAxis(int axis, double lower, double upper);
@@ -63,6 +67,7 @@ private:
     QToolButton* m_setBox = nullptr;
     QWidget* m_boxBody = nullptr;
     AxisSliders m_axes; ///< of the box
+    QCheckBox* m_suspended = nullptr;
 };
 
 } // namespace ui

@@ -135,6 +135,8 @@ QJsonObject DisplayState::composedViews() const
         object[QStringLiteral("colours")] = nameOf(options.colours);
     if (!m_workspace.segmentOpacities().empty())
         object[QStringLiteral("segments")] = opacitiesToJson(m_workspace.segmentOpacities());
+    if (options.suspendedBodies)
+        object[QStringLiteral("suspended")] = true;
     if (options.referenceLines)
         object[QStringLiteral("referenceLines")] = true;
     if (options.linkedPlaces)
@@ -203,6 +205,7 @@ void DisplayState::applyShown(const QJsonObject& state)
     read(state[QLatin1String("carvedAsHole")], options.carvedAsHole);
     read(state[QLatin1String("showBarriers")], options.showBarriers);
     const QJsonValue views = state[QLatin1String("views")];
+    options.suspendedBodies = views[QLatin1String("suspended")].toBool();
     options.referenceLines = views[QLatin1String("referenceLines")].toBool();
     options.linkedPlaces = views[QLatin1String("linkedPlaces")].toBool();
     options.colours = coloursNamed(views[QLatin1String("colours")].toString());
