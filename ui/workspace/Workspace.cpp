@@ -65,6 +65,8 @@ void Workspace::setSession(std::unique_ptr<core::EditSession> session)
                 followDisk();
             else if (change.what == core::DocumentChange::What::Layers)
                 followLayers();
+            else if (change.what == core::DocumentChange::What::History)
+                followOpacities();
             Q_EMIT documentChanged(change);
         });
         m_session->setErrorListener([this](const core::Error& error) { fail(error); });
@@ -80,6 +82,7 @@ void Workspace::setSession(std::unique_ptr<core::EditSession> session)
     m_activeSegment = 0;
     m_activeLayer = 0;
     m_opacities.clear();
+    m_lostOpacities.clear();
     if (const core::Volume* opened = volume()) {
         const core::VolumeGeometry& geometry = opened->geometry;
         m_crosshairLps = initialCrosshairLps(geometry);
@@ -345,6 +348,33 @@ void Workspace::setSegmentOpacities(const std::map<int, int>& percents)
         return;
     m_opacities = std::move(opacities);
     Q_EMIT viewOptionsChanged();
+}
+
+/// What a segment that has gone had is kept for its return, and not given to another one.
+void Workspace::followOpacities()
+{
+    const core::Document& document = m_session->document();
+    const core::History& history = m_session->history();
+    std::map<int, int> opacities;
+    for (const auto& [label, percent] : m_opacities) {
+        if (document.segment(label))
+            opacities[label] = percent;
+        else
+            m_lostOpacities[label] = {.percent = percent};
+    }
+    for (auto lost = m_lostOpacities.begin(); lost != m_lostOpacities.end();) {
+        std::optional<std::int64_t>& rowsWhenFree = lost->second.rowsWhenFree;
+        if (document.segment(lost->first)) {
+            if (!rowsWhenFree || history.position() <= *rowsWhenFree)
+                opacities.emplace(lost->first, lost->second.percent);
+            lost = m_lostOpacities.erase(lost);
+            continue;
+        }
+        if (!rowsWhenFree && lost->first > document.lastLabelGiven())
+            rowsWhenFree = std::int64_t(history.rows().size());
+        ++lost;
+    }
+    setSegmentOpacities(opacities);
 }
 
 int Workspace::segmentOpacity(int label) const

@@ -200,7 +200,8 @@ public:
 
     static constexpr int leastSegmentOpacity = 5; ///< percent: none is lost from sight
     /// How opaque segments are drawn in all views, in percent by label; those that are not named
-    /// are opaque. Kept with the session, and no step of undo. A new session begins without.
+    /// are opaque. Kept with the session, and no step of undo. A new session begins without, and so
+    /// does a new segment with the number of one that was undone; one that comes back has its own.
     [[nodiscard]] const std::map<int, int>& segmentOpacities() const { return m_opacities; }
     void setSegmentOpacities(const std::map<int, int>& percents);
     [[nodiscard]] int segmentOpacity(int label) const;
@@ -280,6 +281,15 @@ Q_SIGNALS:
 private:
     void followDisk();
     void followLayers();
+    void followOpacities();
+
+    /// The opacity of a segment that the document does not hold at present.
+    struct LostOpacity {
+        int percent = 100;
+        /// The number of rows when its label was free for a new segment, which a row after these
+        /// adds; none: no other segment can have it.
+        std::optional<std::int64_t> rowsWhenFree{};
+    };
 
     gpu::FrameSource& m_frames;
     std::unique_ptr<core::EditSession> m_session;
@@ -306,6 +316,7 @@ private:
     std::optional<gpu::ToleranceDisplay> m_atTolerance;
     ViewOptions m_viewOptions;
     std::map<int, int> m_opacities; ///< of segments, in percent by label; none is 100
+    std::map<int, LostOpacity> m_lostOpacities; ///< by label
     bool m_cautionAccepted = false;
     std::optional<std::uint32_t> m_warnAfter;
     std::optional<glm::dvec3> m_pointedLps;
