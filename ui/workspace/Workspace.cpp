@@ -221,7 +221,13 @@ void Workspace::setClip(const core::ClipRegion& clip)
         Q_EMIT editableChanged();
 }
 
-gpu::SegmentDisplay Workspace::segmentDisplay() const
+Workspace::DrawnSegments Workspace::drawnSegments(const SegmentLook& look) const
+{
+    return {look.drawing.value_or(m_viewOptions.segmentDrawing),
+        look.fillPercent.value_or(m_viewOptions.segmentFillPercent)};
+}
+
+gpu::SegmentDisplay Workspace::segmentDisplay(const SegmentLook& look) const
 {
     if (!m_session)
         return {};
@@ -232,11 +238,11 @@ gpu::SegmentDisplay Workspace::segmentDisplay() const
         display.warnAfterGeneration = *m_warnAfter;
     display.atTolerance = m_atTolerance;
     display.showBarriers = m_viewOptions.showBarriers;
-    if (m_viewOptions.segmentDrawing == SegmentDrawing::Fill)
+    const DrawnSegments drawn = drawnSegments(look);
+    if (drawn.drawing == SegmentDrawing::Fill)
         display.outlineWidthPixels = 0.0f;
-    display.fillOpacity = m_viewOptions.segmentDrawing == SegmentDrawing::Outline
-        ? 0.0f
-        : float(m_viewOptions.segmentFillPercent) / 100.0f;
+    display.fillOpacity =
+        drawn.drawing == SegmentDrawing::Outline ? 0.0f : float(drawn.fillPercent) / 100.0f;
     display.voxelTrue = m_viewOptions.voxelTrueSegments;
     for (const auto& [label, percent] : m_opacities)
         display.transparencyPercent[std::size_t(label)] = std::uint8_t(100 - percent);

@@ -123,6 +123,19 @@ public:
         bool voxelTrueSegments = false; ///< in the 3D view: not smoothed, but as their voxels are
         bool operator==(const ViewOptions&) const = default;
     };
+    static constexpr int leastSegmentFill = 5; ///< percent
+    /// How one slice view draws segments; what it does not name is as in all views (ViewOptions).
+    struct SegmentLook {
+        std::optional<SegmentDrawing> drawing{};
+        std::optional<int> fillPercent{};
+        [[nodiscard]] bool isUsual() const { return !drawing && !fillPercent; }
+        bool operator==(const SegmentLook&) const = default;
+    };
+    /// What such a look comes to.
+    struct DrawnSegments {
+        SegmentDrawing drawing;
+        int fillPercent;
+    };
 
     explicit Workspace(gpu::FrameSource& frames, QObject* parent = nullptr);
     ~Workspace() override;
@@ -168,7 +181,14 @@ public:
     void setMeasured(const core::Measured& measured);
     [[nodiscard]] PendingSeeds& seeds() const { return *m_seeds; }
     [[nodiscard]] LayerLooks& layerLooks() const { return *m_layerLooks; }
-    [[nodiscard]] gpu::SegmentDisplay segmentDisplay() const; ///< from the document
+    [[nodiscard]] DrawnSegments drawnSegments(const SegmentLook& look) const;
+    /// From the document.
+    /// @param look of the view; without, as in all views
+    [[nodiscard]] gpu::SegmentDisplay segmentDisplay(const SegmentLook& look) const;
+    [[nodiscard]] gpu::SegmentDisplay segmentDisplay() const
+    {
+        return segmentDisplay(SegmentLook());
+    }
     /// Draws what growth has added after a generation in the warning colour; none: nothing.
     void setWarnAfter(std::optional<std::uint32_t> generation);
 
