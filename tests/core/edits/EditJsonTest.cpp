@@ -233,6 +233,12 @@ private Q_SLOTS:
         QVERIFY(contour->get<EvolveContour>() == EvolveContour{.segment = 2});
         QVERIFY(bubble->get<EvolveContour>().bubbleLps == glm::dvec3(1.0, 2.0, 3.0));
         QCOMPARE(bubble->get<EvolveContour>().generations, 7);
+        QVERIFY(!editToJson(*contour).contains(QLatin1String("round")));
+        const Result<Edit> round =
+            editFromJson(parse("{'edit':'evolveContour','segment':2,'round':true}"));
+        QVERIFY(round);
+        QVERIFY(round->get<EvolveContour>() == (EvolveContour{.segment = 2, .round = true}));
+        QVERIFY(editToJson(*round)[QLatin1String("round")].toBool());
         QVERIFY(bubble->get<EvolveContour>().lower == 1.0 && !bubble->get<EvolveContour>().upper);
         const Result<Edit> flood = editFromJson(parse("{'edit':'floodFill','segment':2,"
                                                       "'placeLps':[1,2,3],'tolerance':40}"));

@@ -957,6 +957,8 @@ private:
         }
         contour.generations = between(1, 6);
         contour.overwriteUnlocked = chance(40);
+        if (chance(50))
+            contour.round = chance(80);
         return contour;
     }
     ThresholdSegment randomThreshold(const Document& document)
