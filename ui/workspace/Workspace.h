@@ -78,6 +78,9 @@ public:
         bool radiusByPressure = false; ///< of a pen; else its pressure does nothing
         bool followsEdges = false; ///< paint, on slices
         double edgeTolerance = 0.0; ///< modality units; 0: none was chosen yet
+        /// The pressure of a pen is a share of the tolerance while it follows edges, and the radius
+        /// is whole.
+        bool toleranceByPressure = false;
         static constexpr double greatestEdgeTolerance = 1e6;
         bool operator==(const BrushSettings&) const = default;
     };

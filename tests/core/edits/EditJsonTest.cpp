@@ -518,6 +518,13 @@ private Q_SLOTS:
             "{'edit':'paint','segment':2,'radiusMm':6,'pointsLps':[[0,0,0]],'edgeTolerance':40}"));
         QVERIFY(edgewise);
         QCOMPARE(*edgewise->get<PaintStroke>().edgeTolerance, 40.0);
+        QVERIFY(!editToJson(*edgewise).contains(QLatin1String("toleranceByPressure")));
+        const Result<Edit> byPen =
+            editFromJson(parse("{'edit':'paint','segment':2,'radiusMm':6,'pointsLps':[[0,0,0]],"
+                               "'pressures':[0.5],'edgeTolerance':40,'toleranceByPressure':true}"));
+        QVERIFY(byPen);
+        QVERIFY(byPen->get<PaintStroke>().toleranceByPressure.value_or(false));
+        QCOMPARE(editToJson(*editFromJson(editToJson(*byPen))), editToJson(*byPen));
         QCOMPARE(editToJson(*editFromJson(editToJson(*edgewise))), editToJson(*edgewise));
         QVERIFY(!editFromJson(parse("{'edit':'paint','segment':2,'radiusMm':6,"
                                     "'pointsLps':[[0,0,0]],'edgeTolerance':-1}")));
