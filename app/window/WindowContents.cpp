@@ -11,6 +11,7 @@
 #include "ui/measure/MeasuredRegions.h"
 #include "ui/panels/ClippingPanel.h"
 #include "ui/panels/SeriesDoctorPanel.h"
+#include "ui/panels/TimePoints.h"
 #include "ui/panels/VolumePanel.h"
 #include "ui/panels/contour/ContourPanel.h"
 #include "ui/panels/growth/GrowthActions.h"
@@ -302,8 +303,11 @@ void addTimes(ui::MainWindow& window, ui::TimeSteps& steps)
         .possible = [&steps] { return steps.hasPoint(1); }});
     for (QAction* each : {&toPrevious, &toNext})
         window.fileMenu().insertAction(&actions[QStringLiteral("file.importMask")], each);
-    QObject::connect(window.findChild<ui::SeriesDoctorPanel*>(),
-        &ui::SeriesDoctorPanel::timeRequested, &steps, &ui::TimeSteps::openPoint);
+    const ui::TimePoints& points = window.findChild<ui::SeriesDoctorPanel*>()->times();
+    QObject::connect(&points, &ui::TimePoints::requested, &steps, &ui::TimeSteps::openPoint);
+    QObject::connect(&points, &ui::TimePoints::playRequested, &steps, &ui::TimeSteps::play);
+    QObject::connect(&points, &ui::TimePoints::pauseRequested, &steps, &ui::TimeSteps::pause);
+    QObject::connect(&steps, &ui::TimeSteps::playingChanged, &points, &ui::TimePoints::showPlaying);
     actions.refresh();
 }
 

@@ -70,8 +70,10 @@ glm::ivec3 ContourEvolution::voxelAt(Place place) const
             int(place % columns), int(place / columns % rows), int(place / columns / rows));
 }
 
-/// The six that lie in the volume. Those of a voxel that may be reached lie in the box.
-template <class Visit> void ContourEvolution::visitNeighbours(Place place, Visit&& visit) const
+/// The six that lie in the volume, or eighteen. Those of a voxel that may be reached lie in the
+/// box.
+template <class Visit>
+void ContourEvolution::visitNeighbours(Place place, bool isWide, Visit&& visit) const
 {
     const glm::ivec3 voxel = voxelAt(place);
     for (int axis = 0; axis < 3; ++axis) {
@@ -81,15 +83,30 @@ template <class Visit> void ContourEvolution::visitNeighbours(Place place, Visit
         if (voxel[axis] + 1 < m_ground.box.maximum[axis])
             visit(Place(place + stride));
     }
+    if (!isWide)
+        return;
+    const auto leads = [&](int axis, int to) {
+        return voxel[axis] + to >= m_ground.box.minimum[axis]
+            && voxel[axis] + to < m_ground.box.maximum[axis];
+    };
+    for (const auto& [one, other] : {std::pair(0, 1), std::pair(0, 2), std::pair(1, 2)}) {
+        for (const int along : {-1, 1}) {
+            for (const int across : {-1, 1}) {
+                if (leads(one, along) && leads(other, across))
+                    visit(Place(place + along * m_strides[std::size_t(one)]
+                        + across * m_strides[std::size_t(other)]));
+            }
+        }
+    }
 }
 
-bool ContourEvolution::isAtFront(Place place) const
+bool ContourEvolution::isAtFront(Place place, bool isWide) const
 {
     const std::uint8_t own = m_ground.voxels[place];
     if (!(own & ContourGround::open))
         return false;
     bool isThere = false;
-    visitNeighbours(place, [&](Place next) {
+    visitNeighbours(place, isWide, [&](Place next) {
         isThere = isThere || ((m_ground.voxels[next] ^ own) & ContourGround::inside);
     });
     return isThere;
@@ -169,7 +186,7 @@ bool ContourEvolution::findFront(const Progress& progress)
         if (!(m_ground.voxels[place] & ContourGround::inside))
             continue;
         come(Place(place));
-        visitNeighbours(Place(place), come);
+        visitNeighbours(Place(place), m_rule.round, come);
     }
     m_frontKnown = true;
     return true;
@@ -177,7 +194,7 @@ bool ContourEvolution::findFront(const Progress& progress)
 
 void ContourEvolution::comeToFront(Place place)
 {
-    if (!(m_ground.voxels[place] & atFront) && isAtFront(place)) {
+    if (!(m_ground.voxels[place] & atFront) && isAtFront(place, m_rule.round)) {
         m_ground.voxels[place] |= atFront;
         m_front.push_back(place);
     }
@@ -189,10 +206,10 @@ void ContourEvolution::moveFront(std::span<const Place> changed)
     const auto come = [this](Place place) { comeToFront(place); };
     for (const Place place : changed) {
         come(place);
-        visitNeighbours(place, come);
+        visitNeighbours(place, m_rule.round, come);
     }
     const auto left = [this](Place place) {
-        if (isAtFront(place))
+        if (isAtFront(place, m_rule.round))
             return false;
         m_ground.voxels[place] &= std::uint8_t(~atFront);
         return true;
@@ -200,15 +217,15 @@ void ContourEvolution::moveFront(std::span<const Place> changed)
     m_front.erase(std::remove_if(m_front.begin(), m_front.end(), left), m_front.end());
 }
 
-bool ContourEvolution::step(const Progress& progress)
+bool ContourEvolution::ask(bool isWide, std::vector<Place>& changed, const Progress& progress)
 {
-    if (!m_frontKnown && !findFront(progress))
-        return false;
     std::vector<std::vector<Place>> classes(
         std::size_t(m_period.x) * std::size_t(m_period.y) * std::size_t(m_period.z));
-    for (const Place place : m_front)
-        classes[classOf(place)].push_back(place);
-    std::vector<Place> changed;
+    const bool isPart = m_rule.round && !isWide; // of those that are kept
+    for (const Place place : m_front) {
+        if (!isPart || isAtFront(place, isWide))
+            classes[classOf(place)].push_back(place);
+    }
     const auto flipFrom = [&](std::size_t first) {
         for (std::size_t each = first; each < changed.size(); ++each)
             m_ground.voxels[changed[each]] ^= ContourGround::inside;
@@ -222,11 +239,25 @@ bool ContourEvolution::step(const Progress& progress)
                 flipFrom(0);
                 return false;
             }
-            if (isAtFront(place) && wantsOtherSide(place))
+            if (isAtFront(place, isWide) && wantsOtherSide(place))
                 changed.push_back(place);
         }
         flipFrom(before);
     }
+    return true;
+}
+
+bool ContourEvolution::step(const Progress& progress)
+{
+    if (!m_frontKnown && !findFront(progress))
+        return false;
+    const bool isEven = (m_generation + 1) % 2 == 0;
+    const bool isWide = m_rule.round && isEven;
+    std::vector<Place> changed;
+    if (!ask(isWide, changed, progress))
+        return false;
+    if (changed.empty() && m_rule.round && !isWide && !ask(true, changed, progress))
+        return false;
     m_rests = changed.empty();
     if (m_rests)
         return false;

@@ -73,15 +73,18 @@ private:
     static constexpr std::uint8_t atFront = 8; ///< a flag: is in m_front
 
     [[nodiscard]] glm::ivec3 voxelAt(Place place) const;
-    [[nodiscard]] bool isAtFront(Place place) const;
+    [[nodiscard]] bool isAtFront(Place place, bool isWide) const;
     [[nodiscard]] bool wantsOtherSide(Place place);
     [[nodiscard]] int edgeAt(Place place);
     [[nodiscard]] int codeNear(glm::ivec3 voxel) const;
     [[nodiscard]] std::size_t classOf(Place place) const;
     [[nodiscard]] bool findFront(const Progress& progress);
+    /// Asks the front and changes what wants the other side. @return false: it was cancelled, and
+    /// nothing has changed
+    [[nodiscard]] bool ask(bool isWide, std::vector<Place>& changed, const Progress& progress);
     void comeToFront(Place place);
     void moveFront(std::span<const Place> changed);
-    template <class Visit> void visitNeighbours(Place place, Visit&& visit) const;
+    template <class Visit> void visitNeighbours(Place place, bool isWide, Visit&& visit) const;
 
     ContourRule m_rule;
     ContourGround m_ground;
@@ -90,7 +93,7 @@ private:
     std::array<std::int64_t, 3> m_strides;
     std::vector<std::int64_t> m_steps; ///< of the kernel, in the box
     std::vector<std::uint8_t> m_edges; ///< g(v); 0: not asked for yet
-    std::vector<Place> m_front;
+    std::vector<Place> m_front; ///< of a wide generation, if there are any
     bool m_frontKnown = false;
     bool m_rests = false;
     int m_generation = 0;

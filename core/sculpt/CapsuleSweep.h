@@ -64,6 +64,9 @@ struct Capsule {
     /// mm16, 0 … the frame's radius: by how much its own radius is smaller, since the pen was not
     /// pressed fully. A radius that changes along the path is made of many short capsules.
     std::int32_t less = 0;
+    /// 0 … 255: how much of the tolerance of a brush that follows edges counts here (EdgeRegion.h),
+    /// where that follows the pressure instead of the radius.
+    std::int32_t strength = 255;
 };
 
 /// Whether every number of the frame is in the range that the rules allow.

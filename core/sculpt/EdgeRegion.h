@@ -19,8 +19,9 @@ namespace core {
 ///    count that lie in the volume and, for a flat brush, in its slab (CapsuleSweep.h, rule 2);
 ///    `start` itself always does. The value is the lower median of their n codes: the code at place
 ///    ⌊(n − 1) / 2⌋ of the ascending list, counted from 0. It holds for the whole stroke.
-/// 2. A voxel is alike if it is inside a capsule of the stroke (CapsuleSweep.h, rule 4), its code
-///    is one that the edit may change at all, and differs from the value by at most `tolerance`.
+/// 2. A voxel is alike if its code is one that the edit may change at all, and it is inside a
+///    capsule of the stroke (CapsuleSweep.h, rule 4) whose tolerance, ⌊tolerance · strength / 255⌋,
+///    its difference from the value does not exceed.
 /// 3. A member is an alike voxel under the pen (CapsulePath::under), or one that steps through
 ///    alike voxels lead to from there. For a ball or cube a step changes one component of the index
 ///    by 1. A flat brush is one voxel thick along its main axis, the one of which |perI.z|,

@@ -361,6 +361,35 @@ private Q_SLOTS:
         QVERIFY(!named(*application));
     }
 
+    /// Views that draw segments in their own way do so again; one that no longer does is as all.
+    void looksOfViewsComeBack()
+    {
+        using Look = ui::Workspace::SegmentLook;
+        const Look outline{.drawing = ui::Workspace::SegmentDrawing::Outline};
+        {
+            const auto application = opened();
+            const ui::ViewGrid& views = application->window().views();
+            QVERIFY(views.coronal().segmentLook().isUsual());
+            views.coronal().setSegmentLook(outline);
+            views.plane().setSegmentLook({.fillPercent = 80});
+        }
+        {
+            const auto application = opened();
+            const ui::ViewGrid& views = application->window().views();
+            QVERIFY(views.coronal().segmentLook() == outline);
+            QVERIFY(views.plane().segmentLook() == (Look{.fillPercent = 80}));
+            QVERIFY(views.axial().segmentLook().isUsual());
+            views.coronal().setSegmentLook({});
+            views.plane().setSegmentLook({});
+        }
+        const auto application = opened();
+        QVERIFY(application->window().views().coronal().segmentLook().isUsual());
+        QVERIFY(!displayOf(application->window())
+                     .composed()[QLatin1String("views")]
+                     .toObject()
+                     .contains(QLatin1String("segmentLooks")));
+    }
+
     /// The cutting plane where it was, and the pen view beside the stage.
     void thePlaneComesBack()
     {

@@ -78,11 +78,11 @@ void Capsules::followEdges(const core::PaintLabel& paint, const core::CapsulePat
     const int value = edgeValue(paint.edges->start);
     for (const glm::ivec3& voxel : all) {
         const int code = m_codes.at(voxel);
-        if (code < paint.lowCode || code > paint.highCode
-            || std::abs(code - value) > paint.edges->tolerance)
+        if (code < paint.lowCode || code > paint.highCode)
             continue;
         for (const core::Capsule& capsule : path.capsules) {
-            if (isWithin(capsule, voxel))
+            const int tolerance = paint.edges->tolerance * capsule.strength / 255;
+            if (std::abs(code - value) <= tolerance && isWithin(capsule, voxel))
                 m_alike.at(voxel) = 1;
         }
     }

@@ -101,26 +101,29 @@ std::int64_t evennessAt(const Contour& contour, const ContourGrid& grid, const g
     return 255 - contour.rule.edge * (255 - h) / 100;
 }
 
-bool isAtFront(const Contour& contour, const ContourGrid& grid, const glm::ivec3& voxel)
+bool isAtFront(
+    const Contour& contour, const ContourGrid& grid, const glm::ivec3& voxel, bool isWide)
 {
     const std::size_t own = grid.at(voxel);
     if (!contour.open[own])
         return false;
-    for (int axis = 0; axis < 3; ++axis) {
-        for (const int to : {-1, 1}) {
-            glm::ivec3 next = voxel;
-            next[axis] += to;
-            if (grid.holds(next) && contour.inside[grid.at(next)] != contour.inside[own])
-                return true;
-        }
+    for (int step = 0; step < 27; ++step) {
+        const glm::ivec3 to(step % 3 - 1, step / 3 % 3 - 1, step / 9 - 1);
+        const int axes = std::abs(to.x) + std::abs(to.y) + std::abs(to.z);
+        if (axes == 0 || axes > (isWide ? 2 : 1) || !grid.holds(voxel + to))
+            continue;
+        if (contour.inside[grid.at(voxel + to)] != contour.inside[own])
+            return true;
     }
     return false;
 }
 
-} // namespace
-
-std::size_t Contour::step()
+/// Asks the front once. @return how many voxels changed
+std::size_t askFront(Contour& contour, bool isWide)
 {
+    const core::LoadedVolume* study = contour.study;
+    const core::ContourRule& rule = contour.rule;
+    std::vector<bool>& inside = contour.inside;
     const ContourGrid grid{study->volume.geometry.size};
     const Weights weights(study->volume.geometry);
     glm::ivec3 period(2);
@@ -132,7 +135,7 @@ std::size_t Contour::step()
     std::map<int, std::vector<glm::ivec3>> classes;
     grid.visitAll([&](const glm::ivec3& voxel) {
         const glm::ivec3 in = voxel % period;
-        if (isAtFront(*this, grid, voxel))
+        if (isAtFront(contour, grid, voxel, isWide))
             classes[in.x + period.x * (in.y + period.y * in.z)].push_back(voxel);
     });
     std::size_t changed = 0;
@@ -140,17 +143,17 @@ std::size_t Contour::step()
         // One after the other, backwards: within a class that must not matter.
         for (auto each = voxels.rbegin(); each != voxels.rend(); ++each) {
             const glm::ivec3 voxel = *each;
-            if (!isAtFront(*this, grid, voxel))
+            if (!isAtFront(contour, grid, voxel, isWide))
                 continue;
-            const std::int64_t g = evennessAt(*this, grid, voxel);
+            const std::int64_t g = evennessAt(contour, grid, voxel);
             std::int64_t around = 0;
             weights.visitSteps([&](const glm::ivec3& to, std::int64_t weight) {
                 if (grid.holds(voxel + to))
-                    around += weight * (g + evennessAt(*this, grid, voxel + to))
+                    around += weight * (g + evennessAt(contour, grid, voxel + to))
                         * (inside[grid.at(voxel + to)] ? 1 : -1);
             });
             const std::int64_t speed =
-                rule.region * total * regionAt(*this, grid, voxel) + rule.smoothness * around;
+                rule.region * total * regionAt(contour, grid, voxel) + rule.smoothness * around;
             const std::size_t own = grid.at(voxel);
             if (inside[own] ? speed < 0 : speed > 0) {
                 inside[own] = !inside[own];
@@ -158,6 +161,19 @@ std::size_t Contour::step()
             }
         }
     }
+    return changed;
+}
+
+} // namespace
+
+std::size_t Contour::step()
+{
+    const bool isWide = rule.round && generation % 2 == 1;
+    std::size_t changed = askFront(*this, isWide);
+    if (changed == 0 && rule.round && !isWide)
+        changed = askFront(*this, true);
+    if (changed > 0)
+        ++generation;
     return changed;
 }
 

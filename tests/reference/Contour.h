@@ -20,8 +20,9 @@ struct Contour {
     core::ContourRule rule{};
     std::vector<bool> inside{};
     std::vector<bool> open{}; ///< may change
+    int generation = 0; ///< how many there have been
 
-    /// One generation. @return how many voxels it changed
+    /// One generation more. @return how many voxels it changed
     std::size_t step();
     /// E of the rule. A generation that changes anything lowers it.
     [[nodiscard]] double energy() const;

@@ -3,7 +3,9 @@
 
 #include "core/brick/LabelBox.h"
 #include "core/brick/LabelRuns.h"
+#include "core/export/common/ImportedSegments.h"
 #include "core/export/common/SegmentMeter.h"
+#include "core/session/past/PastImports.h"
 #include "core/session/questions/VoxelQuestions.h"
 #include "ui/workspace/Workspace.h"
 
@@ -37,6 +39,7 @@ struct LiveStatistics::Job {
     core::VolumeGeometry geometry;
     core::VoxelEncoding encoding;
     std::vector<core::Segment> segments{}; ///< to be measured, in turn
+    std::vector<core::DoneImport> imports{};
     std::size_t current = 0;
     LabelFetch::Planes planes{};
     std::span<const std::uint8_t> labels{}; ///< of the current one's plane
@@ -62,6 +65,14 @@ struct LiveStatistics::Job {
         box = core::boxOfLabel(labels, geometry.size, its.label);
         nextSlice = box.minimum.z;
         meter.emplace(geometry, encoding, its, labels);
+    }
+    [[nodiscard]] core::SegmentStatistics measured() const
+    {
+        core::SegmentStatistics found = meter->statistics();
+        if (!imports.empty())
+            found.sinceImport = core::changeSinceImport(*voxels, segment().label,
+                core::importedAs({segment()}, imports, geometry.voxelCount()), geometry);
+        return found;
     }
 };
 
@@ -192,8 +203,10 @@ void LiveStatistics::look()
     if (session->transactionOpen() || !session->idle())
         return later();
     const core::Volume& volume = *m_workspace.volume();
-    m_job = std::make_shared<Job>(Job{
-        .geometry = volume.geometry, .encoding = volume.encoding, .segments = std::move(wanted)});
+    m_job = std::make_shared<Job>(Job{.geometry = volume.geometry,
+        .encoding = volume.encoding,
+        .segments = std::move(wanted),
+        .imports = core::doneImports(session->history())});
     m_fetch.start(*session, planes);
 }
 
@@ -267,7 +280,7 @@ void LiveStatistics::count(const core::VoxelBox& box, std::vector<std::uint16_t>
 void LiveStatistics::measure()
 {
     m_background.start(
-        this, [job = m_job] { return job->meter->statistics(); },
+        this, [job = m_job] { return job->measured(); },
         [this](const core::Result<core::SegmentStatistics>& measured) {
             if (!measured)
                 return fail(measured.error());

@@ -25,7 +25,6 @@ using Drawing = Workspace::SegmentDrawing;
 constexpr QLatin1String drawingKey("segments/drawing");
 constexpr QLatin1String fillKey("segments/fillPercent");
 constexpr QLatin1String voxelTrueKey("segments/voxelTrue");
-constexpr int leastFillPercent = 5;
 constexpr int fillStepPercent = 5;
 
 /// In the settings, by Drawing.
@@ -43,7 +42,7 @@ void restoreDrawing(Workspace& workspace)
     bool isNumber = false;
     const int percent = settings.value(fillKey).toInt(&isNumber);
     if (isNumber)
-        options.segmentFillPercent = std::clamp(percent, leastFillPercent, 100);
+        options.segmentFillPercent = std::clamp(percent, Workspace::leastSegmentFill, 100);
     options.voxelTrueSegments = settings.value(voxelTrueKey).toString() == QLatin1String("true");
     workspace.setViewOptions(options);
 }
@@ -68,7 +67,7 @@ void changeFill(Workspace& workspace, int byPercent)
 {
     Workspace::ViewOptions options = workspace.viewOptions();
     options.segmentFillPercent =
-        std::clamp(options.segmentFillPercent + byPercent, leastFillPercent, 100);
+        std::clamp(options.segmentFillPercent + byPercent, Workspace::leastSegmentFill, 100);
     workspace.setViewOptions(options);
     QSettings().setValue(fillKey, options.segmentFillPercent);
     workspace.say(

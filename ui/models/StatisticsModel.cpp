@@ -23,7 +23,17 @@ namespace ui {
 namespace {
 
 /// What kind of number stands in a column.
-enum class NumberKind { Millilitres, Value, MeanValue, SquareMm, Mm, Ratio, Count };
+enum class NumberKind {
+    Millilitres,
+    ChangedMl, ///< since an import
+    Value,
+    MeanValue,
+    SquareMm,
+    Mm,
+    Ratio, ///< of sizes in millimetres
+    Share, ///< of voxels
+    Count
+};
 
 struct StatisticsColumn {
     const char* key; ///< in an exported table
@@ -32,7 +42,7 @@ struct StatisticsColumn {
     NumberKind kind;
 };
 
-constexpr std::array<StatisticsColumn, 16> statisticsColumns{{
+constexpr std::array<StatisticsColumn, 19> statisticsColumns{{
     {"volumeMl", QT_TRANSLATE_NOOP("ui::StatisticsModel", "Volume"),
         QT_TRANSLATE_NOOP("ui::StatisticsModel", "Volume"), NumberKind::Millilitres},
     {"mean", QT_TRANSLATE_NOOP("ui::StatisticsModel", "Mean"),
@@ -65,6 +75,12 @@ constexpr std::array<StatisticsColumn, 16> statisticsColumns{{
         QT_TRANSLATE_NOOP("ui::StatisticsModel", "Longest diameter"), NumberKind::Mm},
     {"voxels", QT_TRANSLATE_NOOP("ui::StatisticsModel", "Voxels"),
         QT_TRANSLATE_NOOP("ui::StatisticsModel", "Number of voxels"), NumberKind::Count},
+    {"importAddedMl", QT_TRANSLATE_NOOP("ui::StatisticsModel", "Added"),
+        QT_TRANSLATE_NOOP("ui::StatisticsModel", "Added since its import"), NumberKind::ChangedMl},
+    {"importTakenMl", QT_TRANSLATE_NOOP("ui::StatisticsModel", "Taken"),
+        QT_TRANSLATE_NOOP("ui::StatisticsModel", "Taken since its import"), NumberKind::ChangedMl},
+    {"importDice", QT_TRANSLATE_NOOP("ui::StatisticsModel", "Dice"),
+        QT_TRANSLATE_NOOP("ui::StatisticsModel", "Dice with what was imported"), NumberKind::Share},
 }};
 
 /// The columns after the name.
@@ -166,8 +182,8 @@ std::optional<double> StatisticsModel::numberAt(int row, int column) const
     if (isInVoxels()) {
         if (facts.kind == NumberKind::Millilitres)
             key = "voxels";
-        else if (facts.kind == NumberKind::SquareMm || facts.kind == NumberKind::Mm
-            || facts.kind == NumberKind::Ratio)
+        else if (facts.kind == NumberKind::ChangedMl || facts.kind == NumberKind::SquareMm
+            || facts.kind == NumberKind::Mm || facts.kind == NumberKind::Ratio)
             return std::nullopt;
     }
     for (const core::StatisticsNumber& number : core::numbersOf(*measured)) {
@@ -184,6 +200,8 @@ QString StatisticsModel::textOf(double number, int column) const
     switch (factsOfColumn(column).kind) {
     case NumberKind::Millilitres:
         return isInVoxels() ? countText(std::llround(number)) : sizeNumber(number);
+    case NumberKind::ChangedMl:
+        return number == 0.0 ? countText(0) : sizeNumber(number);
     case NumberKind::Value:
         return valueText(number, QString(), span);
     case NumberKind::MeanValue:
@@ -193,6 +211,7 @@ QString StatisticsModel::textOf(double number, int column) const
     case NumberKind::Mm:
         return numberText(number, 1);
     case NumberKind::Ratio:
+    case NumberKind::Share:
         return numberText(number, 3);
     case NumberKind::Count:
         return countText(std::llround(number));
@@ -241,6 +260,9 @@ QString StatisticsModel::headingOf(int column) const
     case NumberKind::Millilitres:
         unit = isInVoxels() ? tr("voxels") : tr("mL");
         break;
+    case NumberKind::ChangedMl:
+        unit = tr("mL");
+        break;
     case NumberKind::Value:
     case NumberKind::MeanValue:
         unit = volume ? volume->unit : QString();
@@ -252,6 +274,7 @@ QString StatisticsModel::headingOf(int column) const
         unit = tr("mm");
         break;
     case NumberKind::Ratio:
+    case NumberKind::Share:
     case NumberKind::Count:
         break;
     }

@@ -6,14 +6,12 @@
 #include "ui/base/StudyTexts.h"
 #include "ui/base/Theme.h"
 #include "ui/panels/FindingBox.h"
+#include "ui/panels/TimePoints.h"
 #include "ui/workspace/Workspace.h"
 
 #include <QGridLayout>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
-#include <QSignalBlocker>
-#include <QSlider>
 #include <QVBoxLayout>
 
 #include <optional>
@@ -50,9 +48,6 @@ SeriesDoctorPanel::SeriesDoctorPanel(Workspace& workspace, QWidget* parent)
 {
     build();
     connect(m_apply, &QPushButton::clicked, this, &SeriesDoctorPanel::apply);
-    connect(
-        m_openTime, &QPushButton::clicked, this, [this] { Q_EMIT timeRequested(m_time->value()); });
-    connect(m_time, &QSlider::valueChanged, this, &SeriesDoctorPanel::showTimes);
     connect(&workspace, &Workspace::sessionChanged, this, &SeriesDoctorPanel::showVolume);
     connect(&workspace, &Workspace::cautionAcceptedChanged, this, &SeriesDoctorPanel::showChoice);
     showVolume();
@@ -88,23 +83,7 @@ void SeriesDoctorPanel::build()
     decision->addWidget(m_note);
     decision->addWidget(m_apply);
 
-    m_times = new QWidget(this);
-    m_timeText = smallText(m_times);
-    m_timeText->setObjectName(QStringLiteral("timeText"));
-    m_timeText->setWordWrap(true);
-    m_time = new QSlider(Qt::Horizontal, m_times);
-    m_time->setObjectName(QStringLiteral("timeSlider"));
-    m_time->setAccessibleName(tr("Point in time"));
-    m_openTime = new QPushButton(tr("Open"), m_times);
-    m_openTime->setObjectName(QStringLiteral("openTime"));
-    auto* row = new QHBoxLayout;
-    row->addWidget(m_time, 1);
-    row->addWidget(m_openTime);
-    auto* times = new QVBoxLayout(m_times);
-    times->setContentsMargins(0, 0, 0, 0);
-    times->setSpacing(4);
-    times->addLayout(row);
-    times->addWidget(m_timeText);
+    m_times = new TimePoints(m_workspace, this);
 
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(theme::padding, theme::smallPadding, theme::padding, theme::padding);
@@ -150,15 +129,7 @@ void SeriesDoctorPanel::showVolume()
         }
     }
     m_decision->setVisible(anyOffer);
-    const bool hasTimes = volume != nullptr && volume->alternatives != nullptr
-        && volume->alternatives->times.size() > 1;
-    m_times->setVisible(hasTimes);
-    if (hasTimes) {
-        const QSignalBlocker blocker(m_time);
-        m_time->setRange(0, int(volume->alternatives->times.size()) - 1);
-        m_time->setValue(volume->alternatives->time);
-        showTimes();
-    }
+    m_times->showVolume();
     showChoice();
     Q_EMIT summaryChanged(summary());
     Q_EMIT hasSomethingChanged();
@@ -252,23 +223,6 @@ void SeriesDoctorPanel::apply()
         Q_EMIT reopenRequested(volume->sourcePath, core::withRepair(volume->seriesKey, chosen));
     else
         m_workspace.acceptCaution();
-}
-
-void SeriesDoctorPanel::showTimes()
-{
-    const core::Volume* volume = m_workspace.volume();
-    if (volume == nullptr || volume->alternatives == nullptr)
-        return;
-    const core::SeriesAlternatives& alternatives = *volume->alternatives;
-    const QString label = alternatives.times.value(m_time->value());
-    const QString point = tr("Point %1 of %2%3.")
-                              .arg(m_time->value() + 1)
-                              .arg(alternatives.times.size())
-                              .arg(label.isEmpty() ? QString() : QStringLiteral(", ") + label);
-    const bool isOther = m_time->value() != alternatives.time;
-    m_timeText->setText(isOther ? point + tr(" Masks stay with the point that they were drawn on.")
-                                : point + tr(" This one is open."));
-    m_openTime->setEnabled(isOther);
 }
 
 } // namespace ui

@@ -8,12 +8,12 @@
 
 class QLabel;
 class QPushButton;
-class QSlider;
 class QVBoxLayout;
 
 namespace ui {
 
 class FindingBox;
+class TimePoints;
 class Workspace;
 
 /// The series doctor: shows what was found in the open series, and repairs with which it can be
@@ -29,18 +29,17 @@ public:
     [[nodiscard]] QString summary() const override;
     [[nodiscard]] bool foldedAtFirst() const override { return true; }
     [[nodiscard]] bool hasSomething() const override;
+    [[nodiscard]] TimePoints& times() const { return *m_times; }
 
 Q_SIGNALS:
     /// The user wants to open the series with another choice.
     /// @param series as loadVolume() takes it
     void reopenRequested(const QString& path, const QString& series);
-    void timeRequested(int time); ///< another point in time, 0-based
 
 private:
     void build();
     void showVolume();
     void showChoice();
-    void showTimes();
     void apply();
     /// The other stack that was chosen; null if none was.
     [[nodiscard]] const core::RepairOffer* otherStack() const;
@@ -55,10 +54,7 @@ private:
     QLabel* m_after = nullptr;
     QLabel* m_note = nullptr;
     QPushButton* m_apply = nullptr;
-    QWidget* m_times = nullptr;
-    QLabel* m_timeText = nullptr;
-    QSlider* m_time = nullptr;
-    QPushButton* m_openTime = nullptr;
+    TimePoints* m_times = nullptr;
 };
 
 } // namespace ui

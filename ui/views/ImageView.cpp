@@ -199,7 +199,7 @@ void ImageView::requestFrame(bool interacting)
     request.view = m_view;
     request.sizePixels = {sizeInDevicePixels().width(), sizeInDevicePixels().height()};
     request.scene = scaled(scene(), 1.0 / devicePixelRatioF());
-    request.segments = m_workspace.segmentDisplay();
+    request.segments = segmentDisplay();
     // Bodies have neither fill nor outline: their picture need not be drawn again for these.
     if (const auto* volume = std::get_if<gpu::VolumeScene>(&request.scene);
         volume && !volume->plane) {

@@ -80,6 +80,11 @@ protected:
     }
     /// The scene in logical pixels.
     [[nodiscard]] virtual gpu::Scene scene() const = 0;
+    /// How segments are drawn here.
+    [[nodiscard]] virtual gpu::SegmentDisplay segmentDisplay() const
+    {
+        return m_workspace.segmentDisplay();
+    }
     virtual void paintAnnotations(QPainter& painter, const ViewContext& shown) = 0;
     /// Paints what lies over everything else, the tool's overlay too.
     virtual void paintOnTop(QPainter&) { }

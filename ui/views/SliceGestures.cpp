@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What pointer, wheel and keys do to a slice when no tool takes them.
 #include "ui/menus/ColourMapEntries.h"
+#include "ui/menus/SegmentLookEntries.h"
 #include "ui/menus/SegmentViews.h"
 #include "ui/menus/SliceTurnEntries.h"
 #include "ui/menus/VoxelMenu.h"
@@ -224,6 +225,12 @@ void SliceView::listTurns(QMenu& menu)
         action->setEnabled(each.after(m_turn) != m_turn);
     }
     addColourMaps(menu, workspace());
+    QMenu* segments = menu.addMenu(tr("Segments in this view"));
+    segments->setObjectName(QStringLiteral("segmentsOfView"));
+    segments->setToolTipsVisible(true);
+    addSegmentLook(*segments, workspace(),
+        {.get = [this] { return m_segmentLook; },
+            .set = [this](const Workspace::SegmentLook& look) { setSegmentLook(look); }});
 }
 
 void SliceView::hovered(const PointerSample& sample)

@@ -18,7 +18,7 @@ void SliceView::moveLens()
         return;
     const auto& at = pointedPixel();
     if (m_lensHeld && at && workspace().volume() && rect().contains(at->toPoint()))
-        m_lens.lookAt(*at, context(), workspace().segmentDisplay(), devicePixelRatioF());
+        m_lens.lookAt(*at, context(), segmentDisplay(), devicePixelRatioF());
     else
         m_lens.putAway();
     update();

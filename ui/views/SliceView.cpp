@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/views/SliceView.h"
 
+#include "ui/menus/SegmentLookEntries.h"
 #include "ui/overlays/Annotations.h"
 #include "ui/views/EarlyPicture.h"
 #include "ui/workspace/Chunks.h"
@@ -43,6 +44,10 @@ SliceView::SliceView(Workspace& workspace, gpu::ViewId view, const SliceAxes& ax
     const QString& title, const QColor& colour, QWidget* parent)
     : ImageView(workspace, view, parent)
     , m_axes(axes)
+    , m_lookButton(new SegmentLookButton(workspace,
+          {.get = [this] { return m_segmentLook; },
+              .set = [this](const Workspace::SegmentLook& look) { setSegmentLook(look); }},
+          this))
     , m_title(title)
     , m_colour(colour)
     , m_lens(workspace.frames(), view)
@@ -80,6 +85,8 @@ void SliceView::setReferencePlanes(const MprPlanes& planes)
 void SliceView::openVolume()
 {
     holdLens(false);
+    m_segmentLook = {};
+    m_lookButton->showState();
     if (const core::Volume* volume = shownVolume())
         m_stack = sliceStack(volume->geometry, m_axes.normalLps);
     resetView();
@@ -134,6 +141,23 @@ void SliceView::centreOn(const glm::dvec3& placeLps)
     m_fitted = false;
     m_centreLps = placeLps;
     requestFrame();
+}
+
+void SliceView::setSegmentLook(const Workspace::SegmentLook& look)
+{
+    Workspace::SegmentLook wanted = look;
+    if (wanted.fillPercent)
+        wanted.fillPercent = std::clamp(*wanted.fillPercent, Workspace::leastSegmentFill, 100);
+    if (wanted == m_segmentLook)
+        return;
+    m_segmentLook = wanted;
+    m_lookButton->showState();
+    requestFrame();
+}
+
+gpu::SegmentDisplay SliceView::segmentDisplay() const
+{
+    return workspace().segmentDisplay(m_segmentLook);
 }
 
 void SliceView::setTurn(const SliceTurn& turn)
@@ -249,6 +273,7 @@ void SliceView::resizeEvent(QResizeEvent* event)
 {
     if (m_fitted)
         m_mmPerPixel = fittingMmPerPixel();
+    m_lookButton->showState();
     ImageView::resizeEvent(event);
 }
 

@@ -15,6 +15,8 @@ class QMenu;
 
 namespace ui {
 
+class SegmentLookButton;
+
 /// A view of a plane of the patient: a standard plane through the crosshair, or the plane that a
 /// derived class chooses.
 class SliceView : public ImageView {
@@ -56,6 +58,9 @@ public:
     /// How the slice is laid on the screen. A new study, and resetView(), lay it upright again.
     [[nodiscard]] const SliceTurn& turn() const { return m_turn; }
     void setTurn(const SliceTurn& turn);
+    /// How this view alone draws segments; a new study is drawn as in all views.
+    [[nodiscard]] const Workspace::SegmentLook& segmentLook() const { return m_segmentLook; }
+    void setSegmentLook(const Workspace::SegmentLook& look);
     /// Whether the left button draws the next box, whatever the tool.
     [[nodiscard]] bool awaitsBox() const { return m_awaitsBox; }
     /// Whether the lens lies over the slice: while its key (Z) is held and the pointer is here.
@@ -88,6 +93,7 @@ protected:
     [[nodiscard]] const SliceStack& stack() const { return m_stack; }
 
     [[nodiscard]] gpu::Scene scene() const override;
+    [[nodiscard]] gpu::SegmentDisplay segmentDisplay() const override;
     [[nodiscard]] Gesture gestureFor(
         Qt::MouseButton button, const PointerSample& sample, bool toolWorksHere) const override;
     void dragged(Gesture gesture, const QPointF& from, const QPointF& to) override;
@@ -140,7 +146,7 @@ private:
     void holdLens(bool held);
     /// Has the lens show what lies under the pointer now.
     void moveLens();
-    /// Adds the ways to lay the slice, and its colours, to the context menu.
+    /// Adds the ways to lay the slice, its colours and how it draws segments, to the context menu.
     void listTurns(QMenu& menu);
     /// Which colour is which value, where grey values are shown in colours.
     void paintColours(QPainter& painter, const gpu::SliceScene& slice) const;
@@ -153,6 +159,8 @@ private:
     std::optional<SliceOrientation> m_orientation; ///< which one
     std::optional<SliceOrientation> m_grabbed; ///< the plane whose line is being turned
     SliceTurn m_turn;
+    Workspace::SegmentLook m_segmentLook;
+    SegmentLookButton* m_lookButton;
     std::optional<QRectF> m_box; ///< what is being drawn, from the press to the pointer
     bool m_awaitsBox = false;
     QString m_title;

@@ -65,6 +65,8 @@ void Workspace::setSession(std::unique_ptr<core::EditSession> session)
                 followDisk();
             else if (change.what == core::DocumentChange::What::Layers)
                 followLayers();
+            else if (change.what == core::DocumentChange::What::History)
+                followOpacities();
             Q_EMIT documentChanged(change);
         });
         m_session->setErrorListener([this](const core::Error& error) { fail(error); });
@@ -80,6 +82,7 @@ void Workspace::setSession(std::unique_ptr<core::EditSession> session)
     m_activeSegment = 0;
     m_activeLayer = 0;
     m_opacities.clear();
+    m_lostOpacities.clear();
     if (const core::Volume* opened = volume()) {
         const core::VolumeGeometry& geometry = opened->geometry;
         m_crosshairLps = initialCrosshairLps(geometry);
@@ -218,7 +221,13 @@ void Workspace::setClip(const core::ClipRegion& clip)
         Q_EMIT editableChanged();
 }
 
-gpu::SegmentDisplay Workspace::segmentDisplay() const
+Workspace::DrawnSegments Workspace::drawnSegments(const SegmentLook& look) const
+{
+    return {look.drawing.value_or(m_viewOptions.segmentDrawing),
+        look.fillPercent.value_or(m_viewOptions.segmentFillPercent)};
+}
+
+gpu::SegmentDisplay Workspace::segmentDisplay(const SegmentLook& look) const
 {
     if (!m_session)
         return {};
@@ -229,11 +238,11 @@ gpu::SegmentDisplay Workspace::segmentDisplay() const
         display.warnAfterGeneration = *m_warnAfter;
     display.atTolerance = m_atTolerance;
     display.showBarriers = m_viewOptions.showBarriers;
-    if (m_viewOptions.segmentDrawing == SegmentDrawing::Fill)
+    const DrawnSegments drawn = drawnSegments(look);
+    if (drawn.drawing == SegmentDrawing::Fill)
         display.outlineWidthPixels = 0.0f;
-    display.fillOpacity = m_viewOptions.segmentDrawing == SegmentDrawing::Outline
-        ? 0.0f
-        : float(m_viewOptions.segmentFillPercent) / 100.0f;
+    display.fillOpacity =
+        drawn.drawing == SegmentDrawing::Outline ? 0.0f : float(drawn.fillPercent) / 100.0f;
     display.voxelTrue = m_viewOptions.voxelTrueSegments;
     display.suspendedBodies = m_viewOptions.suspendedBodies;
     for (const auto& [label, percent] : m_opacities)
@@ -346,6 +355,33 @@ void Workspace::setSegmentOpacities(const std::map<int, int>& percents)
         return;
     m_opacities = std::move(opacities);
     Q_EMIT viewOptionsChanged();
+}
+
+/// What a segment that has gone had is kept for its return, and not given to another one.
+void Workspace::followOpacities()
+{
+    const core::Document& document = m_session->document();
+    const core::History& history = m_session->history();
+    std::map<int, int> opacities;
+    for (const auto& [label, percent] : m_opacities) {
+        if (document.segment(label))
+            opacities[label] = percent;
+        else
+            m_lostOpacities[label] = {.percent = percent};
+    }
+    for (auto lost = m_lostOpacities.begin(); lost != m_lostOpacities.end();) {
+        std::optional<std::int64_t>& rowsWhenFree = lost->second.rowsWhenFree;
+        if (document.segment(lost->first)) {
+            if (!rowsWhenFree || history.position() <= *rowsWhenFree)
+                opacities.emplace(lost->first, lost->second.percent);
+            lost = m_lostOpacities.erase(lost);
+            continue;
+        }
+        if (!rowsWhenFree && lost->first > document.lastLabelGiven())
+            rowsWhenFree = std::int64_t(history.rows().size());
+        ++lost;
+    }
+    setSegmentOpacities(opacities);
 }
 
 int Workspace::segmentOpacity(int label) const

@@ -78,6 +78,9 @@ public:
         bool radiusByPressure = false; ///< of a pen; else its pressure does nothing
         bool followsEdges = false; ///< paint, on slices
         double edgeTolerance = 0.0; ///< modality units; 0: none was chosen yet
+        /// The pressure of a pen is a share of the tolerance while it follows edges, and the radius
+        /// is whole.
+        bool toleranceByPressure = false;
         static constexpr double greatestEdgeTolerance = 1e6;
         bool operator==(const BrushSettings&) const = default;
     };
@@ -125,6 +128,19 @@ public:
         bool suspendedBodies = false;
         bool operator==(const ViewOptions&) const = default;
     };
+    static constexpr int leastSegmentFill = 5; ///< percent
+    /// How one slice view draws segments; what it does not name is as in all views (ViewOptions).
+    struct SegmentLook {
+        std::optional<SegmentDrawing> drawing{};
+        std::optional<int> fillPercent{};
+        [[nodiscard]] bool isUsual() const { return !drawing && !fillPercent; }
+        bool operator==(const SegmentLook&) const = default;
+    };
+    /// What such a look comes to.
+    struct DrawnSegments {
+        SegmentDrawing drawing;
+        int fillPercent;
+    };
 
     explicit Workspace(gpu::FrameSource& frames, QObject* parent = nullptr);
     ~Workspace() override;
@@ -170,7 +186,14 @@ public:
     void setMeasured(const core::Measured& measured);
     [[nodiscard]] PendingSeeds& seeds() const { return *m_seeds; }
     [[nodiscard]] LayerLooks& layerLooks() const { return *m_layerLooks; }
-    [[nodiscard]] gpu::SegmentDisplay segmentDisplay() const; ///< from the document
+    [[nodiscard]] DrawnSegments drawnSegments(const SegmentLook& look) const;
+    /// From the document.
+    /// @param look of the view; without, as in all views
+    [[nodiscard]] gpu::SegmentDisplay segmentDisplay(const SegmentLook& look) const;
+    [[nodiscard]] gpu::SegmentDisplay segmentDisplay() const
+    {
+        return segmentDisplay(SegmentLook());
+    }
     /// Draws what growth has added after a generation in the warning colour; none: nothing.
     void setWarnAfter(std::optional<std::uint32_t> generation);
 
@@ -202,7 +225,8 @@ public:
 
     static constexpr int leastSegmentOpacity = 5; ///< percent: none is lost from sight
     /// How opaque segments are drawn in all views, in percent by label; those that are not named
-    /// are opaque. Kept with the session, and no step of undo. A new session begins without.
+    /// are opaque. Kept with the session, and no step of undo. A new session begins without, and so
+    /// does a new segment with the number of one that was undone; one that comes back has its own.
     [[nodiscard]] const std::map<int, int>& segmentOpacities() const { return m_opacities; }
     void setSegmentOpacities(const std::map<int, int>& percents);
     [[nodiscard]] int segmentOpacity(int label) const;
@@ -282,6 +306,15 @@ Q_SIGNALS:
 private:
     void followDisk();
     void followLayers();
+    void followOpacities();
+
+    /// The opacity of a segment that the document does not hold at present.
+    struct LostOpacity {
+        int percent = 100;
+        /// The number of rows when its label was free for a new segment, which a row after these
+        /// adds; none: no other segment can have it.
+        std::optional<std::int64_t> rowsWhenFree{};
+    };
 
     gpu::FrameSource& m_frames;
     std::unique_ptr<core::EditSession> m_session;
@@ -308,6 +341,7 @@ private:
     std::optional<gpu::ToleranceDisplay> m_atTolerance;
     ViewOptions m_viewOptions;
     std::map<int, int> m_opacities; ///< of segments, in percent by label; none is 100
+    std::map<int, LostOpacity> m_lostOpacities; ///< by label
     bool m_cautionAccepted = false;
     std::optional<std::uint32_t> m_warnAfter;
     std::optional<glm::dvec3> m_pointedLps;

@@ -115,6 +115,7 @@ std::vector<Capsule> capsules(const BrushPath& path, const VolumeGeometry& geome
     };
     const std::int32_t whole = mm16(path.radiusMm);
     const double mostMm = 0.25 * finestSpacing(geometry); // from one radius to the next
+    constexpr double mostShare = 0.125; // of the tolerance, likewise
     double before = pressures.before;
     std::vector<Capsule> made;
     for (std::size_t i = 0; i < points.size(); ++i) {
@@ -125,7 +126,8 @@ std::vector<Capsule> capsules(const BrushPath& path, const VolumeGeometry& geome
         // Where the pen rests, what it covered before is covered.
         double pressedFrom = along == glm::dvec3(0.0) ? pressure : before;
         double pressedTo = pressure;
-        double changeMm = std::abs(pressedTo - pressedFrom) * path.radiusMm;
+        const double change = std::abs(pressedTo - pressedFrom);
+        double changeMm = pressures.ofTolerance ? 0.0 : change * path.radiusMm;
         glm::dvec3 begin = start;
         // The larger end holds all the smaller ones where the radius changes by more than the way.
         if (changeMm > 0.0 && changeMm >= glm::length(along)) {
@@ -136,14 +138,18 @@ std::vector<Capsule> capsules(const BrushPath& path, const VolumeGeometry& geome
         }
         const auto pieces =
             std::max<std::int64_t>({1, std::int64_t(std::ceil(glm::length(along) / longestMm)),
-                std::int64_t(std::ceil(changeMm / mostMm))});
+                std::int64_t(std::ceil(changeMm / mostMm)),
+                pressures.ofTolerance ? std::int64_t(std::ceil(change / mostShare)) : 1});
         const auto [first, last] = piecesNear(begin, along, pieces, nearMm);
         for (std::int64_t piece = first; piece < last; ++piece) {
             Capsule capsule = capsuleBetween(begin + along * (double(piece) / double(pieces)),
                 begin + along * (double(piece + 1) / double(pieces)));
             const double share =
                 pressedFrom + (pressedTo - pressedFrom) * ((double(piece) + 0.5) / double(pieces));
-            capsule.less = std::clamp(whole - mm16(path.radiusMm * share), 0, whole);
+            if (pressures.ofTolerance)
+                capsule.strength = std::clamp(int(std::lround(share * 255.0)), 0, 255);
+            else
+                capsule.less = std::clamp(whole - mm16(path.radiusMm * share), 0, whole);
             made.push_back(capsule);
         }
         from = &points[i];
@@ -152,7 +158,8 @@ std::vector<Capsule> capsules(const BrushPath& path, const VolumeGeometry& geome
     return made;
 }
 
-std::vector<Capsule> capsules(const BrushPath& path, const VolumeGeometry& geometry)
+std::vector<Capsule> capsules(
+    const BrushPath& path, const VolumeGeometry& geometry, bool ofTolerance)
 {
     std::vector<Capsule> made;
     auto lift = path.lifts.begin();
@@ -162,7 +169,7 @@ std::vector<Capsule> capsules(const BrushPath& path, const VolumeGeometry& geome
         const std::size_t last = lift == path.lifts.end()
             ? path.pointsLps.size()
             : std::min(std::size_t(*lift), path.pointsLps.size());
-        PartPressures pressures;
+        PartPressures pressures{.ofTolerance = ofTolerance};
         // A path of which that was not checked may have fewer.
         for (std::size_t i = first; path.pressures && i < last && i < path.pressures->size(); ++i)
             pressures.atPoints.push_back((*path.pressures)[i]);

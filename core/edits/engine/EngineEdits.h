@@ -57,12 +57,17 @@ template <class Command> [[nodiscard]] Result<EngineEdit> engineEditFrom(Result<
 
 /// The path of a brush as capsules of a length that the frame allows; those that cannot meet the
 /// volume are left out.
-[[nodiscard]] std::vector<Capsule> capsules(const BrushPath& path, const VolumeGeometry& geometry);
+/// @param ofTolerance PartPressures has the same
+[[nodiscard]] std::vector<Capsule> capsules(
+    const BrushPath& path, const VolumeGeometry& geometry, bool ofTolerance = false);
 
 /// How firmly the pen is pressed along a part of a path (PenPressures).
 struct PartPressures {
     std::vector<double> atPoints{}; ///< of each point of the part; empty: the whole radius
     double before = 1.0; ///< of the last point of the part before
+    /// The tolerance of a brush that follows edges changes with them, and the radius is whole: the
+    /// way is cut so that the shares of two capsules differ by at most an eighth.
+    bool ofTolerance = false;
 };
 /// A part of the path, through @p points. @p from is the last point of the part before; null for
 /// the first part and where the path begins anew. Where the radius changes the way is cut so short

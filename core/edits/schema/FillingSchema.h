@@ -147,6 +147,10 @@ template <class Visitor> void visitFields(Visitor& visit, EvolveContour& edit)
     visit.field("generations", Presence::Optional, edit.generations,
         WholeNumber{1, mostContourGenerations},
         "how many voxels the contour moves at most; it stops earlier where nothing changes");
+    visit.maybe("round", edit.round, Flag{},
+        "whether it grows round where nothing holds it: in every second generation across the "
+        "edges of voxels, too",
+        "false: to an octahedron");
     visitOverwrite(visit, edit.overwriteUnlocked);
     visitEditable(visit, edit.editable);
 }

@@ -210,6 +210,9 @@ template <class Visitor> void visitFields(Visitor& visit, PaintStroke& edit)
         "nudge: a disc that pushes the border of the segment in one slice, outwards, or inwards "
         "with erase; it says so in the history and decides no voxel",
         "a brush");
+    visit.maybe("toleranceByPressure", edit.toleranceByPressure, editFields::Flag{},
+        "whether pressures are shares of edgeTolerance instead of the radius, which is whole then",
+        "false");
 }
 
 template <> inline constexpr const char* editName<FillOutline> = "fillOutline";

@@ -35,23 +35,21 @@ double millilitresOf(const VoxelRuns& voxels, const VolumeGeometry& geometry)
     return millilitres;
 }
 
-/// None if nothing was imported as the segment.
-std::optional<ChangeSinceImport> sinceImport(const ExportRequest& request, const Segment& segment,
-    std::span<const std::uint8_t> labels, const VolumeGeometry& geometry)
-{
-    const auto its = std::find_if(request.imported.begin(), request.imported.end(),
-        [&](const ImportedVoxels& each) { return each.label == segment.label; });
-    if (its == request.imported.end())
-        return std::nullopt;
-    const VoxelRuns own = labelRuns(labels, segment.label);
-    const VoxelRuns changed = differing(own, its->voxels);
-    return ChangeSinceImport{.addedMl = millilitresOf(common(changed, own), geometry),
-        .takenMl = millilitresOf(common(changed, its->voxels), geometry),
-        .dice = 2.0 * double(sharedVoxels(own, its->voxels))
-            / double(own.voxelCount() + its->voxels.voxelCount())};
-}
-
 } // namespace
+
+std::optional<ChangeSinceImport> changeSinceImport(const VoxelRuns& now, int label,
+    const std::vector<ImportedVoxels>& imported, const VolumeGeometry& geometry)
+{
+    const auto its = std::find_if(imported.begin(), imported.end(),
+        [label](const ImportedVoxels& each) { return int(each.label) == label; });
+    if (its == imported.end())
+        return std::nullopt;
+    const VoxelRuns changed = differing(now, its->voxels);
+    return ChangeSinceImport{.addedMl = millilitresOf(common(changed, now), geometry),
+        .takenMl = millilitresOf(common(changed, its->voxels), geometry),
+        .dice = 2.0 * double(sharedVoxels(now, its->voxels))
+            / double(now.voxelCount() + its->voxels.voxelCount())};
+}
 
 Result<std::vector<SegmentStatistics>> segmentStatistics(const Volume& volume,
     const ExportRequest& request, const MaskSelection& selection, const Progress& progress)
@@ -65,7 +63,9 @@ Result<std::vector<SegmentStatistics>> segmentStatistics(const Volume& volume,
         SegmentMeter meter(volume.geometry, volume.encoding, segment, labels);
         meter.count({.maximum = volume.geometry.size}, request.codes);
         SegmentStatistics found = meter.statistics();
-        found.sinceImport = sinceImport(request, segment, labels, volume.geometry);
+        if (!request.imported.empty())
+            found.sinceImport = changeSinceImport(
+                labelRuns(labels, segment.label), segment.label, request.imported, volume.geometry);
         all.push_back(found);
     }
     return all;

@@ -47,6 +47,10 @@ struct SegmentStatistics {
     std::optional<ChangeSinceImport> sinceImport{}; ///< none: it was not imported
 };
 
+/// How the voxels that a segment has now differ from what was imported as it; none if nothing was.
+[[nodiscard]] std::optional<ChangeSinceImport> changeSinceImport(const VoxelRuns& now, int label,
+    const std::vector<ImportedVoxels>& imported, const VolumeGeometry& geometry);
+
 /// Errors: Cancelled.
 [[nodiscard]] Result<std::vector<SegmentStatistics>> segmentStatistics(const Volume& volume,
     const ExportRequest& request, const MaskSelection& selection, const Progress& progress);

@@ -140,8 +140,9 @@ void VoxelOperation::extendPath(SessionState& state, const std::vector<glm::dvec
         const glm::dvec3 last = path->pointsLps.back();
         const glm::dvec3* from = lifted ? nullptr : &last;
         const VolumeGeometry& geometry = state.document.volumes.front().geometry;
-        CapsulePath further{capsules(*path, geometry, from, pointsLps, pressed)};
         const auto* paint = m_edit.as<PaintStroke>();
+        pressed.ofTolerance = paint && paint->toleranceByPressure.value_or(false);
+        CapsulePath further{capsules(*path, geometry, from, pointsLps, pressed)};
         if (paint && paint->edgeTolerance)
             further.under = voxelsUnder(*path, geometry, from, pointsLps);
         m_waiting.push_back(std::move(further));

@@ -14,7 +14,7 @@ constexpr std::size_t memberBricksAtOnce = 1024;
 
 } // namespace
 
-glm::ivec2 CapsuleKernel::alikeCodes(const core::PaintLabel& paint) const
+void CapsuleKernel::setEdges(const core::PaintLabel& paint) const
 {
     const core::VoxelBox box = core::edgeValueBox(*paint.edges, m_fields.grid());
     const glm::ivec3 size = box.maximum - box.minimum;
@@ -22,8 +22,14 @@ glm::ivec2 CapsuleKernel::alikeCodes(const core::PaintLabel& paint) const
     m_fields.codes().read(
         box.minimum, size, std::as_writable_bytes(std::span<std::uint16_t>(codes)));
     const int value = core::edgeValue(*paint.edges, m_frame, m_fields.grid(), codes);
-    return {std::max({0, paint.lowCode, value - paint.edges->tolerance}),
-        std::min(paint.highCode, value + paint.edges->tolerance)};
+    const int tolerance = paint.edges->tolerance;
+    const int low = std::max({0, paint.lowCode, value - tolerance});
+    const int high = std::min(paint.highCode, value + tolerance);
+    m_programs.alike()
+        .set("lowCode", low > high ? 65536u : unsigned(low))
+        .set("highCode", low > high ? 0u : unsigned(high))
+        .set("value", value)
+        .set("tolerance", tolerance);
 }
 
 void CapsuleKernel::followEdges(const core::CapsulePath& path)

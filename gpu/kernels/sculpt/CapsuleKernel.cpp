@@ -23,6 +23,7 @@ constexpr std::size_t bricksAtOnce = 1024; // storage blocks end at 128 MiB
 struct GpuCapsule {
     glm::ivec4 fromLength{0};
     glm::ivec4 direction{0};
+    glm::ivec4 pressed{0};
 };
 struct GpuCandidate {
     glm::ivec4 base{0};
@@ -115,11 +116,8 @@ CapsuleKernel::CapsuleKernel(CapsulePrograms& programs, VoxelFields& fields, Bef
     if (!paint.edges)
         return;
     m_edges.emplace(m_frame, m_fields.grid());
-    const glm::ivec2 codes = alikeCodes(paint);
     setFrame(m_programs.alike());
-    m_programs.alike()
-        .set("lowCode", codes.x > codes.y ? 65536u : unsigned(codes.x))
-        .set("highCode", codes.x > codes.y ? 0u : unsigned(codes.y));
+    setEdges(paint);
 }
 
 CapsuleKernel::CapsuleKernel(CapsulePrograms& programs, VoxelFields& fields, BeforeImages& before,
@@ -266,7 +264,7 @@ std::vector<std::uint32_t> CapsuleKernel::run(
     std::vector<GpuCapsule> pieces;
     for (const core::Capsule& capsule : capsules)
         pieces.push_back({glm::ivec4(capsule.from, capsule.length),
-            glm::ivec4(capsule.direction, capsule.less)});
+            glm::ivec4(capsule.direction, capsule.less), glm::ivec4(capsule.strength, 0, 0, 0)});
 
     const Buffer baseBuffer = bufferOf("brush candidates", bases);
     const Buffer pieceBuffer = bufferOf("brush path", pieces);

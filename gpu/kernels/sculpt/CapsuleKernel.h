@@ -84,8 +84,8 @@ private:
     void followEdges(const core::CapsulePath& path);
     void findAlike(const Candidates& candidates, const std::vector<core::Capsule>& capsules);
     void paintMembers(const core::PaintLabel& paint);
-    /// The codes that an alike voxel may have, first and last.
-    [[nodiscard]] glm::ivec2 alikeCodes(const core::PaintLabel& paint) const;
+    /// Tells the kernel of alike voxels which codes these may have.
+    void setEdges(const core::PaintLabel& paint) const;
 
     /// For a stroke that erases or restores: whether the brick holds nothing that it could remove.
     [[nodiscard]] bool nothingToTakeAway(std::uint32_t brick) const;

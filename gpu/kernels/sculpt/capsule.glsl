@@ -4,6 +4,7 @@
 struct Capsule {
     ivec4 from;      // mm16; w: length, mm16
     ivec4 direction; // unit vector · 2¹⁴; w: by how much its radius is smaller, mm16
+    ivec4 pressed; // x: how much of the tolerance counts, 0 … 255
 };
 struct Candidate {
     ivec4 base;  // stroke coordinates of the brick's first voxel, mm16; w: the brick
@@ -83,16 +84,21 @@ uint squaredDistance(Capsule capsule, ivec3 position)
     return uint(product(e, e));
 }
 
-// Whether the voxel is within the radius of a piece near the candidate (rule 4).
+// Whether a place in the slab is within the radius of a piece (rule 4).
+bool pieceHolds(Capsule capsule, ivec3 position)
+{
+    uint unitRadius = uint(radiusOf(capsule) >> shift);
+    return squaredDistance(capsule, position) <= unitRadius * unitRadius;
+}
+
+// Whether the voxel is within the radius of a piece near the candidate.
 bool isWithin(Candidate candidate, ivec3 local)
 {
     ivec3 position = strokePosition(candidate, local);
     if (!inSlab(position))
         return false;
     for (uint i = candidate.span.x; i < candidate.span.y; ++i) {
-        Capsule capsule = capsules[near[i]];
-        uint unitRadius = uint(radiusOf(capsule) >> shift);
-        if (squaredDistance(capsule, position) <= unitRadius * unitRadius)
+        if (pieceHolds(capsules[near[i]], position))
             return true;
     }
     return false;

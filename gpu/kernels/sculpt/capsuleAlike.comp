@@ -11,16 +11,29 @@ layout(binding = 4, std430) writeonly buffer Alike { uint alike[]; };
 
 uniform uint lowCode;
 uniform uint highCode;
+uniform int value; // where the stroke begins
+uniform int tolerance;
 
 const int wordsPerBrick = 128;
 
 bool isAlike(Candidate candidate, ivec3 local)
 {
     ivec3 voxel = brickPosition(candidate.base.w, volumeBricks) * brickSide + local;
-    if (!inside(voxel, volumeSize) || !isWithin(candidate, local))
+    if (!inside(voxel, volumeSize))
         return false;
     uint code = texelFetch(codes, voxel, 0).r;
-    return code >= lowCode && code <= highCode;
+    if (code < lowCode || code > highCode)
+        return false;
+    ivec3 position = strokePosition(candidate, local);
+    if (!inSlab(position))
+        return false;
+    int difference = abs(int(code) - value);
+    for (uint i = candidate.span.x; i < candidate.span.y; ++i) {
+        Capsule capsule = capsules[near[i]];
+        if (difference <= tolerance * capsule.pressed.x / 255 && pieceHolds(capsule, position))
+            return true;
+    }
+    return false;
 }
 
 void main()

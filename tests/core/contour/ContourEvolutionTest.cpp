@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/contour/ContourEvolution.h"
 
+#include "core/export/common/SegmentMeter.h"
 #include "tests/reference/Contour.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/program/TestProgram.h"
@@ -234,7 +235,8 @@ private Q_SLOTS:
             .edge = seed % 3 == 0 ? 0 : 1 + below(100),
             .smoothness = 20 + below(81),
             .gradientWeights = glm::ivec3(1024, 900, 400),
-            .halfGradient = 20 + below(100)};
+            .halfGradient = 20 + below(100),
+            .round = seed % 2 == 1};
         reference::Contour contour = contourIn(study, rule);
         for (std::size_t at = 0; at < contour.open.size(); ++at)
             contour.open[at] = below(12) > 0;
@@ -305,6 +307,100 @@ private Q_SLOTS:
         QVERIFY(whole != evolved(6)); // it had not come to rest
         contour.inside = evolved(3);
         QVERIFY(evolved(4) == whole);
+    }
+
+    /// With `round`, after an even number of generations.
+    void aRoundOneGoesOnAfterAnEvenNumber()
+    {
+        std::mt19937 random(5);
+        LoadedVolume study = emptyVolume({24, 22, 20}, glm::dvec3(1.0));
+        for (std::uint16_t& code : study.codes)
+            code = std::uint16_t(random() % 300);
+        reference::Contour contour = contourIn(study,
+            {.lowCode = 0, .highCode = 200, .softness = 60, .smoothness = 40, .round = true});
+        addBall(contour, {12, 11, 10}, 4.0);
+        const auto evolved = [&](int generations) {
+            ContourGround ground = groundOf(contour, generations);
+            const VoxelBox box = ground.box;
+            ContourEvolution evolution(contour.rule, std::move(ground));
+            while (evolution.generation() < generations && evolution.step(Progress())) { }
+            return insideOf(evolution, box, study.volume.geometry.size);
+        };
+        const std::vector<bool> whole = evolved(7);
+        contour.rule.round = false;
+        QVERIFY(evolved(7) != whole);
+        contour.rule.round = true;
+        contour.inside = evolved(2);
+        QVERIFY(evolved(5) == whole);
+    }
+
+    /// Where nothing holds it: the volume of the ball of its width, and rounder than an octahedron.
+    void aFreeBubbleIsRound()
+    {
+        constexpr int generations = 16;
+        constexpr double first = 2.0;
+        constexpr double radius = first + generations;
+        const glm::ivec3 size(43);
+        const glm::ivec3 middle(21);
+        const LoadedVolume study = emptyVolume(size, glm::dvec3(1.0));
+        struct Body {
+            double voxels = 0.0;
+            double sphericity = 0.0;
+            VoxelBox box{};
+        };
+        const auto body = [&](bool round) {
+            reference::Contour contour =
+                contourIn(study, {.lowCode = 0, .highCode = 0, .round = round});
+            addBall(contour, middle, first);
+            ContourGround ground = groundOf(contour, generations);
+            const VoxelBox box = ground.box;
+            ContourEvolution evolution(contour.rule, std::move(ground));
+            while (evolution.generation() < generations && evolution.step(Progress())) { }
+            const std::vector<bool> inside = insideOf(evolution, box, size);
+            const std::vector<std::uint8_t> labels(inside.begin(), inside.end());
+            SegmentMeter meter(study.volume.geometry, study.volume.encoding, {.label = 1}, labels);
+            meter.count({.maximum = size}, study.codes);
+            const SegmentStatistics measured = meter.statistics();
+            return Body{.voxels = double(measured.voxels),
+                .sphericity = measured.sphericity,
+                .box = {measured.first, measured.last + 1}};
+        };
+        const Body plain = body(false);
+        const Body round = body(true);
+        // Both come as far along the axes.
+        for (const Body* each : {&plain, &round}) {
+            QVERIFY(each->box.minimum == middle - int(radius));
+            QVERIFY(each->box.maximum == middle + int(radius) + 1);
+        }
+        double ball = 0.0;
+        visitVoxels({glm::ivec3(0), size}, [&](const glm::ivec3& voxel) {
+            ball += glm::length(glm::dvec3(voxel - middle)) <= radius ? 1.0 : 0.0;
+        });
+        qInfo("%.3f of the ball and sphericity %.3f, else %.3f and %.3f", round.voxels / ball,
+            round.sphericity, plain.voxels / ball, plain.sphericity);
+        QVERIFY(round.voxels >= 0.85 * ball && round.voxels <= 1.1 * ball);
+        QVERIFY(plain.voxels < 0.5 * ball);
+        QVERIFY(round.sphericity > plain.sphericity + 0.03);
+    }
+
+    /// What only corners and edges join is reached by wide generations alone, also when the others
+    /// have come to rest.
+    void wideGenerationsReachAcrossEdges()
+    {
+        const glm::ivec3 size(9);
+        LoadedVolume study = emptyVolume(size, glm::dvec3(1.0));
+        for (int step = 2; step < 7; ++step) // a stair whose steps share edges
+            study.codes[placeIn(size, {step, step, 4})] = 100;
+        for (const bool round : {false, true}) {
+            reference::Contour contour = contourIn(
+                study, {.lowCode = 100, .highCode = 100, .smoothness = 0, .round = round});
+            contour.inside[placeIn(size, {2, 2, 4})] = true;
+            ContourEvolution evolution(contour.rule, groundOf(contour, 20));
+            while (evolution.generation() < 20 && evolution.step(Progress())) { }
+            QVERIFY(evolution.rests());
+            QCOMPARE(evolution.generation(), round ? 4 : 0);
+            QCOMPARE(evolution.isInside({6, 6, 4}), round);
+        }
     }
 
     /// Noisy shapes: closer to the truth than what hangs together by the interval.

@@ -233,6 +233,12 @@ private Q_SLOTS:
         QVERIFY(contour->get<EvolveContour>() == EvolveContour{.segment = 2});
         QVERIFY(bubble->get<EvolveContour>().bubbleLps == glm::dvec3(1.0, 2.0, 3.0));
         QCOMPARE(bubble->get<EvolveContour>().generations, 7);
+        QVERIFY(!editToJson(*contour).contains(QLatin1String("round")));
+        const Result<Edit> round =
+            editFromJson(parse("{'edit':'evolveContour','segment':2,'round':true}"));
+        QVERIFY(round);
+        QVERIFY(round->get<EvolveContour>() == (EvolveContour{.segment = 2, .round = true}));
+        QVERIFY(editToJson(*round)[QLatin1String("round")].toBool());
         QVERIFY(bubble->get<EvolveContour>().lower == 1.0 && !bubble->get<EvolveContour>().upper);
         const Result<Edit> flood = editFromJson(parse("{'edit':'floodFill','segment':2,"
                                                       "'placeLps':[1,2,3],'tolerance':40}"));
@@ -512,6 +518,13 @@ private Q_SLOTS:
             "{'edit':'paint','segment':2,'radiusMm':6,'pointsLps':[[0,0,0]],'edgeTolerance':40}"));
         QVERIFY(edgewise);
         QCOMPARE(*edgewise->get<PaintStroke>().edgeTolerance, 40.0);
+        QVERIFY(!editToJson(*edgewise).contains(QLatin1String("toleranceByPressure")));
+        const Result<Edit> byPen =
+            editFromJson(parse("{'edit':'paint','segment':2,'radiusMm':6,'pointsLps':[[0,0,0]],"
+                               "'pressures':[0.5],'edgeTolerance':40,'toleranceByPressure':true}"));
+        QVERIFY(byPen);
+        QVERIFY(byPen->get<PaintStroke>().toleranceByPressure.value_or(false));
+        QCOMPARE(editToJson(*editFromJson(editToJson(*byPen))), editToJson(*byPen));
         QCOMPARE(editToJson(*editFromJson(editToJson(*edgewise))), editToJson(*edgewise));
         QVERIFY(!editFromJson(parse("{'edit':'paint','segment':2,'radiusMm':6,"
                                     "'pointsLps':[[0,0,0]],'edgeTolerance':-1}")));

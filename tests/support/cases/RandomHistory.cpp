@@ -957,6 +957,9 @@ private:
         }
         contour.generations = between(1, 6);
         contour.overwriteUnlocked = chance(40);
+        // Of the row's number, as in randomGrowth().
+        if (m_session->history().rows().size() % 3 != 0)
+            contour.round = m_session->history().rows().size() % 3 == 1;
         return contour;
     }
     ThresholdSegment randomThreshold(const Document& document)
@@ -1044,6 +1047,8 @@ private:
         // Of the row's number, as in randomGrowth().
         if (m_session->history().rows().size() % 4 == 1)
             stroke.edgeTolerance = 120.0;
+        if (stroke.edgeTolerance && stroke.path.pressures)
+            stroke.toleranceByPressure = m_session->history().rows().size() % 8 == 1;
         const bool isPlainDisc = stroke.path.shape == BrushPath::Shape::Disc
             && !stroke.path.pressures && !stroke.edgeTolerance;
         if (isPlainDisc && m_session->history().rows().size() % 2 == 0)

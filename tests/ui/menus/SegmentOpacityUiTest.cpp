@@ -9,6 +9,7 @@
 #include "ui/models/SegmentListModel.h"
 #include "ui/panels/lists/SegmentsPanel.h"
 #include "ui/views/ViewGrid.h"
+#include "ui/workspace/SegmentActions.h"
 
 #include <QApplication>
 #include <QListView>
@@ -131,6 +132,46 @@ private Q_SLOTS:
         fixture.workspace.setSegmentOpacities({{-3, 50}, {0, 50}, {256, 50}, {1, 100}, {2, -7}});
         QCOMPARE(fixture.workspace.segmentOpacities(),
             (std::map<int, int>{{2, ui::Workspace::leastSegmentOpacity}}));
+    }
+
+    void aNewSegmentHasNotThatOfOneUndone()
+    {
+        Fixture fixture;
+        ui::ViewGrid& views = fixture.window.views();
+        core::EditSession& session = *fixture.workspace.session();
+        fixture.workspace.setSegmentOpacities({{1, 30}, {2, 40}});
+        QVERIFY(session.undo());
+        QVERIFY(session.settle());
+        QCOMPARE(fixture.workspace.segmentOpacity(1), 30);
+        QVERIFY(session.apply(test::newSegment(QStringLiteral("another"))));
+        QVERIFY(session.settle());
+        QCOMPARE(session.document().segments.back().label, 2);
+        QCOMPARE(fixture.workspace.segmentOpacities(), (std::map<int, int>{{1, 30}}));
+        QTRY_COMPARE(fixture.transparency(views.axial(), 2), 0);
+        QCOMPARE(fixture.transparency(views.axial(), 1), 70);
+        QVERIFY(fixture.withSlider([](QSlider& slider) { QCOMPARE(slider.value(), 100); }));
+    }
+
+    void oneThatComesBackHasItsOwn()
+    {
+        Fixture fixture;
+        core::EditSession& session = *fixture.workspace.session();
+        const std::map<int, int> opacities{{1, 30}, {2, 40}};
+        fixture.workspace.setSegmentOpacities(opacities);
+        // As the timeline goes, to before all and forwards again.
+        QVERIFY(session.goTo(0));
+        QVERIFY(session.settle());
+        QVERIFY(fixture.workspace.segmentOpacities().empty());
+        QVERIFY(session.goTo(core::RowId(session.history().rows().size())));
+        QVERIFY(session.settle());
+        QCOMPARE(fixture.workspace.segmentOpacities(), opacities);
+        // Deleted, and undone.
+        ui::removeSegment(fixture.workspace, 2);
+        QVERIFY(session.settle());
+        QCOMPARE(fixture.workspace.segmentOpacities(), (std::map<int, int>{{1, 30}}));
+        QVERIFY(session.undo());
+        QVERIFY(session.settle());
+        QCOMPARE(fixture.workspace.segmentOpacities(), opacities);
     }
 
     void anotherSessionBeginsWithout()

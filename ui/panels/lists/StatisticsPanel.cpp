@@ -16,6 +16,8 @@
 #include <QScrollBar>
 #include <QSettings>
 #include <QSortFilterProxyModel>
+#include <QStyle>
+#include <QStyleOptionHeader>
 #include <QTableView>
 #include <QVBoxLayout>
 
@@ -26,7 +28,34 @@ namespace ui {
 namespace {
 
 constexpr int mostStatisticsRows = 8;
-constexpr int widestName = 116; // of the panel's 266 pixels
+constexpr int widestName = 96; // of the panel's 266 pixels: three numbers have room beside it
+constexpr int narrowestColumn = 24;
+
+/// The header of the numbers. Only the column by which the table is sorted has room for the arrow:
+/// in a header of two lines it would make all columns half as wide again.
+class NarrowHeader : public QHeaderView {
+public:
+    explicit NarrowHeader(QWidget* parent)
+        : QHeaderView(Qt::Horizontal, parent)
+    {
+        setSectionsClickable(true);
+        setFont(theme::smallFont());
+        setMinimumSectionSize(narrowestColumn);
+    }
+
+protected:
+    [[nodiscard]] QSize sectionSizeFromContents(int column) const override
+    {
+        QStyleOptionHeader option;
+        initStyleOption(&option);
+        option.section = column;
+        option.text = model()->headerData(column, orientation()).toString();
+        QSize size = style()->sizeFromContents(QStyle::CT_HeaderSection, &option, QSize(), this);
+        if (sortIndicatorSection() == column)
+            size.rwidth() += size.height() / 2 + style()->pixelMetric(QStyle::PM_HeaderMargin);
+        return size;
+    }
+};
 
 QString hiddenColumnsKey()
 {
@@ -36,7 +65,9 @@ QString hiddenColumnsKey()
 QStringList hiddenAtFirst()
 {
     return {QStringLiteral("percentile10"), QStringLiteral("percentile25"),
-        QStringLiteral("percentile75"), QStringLiteral("percentile90"), QStringLiteral("voxels")};
+        QStringLiteral("percentile75"), QStringLiteral("percentile90"), QStringLiteral("voxels"),
+        QStringLiteral("importAddedMl"), QStringLiteral("importTakenMl"),
+        QStringLiteral("importDice")};
 }
 
 /// As short as brings the same number back, as in an exported table.
@@ -104,6 +135,7 @@ void StatisticsPanel::buildTable()
     m_sorted->setSortCaseSensitivity(Qt::CaseInsensitive);
     m_table->setObjectName(QStringLiteral("segmentStatistics"));
     m_table->setAccessibleName(tr("Statistics of segments"));
+    m_table->setHorizontalHeader(new NarrowHeader(m_table));
     m_table->setModel(m_sorted);
     m_table->setShowGrid(false);
     m_table->setWordWrap(false);

@@ -35,7 +35,8 @@ struct BrushTool::Stroke {
     bool failed = false;
     bool cancelled = false;
     bool released = false;
-    bool isPressed = false; ///< the radius follows the pressure
+    bool isPressed = false; ///< the radius follows the pressure, or the tolerance does
+    bool keepsRadius = false; ///< it is the tolerance
     glm::dvec3 last{0.0}; ///< LPS
     double lastPressure = 1.0;
 
@@ -121,7 +122,9 @@ void BrushTool::press(const PointerSample& sample, const ViewContext& view)
     m_stroke->view = view;
     m_stroke->path = pathIn(view);
     m_stroke->inverted = sample.eraserEnd || (sample.modifiers & Qt::ControlModifier);
-    m_stroke->isPressed = settings().radiusByPressure && sample.isPen;
+    m_stroke->keepsRadius =
+        settings().followsEdges && settings().toleranceByPressure && view.isSlice();
+    m_stroke->isPressed = (settings().radiusByPressure || m_stroke->keepsRadius) && sample.isPen;
     if (view.isSlice()) {
         goTo(*m_stroke, view.toLps(sample.position), false, pressedShare(sample));
     } else {
@@ -273,7 +276,8 @@ void BrushTool::showCursor(const PointerSample& sample, gpu::ViewId view)
 {
     m_cursor = sample.position;
     m_cursorView = view;
-    m_pressure = m_stroke && m_stroke->isPressed ? pressedShare(sample) : 1.0;
+    m_pressure =
+        m_stroke && m_stroke->isPressed && !m_stroke->keepsRadius ? pressedShare(sample) : 1.0;
     m_inverted = m_stroke ? m_stroke->inverted
                           : sample.eraserEnd || (sample.modifiers & Qt::ControlModifier);
     Q_EMIT overlayChanged();

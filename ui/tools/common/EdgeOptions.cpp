@@ -9,6 +9,7 @@
 #include <QHBoxLayout>
 #include <QMenu>
 #include <QSignalBlocker>
+#include <QVBoxLayout>
 #include <QWidgetAction>
 
 #include <algorithm>
@@ -68,12 +69,20 @@ EdgeOptions::EdgeOptions(Workspace& workspace, QWidget* parent)
     m_tolerance->setFixedHeight(theme::controlHeight);
     m_tolerance->setKeyboardTracking(false);
     m_tolerance->setRange(0.0, Workspace::BrushSettings::greatestEdgeTolerance);
-    auto* row = new QHBoxLayout(content);
-    row->setContentsMargins(
-        theme::padding, theme::smallPadding, theme::padding, theme::smallPadding);
+    m_byPressure = new QCheckBox(tr("less of it where a pen is pressed less"), content);
+    m_byPressure->setObjectName(QStringLiteral("brushTolerancePressure"));
+    m_byPressure->setToolTip(tr("Pressure: tolerance. Lightly pressed the brush takes only what is "
+                                "most alike; the radius stays whole."));
+    auto* row = new QHBoxLayout;
     row->setSpacing(theme::smallPadding);
     row->addWidget(m_follows);
     row->addWidget(m_tolerance);
+    auto* rows = new QVBoxLayout(content);
+    rows->setContentsMargins(
+        theme::padding, theme::smallPadding, theme::padding, theme::smallPadding);
+    rows->setSpacing(theme::smallPadding);
+    rows->addLayout(row);
+    rows->addWidget(m_byPressure);
     auto* action = new QWidgetAction(menu);
     action->setDefaultWidget(content);
     menu->addAction(action);
@@ -83,6 +92,7 @@ EdgeOptions::EdgeOptions(Workspace& workspace, QWidget* parent)
     connect(&m_workspace, &Workspace::brushSettingsChanged, this, &EdgeOptions::showSettings);
     connect(m_follows, &QCheckBox::clicked, this, &EdgeOptions::takeSwitch);
     connect(m_tolerance, &QDoubleSpinBox::valueChanged, this, &EdgeOptions::takeTolerance);
+    connect(m_byPressure, &QCheckBox::clicked, this, &EdgeOptions::takePressure);
 }
 
 void EdgeOptions::showSettings()
@@ -95,6 +105,8 @@ void EdgeOptions::showSettings()
     m_tolerance->setValue(settings.edgeTolerance);
     m_tolerance->setEnabled(settings.followsEdges);
     m_follows->setChecked(settings.followsEdges);
+    m_byPressure->setChecked(settings.toleranceByPressure);
+    m_byPressure->setEnabled(settings.followsEdges);
     setChecked(settings.followsEdges);
     const QString text = edgesText(m_workspace);
     setToolTip(text.isEmpty() ? tr("Whether the brush follows edges on slices")
@@ -114,6 +126,13 @@ void EdgeOptions::takeTolerance()
 {
     Workspace::BrushSettings settings = m_workspace.brushSettings(edgeBrush);
     settings.edgeTolerance = m_tolerance->value();
+    m_workspace.setBrushSettings(edgeBrush, settings);
+}
+
+void EdgeOptions::takePressure()
+{
+    Workspace::BrushSettings settings = m_workspace.brushSettings(edgeBrush);
+    settings.toleranceByPressure = m_byPressure->isChecked();
     m_workspace.setBrushSettings(edgeBrush, settings);
 }
 

@@ -26,10 +26,12 @@ private:
     void showSettings();
     void takeSwitch();
     void takeTolerance();
+    void takePressure();
 
     Workspace& m_workspace;
     QCheckBox* m_follows;
     QDoubleSpinBox* m_tolerance;
+    QCheckBox* m_byPressure;
 };
 
 } // namespace ui

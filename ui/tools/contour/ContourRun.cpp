@@ -37,6 +37,7 @@ bool startsAlike(core::EvolveContour one, const core::EvolveContour& other)
     one.edge = other.edge;
     one.edgeGradient = other.edgeGradient;
     one.smoothness = other.smoothness;
+    one.round = other.round;
     return one == other;
 }
 

@@ -167,7 +167,8 @@ core::EvolveContour ContourTool::edit() const
         .bubbleLps = m_bubbleLps,
         .generations = m_settings.generations,
         .overwriteUnlocked = m_workspace.brushSettings(Workspace::Brush::Paint).overwriteUnlocked,
-        .editable = m_workspace.editableRange()};
+        .editable = m_workspace.editableRange(),
+        .round = true};
     if (edit.edge > 0)
         edit.edgeGradient = edgeGradient();
     if (edit.bubbleLps)

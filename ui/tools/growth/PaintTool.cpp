@@ -92,8 +92,11 @@ core::Result<core::Edit> PaintTool::strokeAlong(
         stroke.lower = std::min(now.lower, now.upper);
         stroke.upper = std::max(now.lower, now.upper);
     }
-    if (now.followsEdges && view.isSlice())
+    if (now.followsEdges && view.isSlice()) {
         stroke.edgeTolerance = now.edgeTolerance;
+        if (now.toleranceByPressure && path.pressures)
+            stroke.toleranceByPressure = true;
+    }
     stroke.editable = workspace().editableRange();
     return core::Edit(stroke);
 }

@@ -31,6 +31,7 @@ using displayJson::nameOf;
 using displayJson::opacitiesFrom;
 using displayJson::opacitiesToJson;
 using displayJson::read;
+using displayJson::segmentLookFrom;
 using displayJson::slabNamed;
 using displayJson::toJson;
 
@@ -144,6 +145,7 @@ QJsonObject DisplayState::composedViews() const
     if (!m_views.planes().alongPatient())
         object[QStringLiteral("oblique")] = toJson(m_views.planes());
     QJsonObject turned;
+    QJsonObject looks;
     for (const auto& [name, view] : namedViews(m_views)) {
         if (view == m_views.maximised())
             object[QStringLiteral("alone")] = QLatin1String(name);
@@ -153,7 +155,11 @@ QJsonObject DisplayState::composedViews() const
             object[QLatin1String(name)] = toJson(*place);
         if (slice && !slice->turn().isUpright())
             turned[QLatin1String(name)] = toJson(slice->turn());
+        if (slice && !slice->segmentLook().isUsual())
+            looks[QLatin1String(name)] = toJson(slice->segmentLook());
     }
+    if (!looks.isEmpty())
+        object[QStringLiteral("segmentLooks")] = looks;
     if (!turned.isEmpty())
         object[QStringLiteral("turned")] = turned;
     return object;
@@ -247,6 +253,8 @@ void DisplayState::applyViews(const QJsonObject& state)
             SliceTurn turn = slice->turn();
             read(state[QLatin1String("turned")][QLatin1String(name)], turn);
             slice->setTurn(turn);
+            slice->setSegmentLook(
+                segmentLookFrom(state[QLatin1String("segmentLooks")][QLatin1String(name)]));
         }
         if (state[QLatin1String("alone")].toString() == QLatin1String(name))
             alone = view;

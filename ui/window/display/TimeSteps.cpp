@@ -6,6 +6,8 @@
 #include "ui/settings/StudyOpener.h"
 #include "ui/window/display/DisplayState.h"
 
+#include <QGuiApplication>
+
 #include <utility>
 
 namespace ui {
@@ -18,7 +20,18 @@ TimeSteps::TimeSteps(
     , m_display(display)
 {
     connect(&workspace, &Workspace::sessionChanged, this, &TimeSteps::takeAlong);
-    connect(&opener, &StudyOpener::finished, this, [this] { m_awaited.clear(); });
+    connect(&opener, &StudyOpener::finished, this, &TimeSteps::finishOpening);
+    connect(&workspace, &Workspace::documentChanged, this, [this] {
+        if (m_isPlaying && rows() != m_rowsAtFirst)
+            pause();
+    });
+    m_next.setSingleShot(true);
+    connect(&m_next, &QTimer::timeout, this, &TimeSteps::playOn);
+}
+
+std::size_t TimeSteps::rows() const
+{
+    return m_workspace.session() ? m_workspace.session()->history().rows().size() : 0;
 }
 
 bool TimeSteps::hasPoint(int later) const
@@ -48,12 +61,54 @@ void TimeSteps::openPoint(int time)
     m_awaited = key;
 }
 
+void TimeSteps::play(double pointsPerSecond)
+{
+    if (!hasPoint(1) && !hasPoint(-1))
+        return;
+    m_next.setInterval(int(1000.0 / pointsPerSecond));
+    m_rowsAtFirst = rows();
+    m_next.start();
+    if (std::exchange(m_isPlaying, true))
+        return;
+    Q_EMIT playingChanged(true);
+}
+
+void TimeSteps::pause()
+{
+    m_next.stop();
+    if (std::exchange(m_isPlaying, false))
+        Q_EMIT playingChanged(false);
+}
+
+void TimeSteps::playOn()
+{
+    if (!hasPoint(1) && !hasPoint(-1))
+        return pause();
+    // A stroke or a drag is not cut short.
+    if (m_opener.busy() || !m_workspace.session()->idle()
+        || QGuiApplication::mouseButtons() != Qt::NoButton)
+        return m_next.start();
+    openPoint(hasPoint(1) ? m_workspace.volume()->alternatives->time + 1 : 0);
+}
+
+void TimeSteps::finishOpening()
+{
+    // What has opened is awaited no more.
+    if (!std::exchange(m_awaited, {}).isEmpty())
+        pause();
+}
+
 void TimeSteps::takeAlong()
 {
     const core::Volume* volume = m_workspace.volume();
+    if (m_awaited.isEmpty() || (volume && volume->seriesKey != m_awaited))
+        pause();
     if (!volume || m_awaited.isEmpty() || volume->seriesKey != m_awaited)
         return;
     m_awaited.clear();
+    m_rowsAtFirst = rows();
+    if (m_isPlaying)
+        m_next.start();
     QJsonObject look = std::exchange(m_look, {});
     if (!m_workspace.session()->display().kept().isEmpty())
         look.remove(QStringLiteral("volume"));

@@ -4,6 +4,9 @@
 #include <QJsonObject>
 #include <QObject>
 #include <QString>
+#include <QTimer>
+
+#include <cstddef>
 
 namespace ui {
 
@@ -29,15 +32,30 @@ public:
     void go(int later);
     /// @param time 0-based
     void openPoint(int time);
+    /// Opens one point after the other, and after the last the first, each for as long or for as
+    /// long as it takes to open it. It ends with pause(), with another study, with a point that
+    /// cannot be opened, and with the first row that is made: what was begun is not taken away.
+    void play(double pointsPerSecond);
+    void pause();
+    [[nodiscard]] bool isPlaying() const { return m_isPlaying; }
+
+Q_SIGNALS:
+    void playingChanged(bool isPlaying);
 
 private:
     void takeAlong();
+    void finishOpening();
+    void playOn();
+    [[nodiscard]] std::size_t rows() const;
 
     Workspace& m_workspace;
     StudyOpener& m_opener;
     DisplayState& m_display;
     QString m_awaited; ///< key of the point that is being opened; empty: none
     QJsonObject m_look; ///< of the point before it
+    bool m_isPlaying = false;
+    std::size_t m_rowsAtFirst = 0; ///< of the point that is being played
+    QTimer m_next;
 };
 
 } // namespace ui

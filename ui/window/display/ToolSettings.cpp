@@ -82,7 +82,8 @@ QJsonObject toJson(const Workspace::BrushSettings& brush)
         {QStringLiteral("overwriteUnlocked"), brush.overwriteUnlocked},
         {QStringLiteral("radiusByPressure"), brush.radiusByPressure},
         {QStringLiteral("followsEdges"), brush.followsEdges},
-        {QStringLiteral("edgeTolerance"), brush.edgeTolerance}};
+        {QStringLiteral("edgeTolerance"), brush.edgeTolerance},
+        {QStringLiteral("toleranceByPressure"), brush.toleranceByPressure}};
 }
 
 void read(const QJsonValue& json, Workspace::BrushSettings& brush)
@@ -99,6 +100,7 @@ void read(const QJsonValue& json, Workspace::BrushSettings& brush)
     read(json[QLatin1String("followsEdges")], brush.followsEdges);
     read(json[QLatin1String("edgeTolerance")], brush.edgeTolerance, 0.0,
         Workspace::BrushSettings::greatestEdgeTolerance);
+    read(json[QLatin1String("toleranceByPressure")], brush.toleranceByPressure);
 }
 
 /// Sessions of old have one interval for all segments, which is left as it is.

@@ -15,6 +15,9 @@ constexpr std::array<const char*, 4> slabNames{"off", "mip", "minip", "mean"}; /
 constexpr std::array<const char*, gpu::colourMaps> colourNames{
     "grey", "hotIron", "hotMetalBlue", "pet20Step", "evenLightness"}; ///< gpu::ColourMap
 
+constexpr std::array<const char*, 3> drawingNames{
+    "fillAndOutline", "fill", "outline"}; ///< Workspace::SegmentDrawing
+
 constexpr std::array<const char*, 3> planeNames{
     "axial", "sagittal", "coronal"}; ///< in the order of MprPlanes::all
 
@@ -98,6 +101,30 @@ void read(const QJsonValue& json, SliceTurn& turn)
     const int quarters = json[QLatin1String("quarters")].toInt(-1);
     if (quarters >= 0 && quarters < 4)
         turn = {json[QLatin1String("mirrored")].toBool(), quarters};
+}
+
+QJsonObject toJson(const Workspace::SegmentLook& look)
+{
+    QJsonObject object;
+    if (look.drawing)
+        object[QStringLiteral("drawing")] = QLatin1String(drawingNames[std::size_t(*look.drawing)]);
+    if (look.fillPercent)
+        object[QStringLiteral("fillPercent")] = *look.fillPercent;
+    return object;
+}
+
+Workspace::SegmentLook segmentLookFrom(const QJsonValue& json)
+{
+    Workspace::SegmentLook look;
+    const QString name = json[QLatin1String("drawing")].toString();
+    for (std::size_t i = 0; i < drawingNames.size(); ++i) {
+        if (name == QLatin1String(drawingNames[i]))
+            look.drawing = Workspace::SegmentDrawing(i);
+    }
+    const int percent = json[QLatin1String("fillPercent")].toInt(-1);
+    if (percent >= 0 && percent <= 100)
+        look.fillPercent = percent;
+    return look;
 }
 
 QJsonObject toJson(const VolumeView& view)

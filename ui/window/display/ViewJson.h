@@ -28,6 +28,9 @@ namespace ui::displayJson {
 void apply(const QJsonValue& json, SliceView& view);
 [[nodiscard]] QJsonObject toJson(const SliceTurn& turn);
 void read(const QJsonValue& json, SliceTurn& turn);
+[[nodiscard]] QJsonObject toJson(const Workspace::SegmentLook& look);
+/// As in all views, but for what is named.
+[[nodiscard]] Workspace::SegmentLook segmentLookFrom(const QJsonValue& json);
 [[nodiscard]] QJsonObject toJson(const MprPlanes& planes);
 void apply(const QJsonValue& json, MprPlanes& planes);
 [[nodiscard]] QJsonObject toJson(const VolumeView& view);

@@ -113,6 +113,7 @@ Result<ContourRule> contourRule(const EvolveContour& edit, const Document& docum
     ContourRule rule{.region = edit.region,
         .edge = edit.edge,
         .smoothness = edit.smoothness,
+        .round = edit.round.value_or(false),
         .kernel = contourKernel(volume.geometry)};
     rule.lowCode = edit.lower ? codes->low : -noContourBound;
     rule.highCode = edit.upper ? codes->high : noContourBound;

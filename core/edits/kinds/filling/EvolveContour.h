@@ -37,6 +37,9 @@ struct EvolveContour {
     int generations = 10; ///< it stops earlier where nothing changes any more
     bool overwriteUnlocked = false;
     std::optional<EditableRange> editable{}; ///< which voxels may change at all; none: any
+    /// Whether it grows round where nothing holds it (ContourRule::round); none: to an octahedron,
+    /// as rows of before have it.
+    std::optional<bool> round{};
     bool operator==(const EvolveContour&) const = default;
 };
 

@@ -9,8 +9,8 @@
 namespace core {
 
 /// How firmly the pen was pressed at each point of a path, 0 … 1: the share of the tool's radius
-/// that it has there, changing evenly from point to point. None: the whole radius everywhere, as a
-/// mouse has it and as rows of before have it.
+/// that it has there, or of what the edit says instead, changing evenly from point to point. None:
+/// all of it everywhere, as a mouse has it and as rows of before have it.
 using PenPressures = std::optional<std::vector<double>>;
 
 /// Whether there are as many as points, if there are any. @param name of the edit, for the error

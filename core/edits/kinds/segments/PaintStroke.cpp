@@ -36,6 +36,11 @@ Result<void> checkTool(const PaintStroke& stroke)
         QStringLiteral("a nudge is a disc without pressures and edgeTolerance"));
 }
 
+bool hasPressedTolerance(const PaintStroke& stroke)
+{
+    return stroke.toleranceByPressure.value_or(false);
+}
+
 RowTitleCode titleCode(const PaintStroke& stroke)
 {
     if (stroke.tool == PaintStroke::Tool::Nudge)
@@ -81,6 +86,9 @@ Result<PaintLabel> paintLabel(const PaintStroke& stroke, const Document& documen
     if (stroke.edgeTolerance && !(*stroke.edgeTolerance >= 0.0))
         return failure(ErrorCode::InvalidField, QStringLiteral("paint.edgeTolerance"),
             QStringLiteral("%1 is below 0").arg(*stroke.edgeTolerance));
+    if (hasPressedTolerance(stroke) && !stroke.edgeTolerance)
+        return failure(ErrorCode::InvalidField, QStringLiteral("paint.toleranceByPressure"),
+            QStringLiteral("needs edgeTolerance"));
     if (const Result<void> tool = checkTool(stroke); !tool)
         return tl::unexpected(tool.error());
     Result<CapsuleFrame> frame =
@@ -105,7 +113,7 @@ Result<PaintLabel> paintLabel(const PaintStroke& stroke, const Document& documen
 
 CapsulePath paintPath(const PaintStroke& stroke, const VolumeGeometry& geometry)
 {
-    CapsulePath path{capsules(stroke.path, geometry)};
+    CapsulePath path{capsules(stroke.path, geometry, hasPressedTolerance(stroke))};
     if (stroke.edgeTolerance)
         path.under = voxelsUnder(stroke.path, geometry);
     return path;
@@ -133,7 +141,10 @@ RowTitle rowTitle(const PaintStroke& stroke, const RowFacts& row)
 /// The labels and seed words of the bricks under the brush.
 EditDependencies dependencies(const PaintStroke& edit, const DependencyFacts& row)
 {
-    return row.alsoReading(edit.editable, row.labelled(edit.path, row.planeOf(edit.segment)));
+    BrushPath path = edit.path;
+    if (hasPressedTolerance(edit))
+        path.pressures.reset(); // its radius is whole
+    return row.alsoReading(edit.editable, row.labelled(path, row.planeOf(edit.segment)));
 }
 
 } // namespace core

@@ -35,6 +35,8 @@ struct PaintStroke {
     std::optional<double> edgeTolerance{};
     std::optional<EditableRange> editable{}; ///< which voxels may change at all; none: any
     std::optional<Tool> tool{}; ///< it decides no voxel; none: a brush
+    /// With edgeTolerance: the pressures of the path are shares of that, and the radius is whole.
+    std::optional<bool> toleranceByPressure{};
 };
 
 [[nodiscard]] Result<void> check(const PaintStroke& edit, const Document& document);

@@ -15,6 +15,8 @@
 #include <functional>
 #include <iterator>
 #include <set>
+#include <utility>
+#include <vector>
 
 namespace edgeStrokesTest {
 
@@ -94,6 +96,14 @@ struct Bench {
 PaintStroke withoutEdges(PaintStroke stroke)
 {
     stroke.edgeTolerance.reset();
+    stroke.toleranceByPressure.reset();
+    return stroke;
+}
+
+PaintStroke withoutPressures(PaintStroke stroke)
+{
+    stroke.path.pressures.reset();
+    stroke.toleranceByPressure.reset();
     return stroke;
 }
 
@@ -193,9 +203,15 @@ private Q_SLOTS:
         const Bench bench([&](const glm::ivec3& at) {
             return noise[std::size_t(at.x + size.x * (at.y + size.y * at.z))];
         });
+        std::vector<std::pair<Shape, bool>> ways;
         for (const Shape shape : shapes) {
+            for (const bool ofTolerance : {false, true})
+                ways.emplace_back(shape, ofTolerance);
+        }
+        for (const auto& [shape, ofTolerance] : ways) {
             PaintStroke stroke = bench.stroke(shape,
                 {{12, 12, 9}, {20, 14, 9.2}, {14, 22, 8.8}, {30, 30, 9}, {30, 12, 9}, {-9, 3, 9}});
+            stroke.toleranceByPressure = ofTolerance;
             stroke.path.lifts = {3};
             stroke.path.pressures = std::vector<double>{1.0, 0.5, 1.0, 0.7, 0.9, 1.0};
             stroke.edgeTolerance = 30.0;
@@ -213,13 +229,62 @@ private Q_SLOTS:
                 const double before = i == 0 ? 1.0 : (*path.pressures)[i - 1];
                 pieces.push_back(
                     CapsulePath{capsules(path, bench.geometry(), from, {path.pointsLps[i]},
-                                    {.atPoints = {(*path.pressures)[i]}, .before = before}),
+                                    {.atPoints = {(*path.pressures)[i]},
+                                        .before = before,
+                                        .ofTolerance = ofTolerance}),
                         voxelsUnder(path, bench.geometry(), from, {path.pointsLps[i]})});
             }
             QVERIFY(bench.painted(stroke, pieces) == whole);
             std::reverse(pieces.begin(), pieces.end());
             QVERIFY(bench.painted(stroke, pieces) == whole);
         }
+    }
+
+    /// The radius stays whole, the tolerance is the share of it that the pen is pressed.
+    void theToleranceFollowsThePressure()
+    {
+        // The value is 1112; each row differs by one more.
+        const Bench bench([](const glm::ivec3& at) { return 1100 + at.y; });
+        for (const Shape shape : shapes) {
+            PaintStroke pressed = bench.stroke(shape, {{17, 12, 9}});
+            pressed.edgeTolerance = 10.0;
+            pressed.toleranceByPressure = true;
+            PaintStroke plain = withoutPressures(pressed);
+            for (const auto& [pressure, tolerance] : {std::pair(1.0, 10.0), std::pair(0.5, 5.0),
+                     std::pair(0.35, 3.0), std::pair(0.0, 0.0)}) {
+                pressed.path.pressures = std::vector<double>{pressure};
+                plain.edgeTolerance = tolerance;
+                const Voxels expected = bench.painted(plain);
+                QVERIFY(!expected.empty());
+                QVERIFY(bench.painted(pressed) == expected);
+            }
+            // Where a stroke is pressed more it takes more, to the last voxel of its whole radius.
+            pressed = bench.stroke(shape, {{14, 12, 9}, {30, 12, 9}});
+            pressed.path.pressures = std::vector<double>{0.1, 1.0};
+            pressed.edgeTolerance = 10.0;
+            pressed.toleranceByPressure = true;
+            plain = withoutPressures(pressed);
+            const Voxels all = bench.painted(plain);
+            const Voxels some = bench.painted(pressed);
+            QVERIFY(some.size() < all.size());
+            QVERIFY(std::includes(all.begin(), all.end(), some.begin(), some.end()));
+            const auto rowsAt = [&some](int x) {
+                std::set<int> rows;
+                for (const auto& voxel : some) {
+                    if (voxel[0] == x && voxel[2] == 9)
+                        rows.insert(voxel[1]);
+                }
+                return rows.size();
+            };
+            QVERIFY(rowsAt(10) < rowsAt(30));
+            QVERIFY(rowsAt(30) >= std::size_t(15));
+        }
+        PaintStroke without = bench.stroke(Shape::Ball, {{17, 12, 9}});
+        without.edgeTolerance.reset();
+        without.toleranceByPressure = true;
+        const auto refused = paintLabel(without, bench.document);
+        QVERIFY(!refused);
+        QCOMPARE(refused.error().arguments.value(0), QStringLiteral("paint.toleranceByPressure"));
     }
 
     void aToleranceBelowNoneIsRefused()

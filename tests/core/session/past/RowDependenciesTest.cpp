@@ -161,8 +161,10 @@ private Q_SLOTS:
             paint.upper.reset();
             // What a brush that follows edges leaves out where the pen is outside the volume counts
             // as unwritten below.
-            if (number % 4 != 0)
+            if (number % 4 != 0) {
                 paint.edgeTolerance.reset();
+                paint.toleranceByPressure.reset();
+            }
             BrushStroke brush = test::randomBrush(document, random);
             brush.restore = false;
             const std::vector<std::uint16_t> codes(std::size_t(size.x) * size.y * size.z, 7);

@@ -93,6 +93,7 @@ void appendPainted(
     stroke.lower.reset();
     stroke.upper.reset();
     stroke.edgeTolerance.reset();
+    stroke.toleranceByPressure.reset();
     if (const auto paint = core::paintLabel(stroke, document))
         appendWhole(made.steps, *paint,
             {core::CapsulePath{core::capsules(stroke.path, document.volumes.front().geometry)}});

@@ -289,6 +289,8 @@ core::PaintStroke randomPaint(const core::Document& document, Random& random)
     const double width = 0.29 * std::abs(first.z) - std::floor(0.29 * std::abs(first.z));
     if (share < 0.4)
         stroke.edgeTolerance = std::floor((0.05 + 0.4 * width) * tissueCode);
+    if (share < 0.2 && stroke.path.pressures)
+        stroke.toleranceByPressure = true;
     return stroke;
 }
 

@@ -201,6 +201,9 @@ void addFillingStrokes(std::vector<StrokeCase>& cases, const StrokeScene& scene)
     back.upper = 100.0; // the noise goes beyond it
     cases.push_back({"a contour that withdraws", volume, {first, contour, further}, back});
     cases.push_back({"a contour of an empty segment", volume, {first}, further});
+    core::EvolveContour round = contour;
+    round.round = true;
+    cases.push_back({"a round contour from a bubble", volume, {first}, round});
     core::EvolveContour taking = contour;
     taking.segment = 2;
     taking.overwriteUnlocked = true;

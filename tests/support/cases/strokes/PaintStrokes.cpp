@@ -74,6 +74,11 @@ void addPaintStrokes(std::vector<StrokeCase>& cases, const StrokeScene& scene)
     auto edgewise = paint.get<core::PaintStroke>();
     edgewise.edgeTolerance = 250.0;
     cases.push_back({"paint along edges", volume, {first, seeds}, edgewise});
+    edgewise.path.pressures = std::vector<double>{0.2, 1.0, 0.6};
+    edgewise.toleranceByPressure = true;
+    cases.push_back({"paint along edges as the pen is pressed", volume, {first, seeds}, edgewise});
+    edgewise.path.pressures.reset();
+    edgewise.toleranceByPressure.reset();
     auto noEdges = slice.get<core::PaintStroke>();
     noEdges.edgeTolerance = 65535.0;
     noEdges.path.pressures = std::vector<double>{1.0, 0.4, 0.8};

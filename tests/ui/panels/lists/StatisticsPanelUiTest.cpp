@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/panels/lists/StatisticsPanel.h"
 
+#include "core/export/common/ImportedSegments.h"
 #include "core/export/common/StatisticsText.h"
+#include "core/session/past/PastImports.h"
 #include "core/session/questions/VoxelQuestions.h"
+#include "tests/support/cases/SurfaceCases.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/fixtures/ApplicationFixture.h"
 #include "tests/support/fixtures/WorkspaceFixture.h"
@@ -97,7 +100,9 @@ public:
             .file = QStringLiteral("a.csv"),
             .segments = session().document().segments,
             .planes = {{.plane = 0, .labels = *labels}},
-            .codes = head.codes};
+            .codes = head.codes,
+            .imported = core::importedAs(session().document().segments,
+                core::doneImports(session().history()), head.volume.geometry.voxelCount())};
         const auto selection = core::selectMask(*workspace.volume(), request);
         const auto all = core::segmentStatistics(*workspace.volume(), request, *selection, {});
         return core::statisticsCsv(*all, *workspace.volume());
@@ -218,6 +223,8 @@ private Q_SLOTS:
                     model.headerData(column, Qt::Horizontal, StatisticsModel::KeyRole)
                         .toString()
                         .toLatin1();
+                if (key.startsWith("import")) // nothing was
+                    continue;
                 const qsizetype place = csv[0].indexOf(key);
                 QVERIFY2(place >= 0, key.constData());
                 const QVariant number = model.index(row, column).data(StatisticsModel::NumberRole);
@@ -225,6 +232,40 @@ private Q_SLOTS:
                 // To the last bit.
                 QVERIFY2(number.toDouble() == csv[row + 1][place].toDouble(), key.constData());
             }
+        }
+    }
+
+    void whatHasChangedSinceTheImport()
+    {
+        StatisticsFixture fixture;
+        fixture.panel.show();
+        fixture.apply(test::ballMask(fixture.workspace.volume()->geometry.size, 4.0));
+        fixture.add(QStringLiteral("Drawn"));
+        fixture.paint(2, {-12.0, -3.0, -6.0}, 3.0);
+        QTRY_VERIFY(fixture.measured());
+        QCOMPARE(fixture.text(0, "importAddedMl"), QStringLiteral("0"));
+        QCOMPARE(fixture.text(0, "importTakenMl"), QStringLiteral("0"));
+        QCOMPARE(fixture.at(0, "importDice").toDouble(), 1.0);
+        fixture.paint(1, {9.0, 0.0, 3.0}, 3.0);
+        fixture.apply(test::eraseAt(1, {{0.0, 0.0, 0.0}}, 2.0));
+        QTRY_VERIFY(fixture.measured());
+        QVERIFY(fixture.at(0, "importAddedMl").toDouble() > 0.0);
+        QVERIFY(fixture.at(0, "importTakenMl").toDouble() > 0.0);
+        QVERIFY(fixture.at(0, "importDice").toDouble() < 1.0);
+        const auto csv = cellsOf(fixture.exportedCsv());
+        for (const char* key : {"importAddedMl", "importTakenMl", "importDice"}) {
+            const qsizetype place = csv[0].indexOf(key);
+            QVERIFY2(place >= 0, key);
+            QVERIFY2(fixture.at(0, key).toDouble() == csv[1][place].toDouble(), key);
+            // What was drawn has none.
+            QVERIFY2(!fixture.at(1, key).isValid(), key);
+            QCOMPARE(fixture.text(1, key), QStringLiteral("—"));
+            // They are there for who wants them.
+            const int column = StatisticsModel::columnOf(QLatin1String(key));
+            QVERIFY(fixture.table.isColumnHidden(column));
+            fixture.action(qPrintable(QStringLiteral("statisticsColumn.") + QLatin1String(key)))
+                .trigger();
+            QVERIFY(!fixture.table.isColumnHidden(column));
         }
     }
 
@@ -394,6 +435,27 @@ private Q_SLOTS:
             >= header.fontMetrics().horizontalAdvance(QStringLiteral("Volume")));
         QCOMPARE(fixture.table.model()->index(0, volume).data(Qt::TextAlignmentRole).toInt(),
             int(Qt::AlignRight | Qt::AlignVCenter));
+        // Volume, mean and deviation are seen beside the name, with all of their headings.
+        fixture.panel.resize(300, 400);
+        for (const char* key : {"volumeMl", "mean", "standardDeviation"}) {
+            const int column = StatisticsModel::columnOf(QLatin1String(key));
+            const QString heading = fixture.table.model()
+                                        ->headerData(column, Qt::Horizontal, Qt::DisplayRole)
+                                        .toString();
+            for (const QString& line : heading.split(QLatin1Char('\n')))
+                QVERIFY2(header.sectionSize(column) >= header.fontMetrics().horizontalAdvance(line),
+                    qPrintable(line));
+            const int end = header.sectionViewportPosition(column) + header.sectionSize(column);
+            QVERIFY2(end <= fixture.table.viewport()->width(),
+                qPrintable(
+                    QStringLiteral("%1 of %2").arg(end).arg(fixture.table.viewport()->width())));
+        }
+        // The one by which the table is sorted has room for the arrow, too.
+        const int narrow = header.sectionSize(volume);
+        fixture.clickHeader("volumeMl");
+        QVERIFY(header.sectionSize(volume) > narrow);
+        fixture.action("sortStatisticsAsListed").trigger();
+        QCOMPARE(header.sectionSize(volume), narrow);
     }
 
     void unknownSpacingLeavesVoxels()

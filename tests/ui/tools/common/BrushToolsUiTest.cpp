@@ -336,6 +336,66 @@ private Q_SLOTS:
         QVERIFY(fixture.window.minimumSizeHint().width() <= 1280);
     }
 
+    /// Lightly pressed it takes the ventricle (8 HU), firmly the brain (40 HU) as well, with the
+    /// same radius; a mouse presses fully.
+    void thePressureIsTheTolerance()
+    {
+        BrushFixture fixture(Brush::Paint);
+        auto* byPressure =
+            fixture.window.findChild<QCheckBox*>(QStringLiteral("brushTolerancePressure"));
+        auto* follows = fixture.window.findChild<QCheckBox*>(QStringLiteral("brushFollowsEdges"));
+        QVERIFY(byPressure && !byPressure->isEnabled());
+        follows->click();
+        QVERIFY(byPressure->isEnabled() && !byPressure->isChecked());
+        byPressure->click();
+        ui::Workspace::BrushSettings settings = fixture.workspace.brushSettings(Brush::Paint);
+        QVERIFY(settings.toleranceByPressure);
+        settings.radiusMm = 9.0;
+        settings.edgeTolerance = 60.0;
+        fixture.workspace.setBrushSettings(Brush::Paint, settings);
+        const QPointF middle = BrushFixture::middleOf(fixture.slice);
+        const auto dab = [&](double pressure, unsigned long milliseconds) {
+            test::Pen pen(fixture.slice);
+            pen.press(middle, pressure, milliseconds);
+            fixture.session().poll();
+            pen.release(middle, milliseconds + 100);
+            QVERIFY(fixture.session().settle());
+        };
+        const core::VolumeGeometry& geometry = fixture.workspace.volume()->geometry;
+        const auto within = [&](double distanceMm) {
+            std::set<std::array<int, 3>> expected;
+            const int z = (*fixture.painted().begin())[2];
+            for (int y = 0; y < geometry.size.y; ++y) {
+                for (int x = 0; x < geometry.size.x; ++x) {
+                    if (glm::length(geometry.toWorld({x, y, z})) < distanceMm)
+                        expected.insert({x, y, z});
+                }
+            }
+            return expected;
+        };
+        dab(0.25, 70000);
+        const auto light = fixture.lastEdit().get<core::PaintStroke>();
+        QVERIFY(light.path.pressures && light.toleranceByPressure.value_or(false));
+        QCOMPARE(light.path.radiusMm, 9.0);
+        const auto ventricle = fixture.painted();
+        QVERIFY(!ventricle.empty());
+        QCOMPARE(ventricle, within(5.0));
+        dab(1.0, 71000);
+        const auto both = fixture.painted();
+        QVERIFY(both.size() > ventricle.size() + 50);
+        // The oracle comes to the same from a recipe.
+        test::WorkspaceFixture recipe;
+        recipe.apply(fixture.session().history().row(1).edit);
+        recipe.apply(light);
+        recipe.apply(fixture.lastEdit());
+        QCOMPARE(recipe.session().stateHash(), fixture.session().stateHash());
+
+        QTest::mouseClick(&fixture.slice, Qt::LeftButton, Qt::ControlModifier, middle.toPoint());
+        QVERIFY(fixture.session().settle());
+        QVERIFY(!fixture.lastEdit().get<core::PaintStroke>().toleranceByPressure);
+        QVERIFY(!fixture.lastEdit().get<core::PaintStroke>().path.pressures);
+    }
+
     void theEraserEndAndControlErase()
     {
         BrushFixture fixture(Brush::Paint);

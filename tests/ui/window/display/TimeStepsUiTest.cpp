@@ -6,9 +6,14 @@
 #include "ui/base/Actions.h"
 #include "ui/settings/StudyOpener.h"
 #include "ui/views/ViewGrid.h"
+#include "ui/window/display/TimeSteps.h"
 #include "ui/workspace/Workspace.h"
 
 #include <QAction>
+#include <QApplication>
+#include <QClipboard>
+#include <QMenu>
+#include <QSlider>
 #include <QTest>
 
 #include <dcmtk/config/osconfig.h>
@@ -52,6 +57,24 @@ private:
     void waitFor(int point) const
     {
         QTRY_VERIFY_WITH_TIMEOUT(time() == point && !window().opener().busy(), patience);
+    }
+    /// What a right click on the slider opens.
+    [[nodiscard]] QMenu* timeMenu() const
+    {
+        auto* slider = window().findChild<QSlider*>(QStringLiteral("timeSlider"));
+        Q_EMIT slider->customContextMenuRequested(slider->rect().center());
+        return qobject_cast<QMenu*>(QApplication::activePopupWidget());
+    }
+    [[nodiscard]] static QAction& entry(const QMenu& menu, const char* name)
+    {
+        return *menu.findChild<QAction*>(QLatin1String(name));
+    }
+    /// Chooses an entry, as a click into the menu does, which closes it.
+    static void choose(QMenu& menu, const char* name)
+    {
+        QAction& chosen = entry(menu, name);
+        menu.close();
+        chosen.trigger();
     }
     void step(const char* id, int to) const
     {
@@ -137,6 +160,90 @@ private Q_SLOTS:
         QVERIFY(!axial.place());
         QVERIFY(axial.turn().isUpright());
         QVERIFY(planes.alongPatient());
+    }
+
+    /// The slider's menu leads to both ends, and says which point is chosen.
+    void theSlidersMenuLeadsToBothEnds()
+    {
+        window().opener().open(
+            path("times"), test::SyntheticSeries().seriesUid + QStringLiteral("@2"));
+        waitFor(1);
+        QMenu* menu = timeMenu();
+        QVERIFY(menu);
+        QVERIFY(entry(*menu, "firstTime").isEnabled() && entry(*menu, "lastTime").isEnabled());
+        choose(*menu, "lastTime");
+        waitFor(2);
+        menu = timeMenu();
+        QVERIFY(menu);
+        QVERIFY(entry(*menu, "firstTime").isEnabled() && !entry(*menu, "lastTime").isEnabled());
+        choose(*menu, "copyTime");
+        const QString copied = QGuiApplication::clipboard()->text();
+        QVERIFY2(copied.startsWith(QLatin1String("Point 3 of 3")), qPrintable(copied));
+        QVERIFY2(
+            copied.contains(QLatin1String("240 ms")) && !copied.endsWith(u'.'), qPrintable(copied));
+        menu = timeMenu();
+        QVERIFY(menu);
+        choose(*menu, "firstTime");
+        waitFor(0);
+    }
+
+    /// Playing goes round until it is stopped, and what is drawn stops it.
+    void playingGoesRound()
+    {
+        window().opener().open(
+            path("times"), test::SyntheticSeries().seriesUid + QStringLiteral("@2"));
+        waitFor(1);
+        auto& steps = *window().findChild<ui::TimeSteps*>();
+        // As fast as the points open.
+        steps.play(1000.0);
+        QVERIFY(steps.isPlaying());
+        QList<int> seen{1};
+        QObject watched;
+        QObject::connect(
+            &workspace(), &ui::Workspace::sessionChanged, &watched, [this, &seen, &steps] {
+                if (time() < 0)
+                    return;
+                seen += time();
+                if (seen.size() == 5)
+                    steps.pause();
+            });
+        QTRY_VERIFY_WITH_TIMEOUT(!steps.isPlaying() && !window().opener().busy(), patience);
+        QCOMPARE(seen, (QList<int>{1, 2, 0, 1, 2}));
+        QTest::qWait(20);
+        QCOMPARE(time(), 2);
+
+        // The menu says that it plays, and pauses.
+        steps.play(0.001);
+        QMenu* menu = timeMenu();
+        QVERIFY(menu);
+        QCOMPARE(entry(*menu, "playTimes").text(), QStringLiteral("Pause"));
+        choose(*menu, "playTimes");
+        QVERIFY(!steps.isPlaying());
+        menu = timeMenu();
+        QVERIFY(menu);
+        QCOMPARE(entry(*menu, "playTimes").text(), QStringLiteral("Play"));
+        choose(*menu, "playTimes");
+        QVERIFY(steps.isPlaying());
+
+        // So slowly that no other point follows.
+        steps.play(0.001);
+        edit(test::addSegment("Drawn meanwhile"));
+        QTRY_VERIFY_WITH_TIMEOUT(!steps.isPlaying(), patience);
+        QCOMPARE(time(), 2);
+        QCOMPARE(session().document().segments.size(), std::size_t(1));
+    }
+
+    void anotherStudyEndsPlaying()
+    {
+        window().opener().open(path("times"), test::SyntheticSeries().seriesUid);
+        waitFor(0);
+        auto& steps = *window().findChild<ui::TimeSteps*>();
+        steps.play(0.001);
+        QVERIFY(steps.isPlaying());
+        open(path("case/ct"));
+        QVERIFY(!steps.isPlaying());
+        steps.play(1.0); // there is nothing to play
+        QVERIFY(!steps.isPlaying());
     }
 
     /// What is opened otherwise begins with its own look.
