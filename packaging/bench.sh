@@ -9,7 +9,8 @@
 #   packaging/bench.sh --frames    pictures, and growing on the demonstration head
 #   packaging/bench.sh --grow      growing only
 #   packaging/bench.sh --history   the history only
-#   packaging/bench.sh --load      a series of 450 slices, against ITK with GDCM and dcm2niix
+#   packaging/bench.sh --load      a series of 450 slices, against ITK with GDCM and dcm2niix, and in the window
+#   packaging/bench.sh --moving    pictures while the camera moves, and after letting go
 #   packaging/bench.sh --plane     a cutting plane with a contour only, against VTK's filters
 #   packaging/bench.sh --refine    the surface of a segment while it is repaired, and chunks
 #   packaging/bench.sh --sculpt    masks and strokes of the sculpting tools only
@@ -20,8 +21,8 @@ set -euo pipefail
 
 for option in "$@"; do
     case $option in
-        --json | --decode | --frames | --grow | --history | --load | --plane | --refine | --sculpt) ;;
-        *) fail "usage: packaging/bench.sh [--json] [--decode] [--frames] [--grow] [--history] [--load] [--plane] [--refine] [--sculpt]" ;;
+        --json | --decode | --frames | --grow | --history | --load | --moving | --plane | --refine | --sculpt) ;;
+        *) fail "usage: packaging/bench.sh [--json] [--decode] [--frames] [--grow] [--history] [--load] [--moving] [--plane] [--refine] [--sculpt]" ;;
     esac
 done
 

@@ -6,6 +6,7 @@
 #include "tests/benchmarks/GrowBenchmark.h"
 #include "tests/benchmarks/HistoryBenchmark.h"
 #include "tests/benchmarks/LoadBenchmark.h"
+#include "tests/benchmarks/MovingBenchmark.h"
 #include "tests/benchmarks/PeerReport.h"
 #include "tests/benchmarks/PlaneBenchmark.h"
 #include "tests/benchmarks/RefineBenchmark.h"
@@ -47,6 +48,7 @@ struct Group {
 const std::vector<Group>& groups()
 {
     static const std::vector<Group> all{{"--frames", {measurePeers}},
+        {"--moving", {bench::measureMoving}},
         {"--grow", {bench::measureGrowth, bench::measureSteering}},
         {"--load", {bench::measureLoading}}, {"--decode", {bench::measureDecoding}},
         {"--sculpt", {bench::measureSculpting}}, {"--history", {bench::measureHistory}},
