@@ -10,6 +10,7 @@
 #   packaging/bench.sh --grow      growing only
 #   packaging/bench.sh --history   the history only
 #   packaging/bench.sh --load      a series of 450 slices, against ITK with GDCM and dcm2niix, and in the window
+#   packaging/bench.sh --memory    what a session with 20 segments takes
 #   packaging/bench.sh --moving    pictures while the camera moves, and after letting go
 #   packaging/bench.sh --plane     a cutting plane with a contour only, against VTK's filters
 #   packaging/bench.sh --refine    the surface of a segment while it is repaired, and chunks
@@ -38,8 +39,8 @@ for option in "$@"; do
             [ $# -eq 1 ] || fail "--performance stands alone"
             performance=yes
             ;;
-        --json | --decode | --frames | --grow | --history | --load | --moving | --plane | --refine | --sculpt) ;;
-        *) fail "usage: packaging/bench.sh [--json] [--decode] [--frames] [--grow] [--history] [--load] [--moving] [--plane] [--refine] [--sculpt] | --performance | --smoke" ;;
+        --json | --decode | --frames | --grow | --history | --load | --memory | --moving | --plane | --refine | --sculpt) ;;
+        *) fail "usage: packaging/bench.sh [--json] [--decode] [--frames] [--grow] [--history] [--load] [--memory] [--moving] [--plane] [--refine] [--sculpt] | --performance | --smoke" ;;
     esac
 done
 

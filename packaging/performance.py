@@ -15,6 +15,7 @@ import sys
 # peer (of a figure that has several, the one that is named) or milliseconds.
 AT_LEAST = "at least {} times as fast"
 AT_MOST = "at most {:g} ms"
+NO_MORE = "no more than that"
 GOALS = [
     (r"frame\.(surface|dvr)", "VTK GPU mapper", "picture at full quality", AT_LEAST, 20),
     (r"frame\.mip", "VTK GPU mapper", "picture at full quality", AT_LEAST, 6),
@@ -39,6 +40,7 @@ GOALS = [
     (r"refine\.step\..*", None, "step of a deformation", AT_LEAST, 10),
     (r"plane\.(linear|cubic)", "vtkImageReslice + vtkCutter", "oblique plane with contour",
      AT_LEAST, 10),
+    (r"memory\.segments", None, "memory of 512 cubed with 20 segments", NO_MORE, 1),
     (r"load\.\w+\.warm", None, "450 slices, warm", AT_LEAST, 2),
     (r"load\.window\.longestStall", None, "the window while they open", AT_MOST, 50),
 ]
