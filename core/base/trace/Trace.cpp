@@ -4,7 +4,6 @@
 #include <cxxabi.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <cstdlib>
 #include <deque>
 #include <exception>
@@ -36,7 +35,7 @@ struct Store {
 
 Store& store()
 {
-    static Store* const made = new Store;
+    static auto* const made = new Store;
     return *made;
 }
 
@@ -72,10 +71,9 @@ std::string quoted(const std::string& text)
 /// Thousandths of a microsecond stay exact.
 std::string microseconds(std::chrono::nanoseconds time)
 {
-    const long long nanoseconds = std::max<long long>(time.count(), 0);
-    char text[40];
-    std::snprintf(text, sizeof text, "%lld.%03lld", nanoseconds / 1000, nanoseconds % 1000);
-    return text;
+    const std::int64_t nanoseconds = std::max<std::int64_t>(time.count(), 0);
+    const std::string rest = std::to_string(nanoseconds % 1000);
+    return std::to_string(nanoseconds / 1000) + '.' + std::string(3 - rest.size(), '0') + rest;
 }
 
 std::string jsonOf(const Trace::Event& event, Trace::Clock::time_point begun)
