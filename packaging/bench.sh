@@ -9,19 +9,38 @@
 #   packaging/bench.sh --frames    pictures, and growing on the demonstration head
 #   packaging/bench.sh --grow      growing only
 #   packaging/bench.sh --history   the history only
-#   packaging/bench.sh --load      a series of 450 slices, against ITK with GDCM and dcm2niix
+#   packaging/bench.sh --load      a series of 450 slices, against ITK with GDCM and dcm2niix, and in the window
+#   packaging/bench.sh --memory    what a session with 20 segments takes
+#   packaging/bench.sh --moving    pictures while the camera moves, and after letting go
 #   packaging/bench.sh --plane     a cutting plane with a contour only, against VTK's filters
 #   packaging/bench.sh --refine    the surface of a segment while it is repaired, and chunks
 #   packaging/bench.sh --sculpt    masks and strokes of the sculpting tools only
+#   packaging/bench.sh --performance   all of it, written as resources/help/performance.md
+#   packaging/bench.sh --smoke     no times: what steps of the hand ask of the driver (dispatches, bytes)
+#                                  against what each may cost, as the daily tests do
 # BURIN_BENCH_PICTURES=FOLDER keeps the compared pictures.
 set -euo pipefail
 # shellcheck source=packaging/common.sh
 . "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
+if [ "$*" = --smoke ]; then
+    {
+        useBuildFolder
+        installPackages build run test
+        build gpu_engine_test
+    } >&2
+    exec "$burinBuild/tests/gpu_engine_test" WorkOfStepsGlTest
+fi
+
+performance=no
 for option in "$@"; do
     case $option in
-        --json | --decode | --frames | --grow | --history | --load | --plane | --refine | --sculpt) ;;
-        *) fail "usage: packaging/bench.sh [--json] [--decode] [--frames] [--grow] [--history] [--load] [--plane] [--refine] [--sculpt]" ;;
+        --performance)
+            [ $# -eq 1 ] || fail "--performance stands alone"
+            performance=yes
+            ;;
+        --json | --decode | --frames | --grow | --history | --load | --memory | --moving | --plane | --refine | --sculpt) ;;
+        *) fail "usage: packaging/bench.sh [--json] [--decode] [--frames] [--grow] [--history] [--load] [--memory] [--moving] [--plane] [--refine] [--sculpt] | --performance | --smoke" ;;
     esac
 done
 
@@ -32,4 +51,16 @@ done
     build burin_bench -- -DBURIN_BENCHMARKS=ON
     startDisplay
 } >&2
-"$burinBuild/tests/benchmarks/burin_bench" "$@"
+bench=$burinBuild/tests/benchmarks/burin_bench
+if [ "$performance" = no ]; then
+    "$bench" "$@"
+else
+    folder=$(mktemp -d)
+    "$bench" --json > "$folder/figures.json"
+    "$burinBuild/app/burin" info --gl > "$folder/graphics.txt"
+    python3 "$burinRoot/packaging/performance.py" "$folder/figures.json" "$folder/graphics.txt" \
+        > "$folder/performance.md"
+    mv "$folder/performance.md" "$burinRoot/resources/help/performance.md"
+    rm -rf "$folder"
+    say "wrote resources/help/performance.md" >&2
+fi

@@ -7,6 +7,7 @@
 #include "app/steps/JsonLine.h"
 #include "app/steps/SessionProblems.h"
 #include "app/steps/SteadySession.h"
+#include "app/steps/TracedRun.h"
 #include "core/sessionfile/HistoryListing.h"
 #include "core/sessionfile/SessionSalvage.h"
 #include "core/sessionfile/SessionStudy.h"
@@ -313,7 +314,8 @@ int runReplay(const Arguments& arguments)
 const Command replayCommand{.name = "replay",
     .words = "FILE.burin",
     .usage = "FILE.burin --verify [--to ROW] [--export FILE [--format FORMAT] [--layer NUMBER]"
-             " [--fill VALUE] [--deidentify] [--deflated] [--force]] [--study PATH] [--series UID]",
+             " [--fill VALUE] [--deidentify] [--deflated] [--force]] [--study PATH] [--series UID]"
+             " [--trace FILE.json]",
     .summary =
         "carries out a session's history again, from nothing, and compares every hash;"
         " --export writes the masks of that state, or with --format coverage --layer NUMBER "
@@ -323,19 +325,21 @@ const Command replayCommand{.name = "replay",
         " is carved (.nii.gz, or a new folder for a DICOM series; --fill: the value there,"
         " without it the least); --deidentify takes the patient out, --deflated makes a DICOM"
         " SEG smaller",
-    .options = {{"verify", nullptr, "compares every hash"}, {"to", "ROW", "up to this row"},
-        {"export", "FILE", "writes the masks of that state"},
-        {"format", "FORMAT",
-            "of that file, where its ending does not say; coverage: what a layer carves; "
-            "carved-volume: the study without what is carved"},
-        {"layer", "NUMBER", "which sculpt layer's coverage"},
-        {"fill", "VALUE", "what stands where is carved; the least value, if nothing is said"},
-        {"space", "lps|ras", "in which axes surfaces are"},
-        {"deidentify", nullptr, "takes the patient out"},
-        {"deflated", nullptr, "makes a DICOM SEG smaller"},
-        {"force", nullptr, "replaces a file that is there"},
-        {"study", "PATH", "where the study is, if not where the session says"},
-        {"series", "UID", "which series or volume of the study"}},
-    .run = runReplay};
+    .options =
+        std::vector<Option>{{"verify", nullptr, "compares every hash"},
+            {"to", "ROW", "up to this row"}, {"export", "FILE", "writes the masks of that state"},
+            {"format", "FORMAT",
+                "of that file, where its ending does not say; coverage: what a layer carves; "
+                "carved-volume: the study without what is carved"},
+            {"layer", "NUMBER", "which sculpt layer's coverage"},
+            {"fill", "VALUE", "what stands where is carved; the least value, if nothing is said"},
+            {"space", "lps|ras", "in which axes surfaces are"},
+            {"deidentify", nullptr, "takes the patient out"},
+            {"deflated", nullptr, "makes a DICOM SEG smaller"},
+            {"force", nullptr, "replaces a file that is there"},
+            {"study", "PATH", "where the study is, if not where the session says"},
+            {"series", "UID", "which series or volume of the study"}}
+        + traceOption(),
+    .run = [](const Arguments& arguments) { return traced(arguments, runReplay); }};
 
 } // namespace app

@@ -10,6 +10,7 @@
 #include "app/steps/SessionPlan.h"
 #include "app/steps/SessionTarget.h"
 #include "app/steps/SteadySession.h"
+#include "app/steps/TracedRun.h"
 #include "core/base/Guarded.h"
 #include "core/base/files/FileInUse.h"
 #include "core/base/files/StagedFile.h"
@@ -434,7 +435,7 @@ const Command runCommand{.name = "run",
     .words = "RECIPE.json",
     .usage = "RECIPE.json --study PATH [--series UID] [--repair REPAIRS]"
              " [--spacing COLUMNS,ROWS,SLICES] --session FILE.burin [--force | --append] "
-             "[--with-images] [--apply-elsewhere] [--author NAME] [--facts]",
+             "[--with-images] [--apply-elsewhere] [--author NAME] [--facts] [--trace FILE.json]",
     .summary =
         "carries out a recipe without a window (burin edits: what it can hold); --with-images"
         " puts the study's images, and with them who the patient is, into the session; --force"
@@ -455,7 +456,7 @@ const Command runCommand{.name = "run",
             {"facts", nullptr,
                 "also prints, as lines of JSON, which study and graphics driver it is, and what "
                 "kind a failure is"}}
-        + seriesOptions() + spacingOption(),
-    .run = runRecipe};
+        + seriesOptions() + spacingOption() + traceOption(),
+    .run = [](const Arguments& arguments) { return traced(arguments, runRecipe); }};
 
 } // namespace app

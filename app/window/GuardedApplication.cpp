@@ -3,14 +3,34 @@
 
 #include "app/steps/Arguments.h"
 #include "core/base/Guarded.h"
+#include "core/base/trace/Trace.h"
 
+#include <QMetaEnum>
+
+#include <chrono>
+#include <optional>
 #include <utility>
 
 namespace app {
 
+namespace {
+
+/// Shorter events are not worth a line of a trace.
+constexpr std::chrono::milliseconds leastOfEvent{1};
+
+} // namespace
+
 bool GuardedApplication::notify(QObject* receiver, QEvent* event)
 {
     try {
+        std::optional<core::TraceSpan> span;
+        if (core::Trace::isOn())
+            span.emplace(core::TraceName("window"),
+                core::TraceName::lasting(receiver->metaObject()->className()),
+                core::TraceOptions{
+                    .detail = core::TraceName::lasting(
+                        QMetaEnum::fromType<QEvent::Type>().valueToKey(event->type())),
+                    .least = leastOfEvent});
         return QApplication::notify(receiver, event);
     } catch (...) {
         escaped(core::errorBeingHandled());

@@ -4,6 +4,7 @@
 #include "app/end/EndNote.h"
 #include "app/end/OrderlyEnd.h"
 #include "app/steps/Arguments.h"
+#include "app/steps/TracedRun.h"
 #include "app/window/Application.h"
 #include "app/window/GuardedApplication.h"
 #include "core/base/MemoryReserve.h"
@@ -251,7 +252,7 @@ const Command openCommand{.name = "open",
     .usage = "[PATH [--series UID] [--repair REPAIRS] [--spacing COLUMNS,ROWS,SLICES] | FILE.burin "
              "[--study PATH] | --demo]"
              " [--screenshot FILE.png]"
-             " [--size WxH]",
+             " [--size WxH] [--trace FILE.json]",
     .summary = "the workstation's window with a study, or with a session that goes on; --screenshot"
                " saves it, fully refined, as PNG or (.dcm) as Secondary Capture of the study, and "
                "exits",
@@ -261,8 +262,8 @@ const Command openCommand{.name = "open",
                        "saves the window, fully refined, and exits; .dcm: as Secondary Capture of "
                        "the study"},
                    {"size", "WxH", "of the window, in pixels"}}
-        + seriesOptions() + spacingOption(),
+        + seriesOptions() + spacingOption() + traceOption(),
     .needsWindow = true,
-    .run = runOpen};
+    .run = [](const Arguments& arguments) { return traced(arguments, runOpen); }};
 
 } // namespace app

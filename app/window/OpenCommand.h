@@ -5,9 +5,9 @@
 
 namespace app {
 
-/// `burin open [PATH] [--series UID] [--demo] [--screenshot FILE.png] [--size WxH]`: opens the
-/// window. With --screenshot it waits until every view is fully refined, saves a picture of the
-/// window and exits.
+/// `burin open [PATH] [--series UID] [--demo] [--screenshot FILE.png] [--size WxH]
+/// [--trace FILE.json]`: opens the window. With --screenshot it waits until every view is fully
+/// refined, saves a picture of the window and exits.
 extern const Command openCommand;
 
 } // namespace app

@@ -3,6 +3,7 @@
 
 #include "core/base/Guarded.h"
 #include "core/base/HandedOver.h"
+#include "core/base/trace/Trace.h"
 
 #include <QCoreApplication>
 #include <QPointer>
@@ -132,7 +133,8 @@ void Background::finish()
 }
 
 Background::Task Background::begin(QObject* context, Work work,
-    std::function<void(const Error&)> failed, Progress::Listener progressed)
+    std::function<void(const Error&)> failed, Progress::Listener progressed,
+    const std::type_info& type)
 {
     Q_ASSERT(context && context->thread() == m_here.thread());
     std::erase_if(m_states, [](const std::shared_ptr<State>& state) { return state->isOver(); });
@@ -145,7 +147,8 @@ Background::Task Background::begin(QObject* context, Work work,
         if (!m_thread)
             m_thread.emplace();
         m_thread->post(
-            [this, state, work = std::move(work)]() mutable {
+            [this, state, work = std::move(work), name = TraceName(type)]() mutable {
+                const TraceSpan span("task", name);
                 carryOut(state, std::exchange(work, {}));
             },
             fail);

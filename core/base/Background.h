@@ -11,6 +11,7 @@
 #include <memory>
 #include <optional>
 #include <type_traits>
+#include <typeinfo>
 #include <utility>
 #include <vector>
 
@@ -84,7 +85,7 @@ public:
                 return [done, outcome] { done(std::move(*outcome)); };
             },
             [done](const Error& error) { done(Outcome(tl::unexpected<Error>(error))); },
-            std::move(progressed));
+            std::move(progressed), typeid(Does));
     }
     /// The same after cancelling everything started before.
     template <class Does, class Done>
@@ -120,8 +121,9 @@ private:
             return does();
     }
 
+    /// @param type of what the task does: its name in a trace
     Task begin(QObject* context, Work work, std::function<void(const Error&)> failed,
-        Progress::Listener progressed);
+        Progress::Listener progressed, const std::type_info& type);
     void carryOut(const std::shared_ptr<State>& state, Work work);
     void completeLater(const std::shared_ptr<State>& state, Completion completion);
     void settle(const std::shared_ptr<State>& state);

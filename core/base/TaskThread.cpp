@@ -2,6 +2,7 @@
 #include "core/base/TaskThread.h"
 
 #include "core/base/Guarded.h"
+#include "core/base/trace/Trace.h"
 
 #include <exception>
 #include <utility>
@@ -63,6 +64,8 @@ void TaskThread::finish()
 
 void TaskThread::work()
 {
+    if (Trace::isOn())
+        static_cast<void>(guarded([] { Trace::nameThread("tasks"); }));
     std::unique_lock lock(m_mutex);
     while (true) {
         m_changed.wait(lock, [this] { return m_ending || !m_tasks.empty(); });

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "gpu/engine/CommandQueue.h"
 
+#include <chrono>
+#include <typeinfo>
 #include <utility>
 #include <variant>
 
@@ -10,6 +12,21 @@ namespace {
 
 /// Keeps the slice of a path that has waited long within bounds.
 constexpr int extensionsAtOnce = 16;
+
+template <class Known> core::TraceName kindOf(const Known& variant)
+{
+    return std::visit([](const auto& known) { return core::TraceName(typeid(known)); }, variant);
+}
+
+/// Of what kind the edit is, or what an open edit is told.
+core::TraceName detailOf(const core::EngineCommand& command)
+{
+    if (const auto* begin = std::get_if<core::BeginEdit>(&command))
+        return kindOf(begin->edit);
+    if (const auto* extend = std::get_if<core::ExtendEdit>(&command))
+        return kindOf(extend->extension);
+    return {};
+}
 
 } // namespace
 
@@ -25,6 +42,8 @@ core::Ticket CommandQueue::submit(core::EngineCommand command)
         const std::lock_guard lock(m_mutex);
         ticket = ++m_lastTicket;
         m_waiting.push_back({.ticket = ticket, .command = std::move(command)});
+        if (core::Trace::isOn())
+            m_waiting.back().submitted = core::Trace::Clock::now();
     }
     m_thread.wake();
     return ticket;
@@ -84,6 +103,18 @@ void CommandQueue::takeMore(core::ExtendEdit& first, EditTransaction& open)
             return;
         m_waiting.pop_front();
     }
+}
+
+core::TraceSpan CommandQueue::traced(const Waiting& taken)
+{
+    core::TraceOptions options;
+    if (core::Trace::isOn()) {
+        options.detail = detailOf(taken.command);
+        options.waitedMicroseconds = std::chrono::duration_cast<std::chrono::microseconds>(
+            core::Trace::Clock::now() - taken.submitted)
+                                         .count();
+    }
+    return {"engine", kindOf(taken.command), options};
 }
 
 void CommandQueue::deliver(core::EngineResult result)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/base/trace/Trace.h"
 #include "core/engine/EditEngine.h"
 #include "core/engine/EngineCommands.h"
 #include "gpu/engine/EditTransaction.h"
@@ -29,6 +30,7 @@ protected:
     struct Waiting {
         core::Ticket ticket = 0;
         core::EngineCommand command;
+        core::Trace::Clock::time_point submitted{}; ///< if a trace is on
     };
 
     explicit CommandQueue(EngineThread& thread);
@@ -39,6 +41,8 @@ protected:
     /// @param open null if no edit is open
     /// @return false if there is nothing to take
     [[nodiscard]] bool takeNext(Waiting& next, EditTransaction* open);
+    /// Records in a trace that the command is carried out, while the span lives.
+    [[nodiscard]] static core::TraceSpan traced(const Waiting& taken);
     void deliver(core::EngineResult result);
     /// Reports that the command taken by takeNext() is done, and wakes threads that wait in
     /// finish().

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "gpu/engine/EngineThread.h"
 
+#include "core/base/trace/Trace.h"
 #include "gpu/gl/DebugOutput.h"
+#include "gpu/gl/GpuTrace.h"
 
 #include <future>
 #include <utility>
@@ -36,7 +38,12 @@ core::Result<void> EngineThread::start()
         current.set_value(made);
         if (!made)
             return;
-        loop();
+        if (core::Trace::isOn())
+            core::Trace::nameThread("engine");
+        {
+            const GpuTrace trace;
+            loop();
+        }
         m_context->doneCurrent();
     });
     if (!isCurrent.get()) {

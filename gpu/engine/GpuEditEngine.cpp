@@ -13,6 +13,13 @@
 
 namespace gpu {
 
+namespace {
+
+/// A look that finds nothing to do is not worth a line of a trace.
+constexpr std::chrono::microseconds leastIdleWork{100};
+
+} // namespace
+
 GpuEditEngine::GpuEditEngine(const EditContext& context)
     : CommandQueue(context.thread)
     , m_thread(context.thread)
@@ -47,6 +54,7 @@ core::Result<void> GpuEditEngine::openVolume(
             opened = tl::unexpected(*m_lost);
             return;
         }
+        const core::TraceSpan span("engine", "open volume");
         close();
         m_lost.reset();
         try {
@@ -154,6 +162,7 @@ bool GpuEditEngine::workUnguarded()
         return true;
     }
     if (growthIsDue()) {
+        const core::TraceSpan span("engine", "growth");
         try {
             growOneSlice();
             requireNoError();
@@ -166,6 +175,7 @@ bool GpuEditEngine::workUnguarded()
     try {
         if (m_fields && m_expectsRanges)
             m_idleWork.warmUp(m_fields->grid().volumeSize, KernelWarmUp::Of::EditableRanges);
+        const core::TraceSpan span("engine", "between edits", {.least = leastIdleWork});
         const bool more = m_idleWork.doSome(m_fields.get(), m_transaction != nullptr);
         requireNoError();
         m_followUpsFailed = 0;
@@ -241,6 +251,7 @@ void GpuEditEngine::publishProgress()
 
 void GpuEditEngine::carryOut(Waiting& next)
 {
+    const core::TraceSpan span = traced(next);
     const Clock::time_point start = Clock::now();
     Outcome outcome = attempt(next.command);
     const double milliseconds = millisecondsSince(start);

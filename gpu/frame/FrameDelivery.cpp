@@ -6,10 +6,28 @@
 
 #include <cstring>
 #include <memory>
+#include <string>
 #include <utility>
 #include <vector>
 
 namespace gpu {
+
+namespace {
+
+core::TraceName pictureName(Frame::Quality quality)
+{
+    switch (quality) {
+    case Frame::Quality::Coarse:
+        return "coarse picture";
+    case Frame::Quality::Full:
+        return "full picture";
+    case Frame::Quality::Refined:
+        return "refined picture";
+    }
+    return {};
+}
+
+} // namespace
 
 FrameDelivery::FrameDelivery(VolumeTextures& volume, FrameMail& mail)
     : m_volume(volume)
@@ -38,6 +56,9 @@ void FrameDelivery::send(ViewProgress& view, Frame::Quality quality)
         }
     }
     sent.fence = Fence::insert();
+    sent.begun = std::exchange(view.begun, std::nullopt).value_or(core::Trace::Clock::now());
+    if (core::Trace::isOn() && !view.lane)
+        view.lane.emplace("view " + std::to_string(view.request.view));
     m_sent.insert_or_assign(view.request.view, std::move(sent));
 }
 
@@ -63,6 +84,7 @@ int FrameDelivery::deliver(const std::map<ViewId, ViewProgress>& views)
         }
         requireContext(); // else what lies there is no picture
         Frame frame = std::move(it->second.frame);
+        const core::Trace::Clock::time_point begun = it->second.begun;
         const auto view = views.find(it->first);
         it = m_sent.erase(it);
         if (view == views.end())
@@ -72,6 +94,12 @@ int FrameDelivery::deliver(const std::map<ViewId, ViewProgress>& views)
         std::memcpy(bytes.data(), home.mapped(), bytes.size());
         frame.rgba = std::make_shared<const std::vector<std::uint8_t>>(std::move(bytes));
         ++handed;
+        if (view->second.lane)
+            core::Trace::add({.category = "frame",
+                .name = pictureName(frame.quality),
+                .lane = view->second.lane->id(),
+                .begin = begun,
+                .end = core::Trace::Clock::now()});
         m_mail.hand(frame);
     }
     return handed;

@@ -37,6 +37,7 @@ private:
     struct Sent {
         Frame frame;
         Fence fence;
+        core::Trace::Clock::time_point begun; ///< ViewProgress::begun
     };
 
     VolumeTextures& m_volume;

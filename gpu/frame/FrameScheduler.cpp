@@ -260,6 +260,8 @@ void FrameScheduler::drawSlice(ViewProgress& view, bool editing)
 {
     const Clock::time_point start = Clock::now();
     view.turn = ++m_turn;
+    if (!view.begun)
+        view.begun = start;
     view.targets.resize(view.request.sizePixels);
     if (!m_volume.isDrawable()) {
         view.targets.picture.clear();

@@ -22,6 +22,7 @@ void ViewProgress::restart()
     stale = false;
     sample = 0;
     milliseconds = 0.0;
+    begun.reset();
 }
 
 void ViewProgress::changed()
@@ -38,6 +39,7 @@ void ViewProgress::giveUp()
     stage = Stage::Done;
     tiles.reset();
     stale = false;
+    begun.reset();
     targets = {};
     pictures = {};
 }

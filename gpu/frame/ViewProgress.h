@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/base/trace/Trace.h"
 #include "gpu/frame/FrameTargets.h"
 #include "gpu/frame/ViewPainter.h"
 #include "gpu/scene/TilePlan.h"
@@ -21,6 +22,8 @@ struct ViewProgress {
     std::optional<TilePlan> tiles; ///< tiles of the picture being drawn; none if it has not begun
     bool stale = false; ///< the content changed while its coarse picture was drawn
     double milliseconds = 0.0;
+    std::optional<core::Trace::Clock::time_point> begun; ///< when the picture being drawn was
+    std::optional<core::TraceLane> lane; ///< of its pictures, if a trace is on
     std::uint64_t turn = 0; ///< the turn in which it was last drawn
     FrameTargets targets;
     ViewPictures pictures; ///< of the picture being drawn

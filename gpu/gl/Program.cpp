@@ -2,6 +2,7 @@
 #include "gpu/gl/Program.h"
 
 #include "gpu/gl/GlFailure.h"
+#include "gpu/gl/GpuTrace.h"
 
 #include <glm/gtc/type_ptr.hpp>
 
@@ -57,6 +58,7 @@ Program::Program(const ShaderLibrary& library, const GraphicsProgramOptions& opt
 void Program::link(const char* label, std::span<const GLuint> shaders)
 {
     m_id = GlId<glDelete::program>(glCreateProgram());
+    m_label = label;
     labelObject(GL_PROGRAM, id(), label);
     for (const GLuint shader : shaders)
         glAttachShader(id(), shader);
@@ -231,11 +233,13 @@ Program& Program::set(std::string_view name, std::span<const glm::ivec4> values)
 void Program::use() const
 {
     glUseProgram(id());
+    GpuTrace::use(m_label);
 }
 
 void Program::dispatch(const glm::uvec3& groups) const
 {
     use();
+    const GpuTrace::Span measured;
     glDispatchCompute(groups.x, groups.y, groups.z);
 }
 
@@ -243,6 +247,7 @@ void Program::dispatchIndirect(const Buffer& groups, std::size_t offset) const
 {
     use();
     glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, groups.id());
+    const GpuTrace::Span measured;
     glDispatchComputeIndirect(GLintptr(offset));
 }
 

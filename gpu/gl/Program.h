@@ -21,13 +21,13 @@ namespace gpu {
 constexpr std::size_t mostWorkGroups = 65535;
 
 struct ComputeProgramOptions {
-    const char* label = "";
+    const char* label = ""; ///< a word that is there as long as the program runs (GpuTrace)
     const char* path = ""; ///< below gpu/, e.g. "kernels/sculpt/laserCut.comp"
     ShaderDefines defines{};
 };
 
 struct GraphicsProgramOptions {
-    const char* label = "";
+    const char* label = ""; ///< as above
     const char* vertexPath = "shaders/fullScreen.vert";
     const char* fragmentPath = "";
     ShaderDefines defines{}; ///< for both stages
@@ -91,6 +91,7 @@ private:
         GLint location = -1;
     };
     GlId<glDelete::program> m_id;
+    const char* m_label = "";
     std::vector<Uniform> m_uniforms; ///< sorted by name
 };
 

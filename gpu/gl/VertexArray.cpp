@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "gpu/gl/VertexArray.h"
 
+#include "gpu/gl/GpuTrace.h"
+
 namespace gpu {
 
 VertexArray::VertexArray(const char* label)
@@ -37,18 +39,21 @@ void VertexArray::setElements(const Buffer& buffer)
 void VertexArray::drawFullScreenTriangle() const
 {
     glBindVertexArray(m_id.get());
+    const GpuTrace::Span measured;
     glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 
 void VertexArray::drawTriangles(int elements) const
 {
     glBindVertexArray(m_id.get());
+    const GpuTrace::Span measured;
     glDrawElements(GL_TRIANGLES, elements, GL_UNSIGNED_INT, nullptr);
 }
 
 void VertexArray::drawQuads(int instances) const
 {
     glBindVertexArray(m_id.get());
+    const GpuTrace::Span measured;
     glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, instances);
 }
 

@@ -373,6 +373,9 @@ void FilesWrittenUiTest::windows()
     for (const char* picture : {"p.png", "p.dcm"})
         CARRY_OUT("open --screenshot", {key("open"), m_study, key("--screenshot"), at(picture)},
             {at(picture)}, false);
+    CARRY_OUT("open --trace",
+        {key("open"), key("--screenshot"), at("start.png"), key("--trace"), at("trace.json")},
+        {at("start.png"), at("trace.json")}, false);
     // A session is open in the window, and the window is told to end.
     QProcess process;
     process.setProcessEnvironment(m_home.environment());

@@ -80,10 +80,13 @@ private Q_SLOTS:
         const QTemporaryDir out;
         const QString study = studies.filePath(QStringLiteral("one"));
         test::writeSeries(test::markedSeries(), study);
-        const Outcome made =
-            burin({key("run"), CommandFixture::recipe("r.json", patientPrivacyGlTest::recipe(out)),
-                key("--study"), study, key("--session"), path("a.burin")});
+        const Outcome made = burin({key("run"),
+            CommandFixture::recipe("r.json", patientPrivacyGlTest::recipe(out)), key("--study"),
+            study, key("--session"), path("a.burin"), key("--trace"), path("trace.json")});
         QVERIFY2(made.status == 0, qPrintable(made.complaint));
+        QVERIFY(QFile::exists(path("trace.json")));
+        QVERIFY2(test::markersIn(path("trace.json")).isEmpty(),
+            test::markersIn(path("trace.json")).join(' ').constData());
         for (const QByteArray& marker : test::markers()) {
             QVERIFY2(!made.output.contains(marker), made.output.constData());
             QVERIFY2(

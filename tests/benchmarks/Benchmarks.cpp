@@ -6,6 +6,8 @@
 #include "tests/benchmarks/GrowBenchmark.h"
 #include "tests/benchmarks/HistoryBenchmark.h"
 #include "tests/benchmarks/LoadBenchmark.h"
+#include "tests/benchmarks/MemoryBenchmark.h"
+#include "tests/benchmarks/MovingBenchmark.h"
 #include "tests/benchmarks/PeerReport.h"
 #include "tests/benchmarks/PlaneBenchmark.h"
 #include "tests/benchmarks/RefineBenchmark.h"
@@ -46,7 +48,9 @@ struct Group {
 
 const std::vector<Group>& groups()
 {
-    static const std::vector<Group> all{{"--frames", {measurePeers}},
+    // Memory first: what others have freed would hide what is taken.
+    static const std::vector<Group> all{{"--memory", {bench::measureMemory}},
+        {"--frames", {measurePeers}}, {"--moving", {bench::measureMoving}},
         {"--grow", {bench::measureGrowth, bench::measureSteering}},
         {"--load", {bench::measureLoading}}, {"--decode", {bench::measureDecoding}},
         {"--sculpt", {bench::measureSculpting}}, {"--history", {bench::measureHistory}},

@@ -5,6 +5,8 @@
 #include "core/study/StudyLoader.h"
 #include "tests/benchmarks/TorsoVolume.h"
 #include "tests/peers/ItkSeries.h"
+#include "tests/support/program/FileBytes.h"
+#include "tests/support/program/TraceEvents.h"
 #include "ui/base/ErrorText.h"
 
 #include <QDir>
@@ -220,6 +222,67 @@ QString measureFolder(
     return {};
 }
 
+struct Opening {
+    QString why; ///< there are no figures; empty: there are
+    double longestMs = 0.0; ///< that the window stood still
+    double refinedMs = 0.0; ///< until every view is refined
+};
+
+/// By the program's own trace: from where the study's reading begins to the last refined picture.
+Opening openWindow(const QString& study)
+{
+    const QTemporaryDir home;
+    const QString trace = home.filePath(QStringLiteral("trace.json"));
+    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+    for (const char* name : {"XDG_STATE_HOME", "XDG_CACHE_HOME", "XDG_CONFIG_HOME"})
+        environment.insert(QLatin1String(name), home.filePath(QLatin1String(name)));
+    QProcess process;
+    process.setProcessEnvironment(environment);
+    process.start(QStringLiteral(BURIN_PROGRAM),
+        {QStringLiteral("open"), study, QStringLiteral("--screenshot"),
+            home.filePath(QStringLiteral("window.png")), QStringLiteral("--trace"), trace});
+    if (!process.waitForFinished(600'000) || process.exitCode() != 0)
+        return {.why = QString::fromUtf8(process.readAllStandardError())};
+    const std::vector<test::TraceEvent> events = test::traceEvents(test::bytesOf(trace));
+    qint64 begin = -1;
+    qint64 end = -1;
+    for (const test::TraceEvent& event : events) {
+        const bool reads = event.category == QLatin1String("task")
+            && event.name.contains(QLatin1String("StudyOpener"));
+        if (reads && (begin < 0 || event.begin < begin))
+            begin = event.begin;
+        if (event.category == QLatin1String("frame")
+            && event.name == QLatin1String("refined picture"))
+            end = std::max(end, event.end);
+    }
+    if (begin < 0 || end < begin)
+        return {.why = QStringLiteral("the trace tells of no study")};
+    qint64 longest = 0;
+    for (const test::TraceEvent& event : events) {
+        if (event.category == QLatin1String("window") && event.begin >= begin && event.begin < end)
+            longest = std::max(longest, event.end - event.begin);
+    }
+    return {.why = {}, .longestMs = double(longest) / 1e6, .refinedMs = double(end - begin) / 1e6};
+}
+
+QString measureWindow(PeerReport& report, const QString& study)
+{
+    std::fprintf(stderr, "loading: in the window\n");
+    std::vector<double> longest;
+    std::vector<double> refined;
+    for (int round = 0; round < coldRepetitions; ++round) {
+        const Opening opening = openWindow(study);
+        if (!opening.why.isEmpty())
+            return QStringLiteral("load.window: ") + opening.why;
+        longest.push_back(opening.longestMs);
+        refined.push_back(opening.refinedMs);
+    }
+    report.add(
+        {"load.window.longestStall", "Ms", *std::max_element(longest.begin(), longest.end())});
+    report.add({"load.window.refined", "Ms", median(refined)});
+    return {};
+}
+
 } // namespace
 
 QString measureLoading(PeerReport& report)
@@ -249,6 +312,8 @@ QString measureLoading(PeerReport& report)
     }
     if (QString why = measureFolder(report, QStringLiteral("load.native"), native, expected);
         !why.isEmpty())
+        return why;
+    if (QString why = measureWindow(report, native); !why.isEmpty())
         return why;
     std::fprintf(stderr, "loading: the same in JPEG lossless\n");
     if (QString why = compress(native, lossless); !why.isEmpty())

@@ -402,6 +402,9 @@ QString measurePictures(PeerReport& report)
     dvr.mode = gpu::RenderMode::Dvr;
     dvr.transferFunction.points = {{150.0, 0x8a4b32, 0.0}, {250.0, 0xd9a066, 0.05},
         {600.0, 0xf2e4c4, 0.35}, {1800.0, 0xffffff, 0.8}};
+    gpu::VolumeScene mip = surface;
+    mip.mode = gpu::RenderMode::Mip;
+    mip.mipWindow = {.centre = 700.0, .width = 1800.0};
     const auto time = [&stage](const gpu::VolumeScene& scene) {
         std::vector<double> times;
         for (int round = 0; round < rounds; ++round)
@@ -410,6 +413,7 @@ QString measurePictures(PeerReport& report)
     };
     const double surfaceBefore = time(surface);
     const double dvrBefore = time(dvr);
+    const double mipBefore = time(mip);
 
     core::PeelCut peel;
     peel.view = {.eyeLps = surface.eyeLps, .targetLps = {}, .up = {0, 0, 1}, .heightMm = 240.0};
@@ -429,8 +433,10 @@ QString measurePictures(PeerReport& report)
     }
     report.add({"frame.surface.opened", "Ms", time(surface), "before the cut", surfaceBefore});
     report.add({"frame.dvr.opened", "Ms", time(dvr), "before the cut", dvrBefore});
+    report.add({"frame.mip.opened", "Ms", time(mip), "before the cut", mipBefore});
     const double surfaceOpened = time(surface);
     const double dvrOpened = time(dvr);
+    const double mipOpened = time(mip);
     for (int piece = 1; piece <= 4; ++piece) {
         for (const core::Edit& edit :
             {core::Edit(core::CutPiece{.layer = piece, .name = QStringLiteral("Quarter")}),
@@ -446,9 +452,11 @@ QString measurePictures(PeerReport& report)
             .shownFromTrue = core::shownFromTrue(piece, demo->geometry)};
         surface.pieces.push_back(shown);
         dvr.pieces.push_back(shown);
+        mip.pieces.push_back(shown);
     }
     report.add({"frame.surface.pieces", "Ms", time(surface), "no pieces", surfaceOpened});
     report.add({"frame.dvr.pieces", "Ms", time(dvr), "no pieces", dvrOpened});
+    report.add({"frame.mip.pieces", "Ms", time(mip), "no pieces", mipOpened});
     return {};
 }
 

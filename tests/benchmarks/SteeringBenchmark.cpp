@@ -21,6 +21,7 @@ constexpr int peak = 20000; ///< code in the middle of the ball
 constexpr int codesPerVoxel = 100;
 constexpr int radius = 134;
 constexpr int rounds = 9;
+constexpr int recoveries = 3;
 
 double milliseconds(const std::function<void()>& work)
 {
@@ -125,9 +126,7 @@ public:
         if (!engine)
             return false;
         m_engine = std::move(*engine);
-        const auto codes = filled(side, [](const glm::ivec3& at) {
-            return int(std::max(0.0, peak - codesPerVoxel * glm::length(glm::dvec3(at))));
-        });
+        const auto codes = filled(side, codeAt);
         if (!edits().openVolume(glm::ivec3(side), codes))
             return false;
         core::submitWhole(
@@ -138,7 +137,22 @@ public:
     }
     [[nodiscard]] core::EditEngine& edits() { return m_engine->edits(); }
     [[nodiscard]] const core::EngineResult& grown() const { return m_grown; }
+    /// @param at from the middle
+    [[nodiscard]] static int codeAt(const glm::ivec3& at)
+    {
+        return int(std::max(0.0, peak - codesPerVoxel * glm::length(glm::dvec3(at))));
+    }
     [[nodiscard]] static int lowCode(int voxels) { return peak - codesPerVoxel * voxels; }
+
+    /// Makes undone what a committed edit has changed.
+    void takeBack(const core::EngineResult& result)
+    {
+        core::SwapBricks swap;
+        for (const core::BrickChange& change : result.changes)
+            swap.bricks.push_back({change.key, change.before});
+        edits().submit(std::move(swap));
+        edits().finish();
+    }
 
     /// The result of a ticket, once all is done.
     core::EngineResult ended(core::Ticket ticket)
@@ -183,14 +197,42 @@ QString measureSlider(PeerReport& report, Ball& ball)
     const core::EngineResult result = ball.ended(edits.submit(core::EndEdit{core::Ending::Commit}));
     if (result.error || result.statistics.voxelsChanged < 100'000)
         return QStringLiteral("steer.slider: the interval took nothing");
-    edits.submit(core::SwapBricks{[&result] {
-        std::vector<core::BrickImage> images;
-        for (const core::BrickChange& change : result.changes)
-            images.push_back({change.key, change.before});
-        return images;
-    }()});
-    edits.finish();
+    ball.takeBack(result);
     report.add({"steer.slider", "Ms", median(times)});
+    return {};
+}
+
+/// What the interval has suspended comes back when it widens: the shell around the ball, in
+/// which there are as many voxels as counting tells.
+QString measureRecovery(PeerReport& report, Ball& ball)
+{
+    constexpr int wider = radius + 2;
+    std::int64_t shell = 0;
+    for (int z = -wider; z <= wider; ++z) {
+        for (int y = -wider; y <= wider; ++y) {
+            for (int x = -wider; x <= wider; ++x) {
+                const int code = Ball::codeAt({x, y, z});
+                shell += code >= Ball::lowCode(wider) && code < Ball::lowCode(radius) ? 1 : 0;
+            }
+        }
+    }
+    std::vector<double> times;
+    for (int round = 0; round < recoveries; ++round) {
+        core::EngineResult result;
+        times.push_back(milliseconds([&] {
+            result = ball.ended(core::submitWhole(ball.edits(),
+                core::GrowBurst{.lowCode = Ball::lowCode(wider),
+                    .highCode = 65535,
+                    .generation = ball.grown().generation},
+                {core::GrowAdvance{}}));
+        }));
+        if (result.error || result.statistics.voxelsChanged != shell)
+            return QStringLiteral("steer.recovery: %1 voxels came back, not %2")
+                .arg(qlonglong(result.statistics.voxelsChanged))
+                .arg(qlonglong(shell));
+        ball.takeBack(result);
+    }
+    report.add({"steer.recovery", "Ms", median(times)});
     return {};
 }
 
@@ -257,7 +299,7 @@ QString measureSteering(PeerReport& report)
         [](const core::BrickChange& change) { return change.key.field == core::Field::SeedWords; });
     report.add({"steer.words", "Bytes per 1000",
         double(bricks) * 4096 * 4 * 1000 / double(ball.grown().statistics.voxelsChanged)});
-    for (const auto measure : {measureSlider, measureScrub, measureSketch}) {
+    for (const auto measure : {measureSlider, measureRecovery, measureScrub, measureSketch}) {
         if (const QString why = measure(report, ball); !why.isEmpty())
             return why;
     }

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "tests/support/program/FileBytes.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/program/TraceEvents.h"
 
 #include <QImage>
 #include <QProcess>
@@ -8,6 +10,9 @@
 
 #include <QDir>
 #include <QFile>
+
+#include <set>
+#include <vector>
 
 namespace openCommandUiTest {
 
@@ -25,6 +30,8 @@ private Q_SLOTS:
     void screenshotOfTheDemonstration();
 
 private:
+    static void tellsWhatTookHowLong(const QString& trace);
+
     struct Outcome {
         int status = -1;
         QString output;
@@ -164,8 +171,9 @@ void OpenCommandUiTest::screenshotOfTheStartPage()
 void OpenCommandUiTest::screenshotOfTheDemonstration()
 {
     const QString file = m_folder.filePath(QStringLiteral("demonstration.png"));
+    const QString trace = m_folder.filePath(QStringLiteral("trace.json"));
     const Outcome outcome = burin({QStringLiteral("--demo"), QStringLiteral("--screenshot"), file,
-        QStringLiteral("--size"), QStringLiteral("1100x700")});
+        QStringLiteral("--size"), QStringLiteral("1100x700"), QStringLiteral("--trace"), trace});
     QVERIFY2(outcome.status == 0, qPrintable(outcome.output));
     const QImage picture(file);
     QCOMPARE(picture.size(), QSize(1100, 700));
@@ -187,6 +195,28 @@ void OpenCommandUiTest::screenshotOfTheDemonstration()
             QVERIFY2(lit > 200, qPrintable(QStringLiteral("quarter %1, %2").arg(x).arg(y)));
         }
     }
+    tellsWhatTookHowLong(trace);
+}
+
+/// Opening was a task, and each of four views was drawn until it was refined.
+void OpenCommandUiTest::tellsWhatTookHowLong(const QString& trace)
+{
+    const std::vector<test::TraceEvent> events = test::traceEvents(test::bytesOf(trace));
+    QVERIFY(!events.empty());
+    QVERIFY2(test::overlapIn(events).isEmpty(), qPrintable(test::overlapIn(events)));
+    std::set<QString> views;
+    for (const test::TraceEvent& event : events) {
+        if (event.category == QLatin1String("frame")
+            && event.name == QLatin1String("refined picture"))
+            views.insert(event.lane);
+        // An event of the window is told if it took long.
+        QVERIFY(event.category != QLatin1String("window") || event.end - event.begin >= 1'000'000);
+    }
+    QVERIFY(views.size() >= 4);
+    QVERIFY(test::timeIn(events, "frame") > 0);
+    QVERIFY(test::timeIn(events, "window") > 0);
+    QVERIFY(test::timeIn(events, "task") > 0);
+    QVERIFY(test::timeIn(events, "engine", "open volume") > 0);
 }
 
 // A client of the display itself: a server that loses its last client begins anew, and turns away

@@ -2,12 +2,13 @@
 #include "gpu/gl/Buffer.h"
 #include "gpu/gl/Fence.h"
 #include "gpu/gl/Framebuffer.h"
+#include "gpu/gl/GpuTrace.h"
 #include "gpu/gl/Program.h"
 #include "gpu/gl/Texture3D.h"
-#include "gpu/gl/TimerQuery.h"
 #include "gpu/gl/VertexArray.h"
 #include "tests/support/fixtures/GlTest.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/program/TraceEvents.h"
 
 #include <QFile>
 #include <QTemporaryDir>
@@ -171,12 +172,9 @@ private Q_SLOTS:
         const Texture2D target({.label = "target", .size = {7, 5}});
         const Framebuffer framebuffer({.label = "frame", .colours = {&target}});
         const VertexArray nothing("nothing");
-        TimerQuery timer("time");
-        timer.begin();
         framebuffer.bind();
         program.use();
         nothing.drawFullScreenTriangle();
-        timer.end();
         const Buffer pixels({.label = "pixels", .bytes = 7 * 5 * 4, .use = BufferUse::MappedRead});
         framebuffer.readInto(pixels.id());
         Fence::insert().wait();
@@ -187,8 +185,68 @@ private Q_SLOTS:
                 QCOMPARE(int(bytes[(y * 7 + x) * 4 + 1]), 2 * y + 1);
             }
         }
-        glFinish();
-        QVERIFY(timer.milliseconds().has_value());
+    }
+
+    /// Kernels and draws one after the other, each by its name, with the time that it took.
+    void whatRunsIsTraced()
+    {
+        GLint bits = 0;
+        glGetQueryiv(GL_TIMESTAMP, GL_QUERY_COUNTER_BITS, &bits);
+        if (bits == 0)
+            QSKIP("this driver has no timestamps");
+        write("long.comp",
+            "layout(local_size_x = 64) in;\n"
+            "layout(std430, binding = 0) buffer Sums { uint sums[]; };\n"
+            "void main() {\n"
+            "    uint sum = gl_GlobalInvocationID.x;\n"
+            "    for (uint i = 0u; i < 2000u; ++i) sum = sum * 1664525u + i;\n"
+            "    sums[gl_GlobalInvocationID.x] = sum;\n"
+            "}\n");
+        write("plain.frag",
+            "layout(location = 0) out vec4 colour;\n"
+            "void main() { colour = vec4(gl_FragCoord.x); }\n");
+        QFile::copy(QStringLiteral(BURIN_SOURCE_DIR "/gpu/shaders/fullScreen.vert"),
+            m_folder.filePath(QStringLiteral("fullScreen.vert")));
+        const Program kernel(library(), {.label = "a kernel", .path = "long.comp"});
+        const Program pass(library(),
+            {.label = "a pass", .vertexPath = "fullScreen.vert", .fragmentPath = "plain.frag"});
+        const Buffer sums({.label = "sums", .bytes = 64 * 16 * 4});
+        sums.bindBase(GL_SHADER_STORAGE_BUFFER, 0);
+        const Texture2D target({.label = "target", .size = {256, 256}});
+        const Framebuffer framebuffer({.label = "frame", .colours = {&target}});
+        framebuffer.bind();
+        const VertexArray nothing("nothing");
+        constexpr int rounds = 3;
+        const auto run = [&] {
+            for (int i = 0; i < rounds; ++i) {
+                kernel.dispatch({16, 1, 1});
+                pass.use();
+                nothing.drawFullScreenTriangle();
+            }
+        };
+        run(); // drivers compile at first use
+        core::Trace::begin();
+        {
+            const GpuTrace trace;
+            run();
+        }
+        run(); // of which nothing is measured any more
+        const std::vector<test::TraceEvent> events =
+            test::traceEvents(QByteArray::fromStdString(core::Trace::end()));
+        QCOMPARE(events.size(), std::size_t(2 * rounds));
+        QVERIFY2(test::overlapIn(events).isEmpty(), qPrintable(test::overlapIn(events)));
+        int kernels = 0;
+        for (const test::TraceEvent& event : events) {
+            QCOMPARE(event.category, QStringLiteral("gpu"));
+            QVERIFY(event.lane.contains(QLatin1String(" GPU: ")));
+            if (event.name == QLatin1String("a kernel"))
+                ++kernels;
+            else
+                QCOMPARE(event.name, QStringLiteral("a pass"));
+        }
+        QCOMPARE(kernels, rounds);
+        QVERIFY(test::timeIn(events, "gpu", "a kernel") > 0);
+        QVERIFY(test::timeIn(events, "gpu", "a pass") > 0);
     }
 
     void compileErrorsNameFileAndLine()
