@@ -154,6 +154,22 @@ void addDocumentStrokes(std::vector<StrokeCase>& cases, const StrokeScene& scene
     taking.overwriteUnlocked = true;
     cases.push_back({"import a mask twice", volume, {mask}, taking});
     cases.push_back({"a mask that is held already", volume, {mask}, mask});
+    // Its segments keep what they share, in two planes.
+    core::ImportMask apart = mask;
+    apart.planes = std::vector<int>{0, 1};
+    core::ImportMask apartTaking = apart;
+    apartTaking.planes = std::vector<int>{2, 0};
+    apartTaking.overwriteUnlocked = true;
+    cases.push_back({"import a mask that overlaps", volume, {}, apart});
+    cases.push_back(
+        {"import a mask that overlaps around what has grown", volume, {first, seeds, some}, apart});
+    cases.push_back({"import over two planes", volume, {apart}, apartTaking});
+    cases.push_back({"import into one of two planes", volume, {apart}, joined});
+    cases.push_back({"invert a segment of a further plane", volume, {apart},
+        core::InvertSegment{.segment = 2}});
+    cases.push_back({"delete a segment of a further plane", volume, {apart},
+        core::RemoveSegment{.segment = 2}});
+    cases.push_back({"paint under a segment of a further plane", volume, {apart}, paint});
     cases.push_back(
         {"undo only a mask", volume, {first, joinedFirst(mask), drill}, core::RevertRows{{2}}});
     cases.push_back({"growth after what is seen", volume, {first, seeds, some, seen}, over});
