@@ -262,6 +262,24 @@ private Q_SLOTS:
         QVERIFY(on.carriedOut(read->edit).empty());
     }
 
+    /// Contours may lie over each other.
+    void anRtStructThatOverlaps()
+    {
+        const Fixture on;
+        QVERIFY(exportMask(on.volume,
+            {.format = ExportFormat::RtStruct,
+                .file = on.file,
+                .segments = {segmentOf("Liver", 0), segmentOf("Vein", 1)},
+                .planes = on.planes},
+            {}));
+        const Result<ReadImport> read = readImport(ImportMask{.file = on.file}, on.volume, 0, {});
+        QVERIFY(read);
+        QCOMPARE(read->overlaps,
+            (std::vector<MaskOverlap>{{.segments = {0, 1}, .voxels = Fixture::shared}}));
+        QCOMPARE(on.carriedOut(read->edit), on.byColumn({1, 1, 1, 1, 0, 0, 0, 0, 0, 0, 0}));
+        QCOMPARE(on.carriedOut(read->edit, 1), on.byColumn({0, 0, 2, 2, 2, 2, 2, 0, 0, 0, 0}));
+    }
+
     /// `burin run` says it of the files that a recipe names.
     void recipesTellIt()
     {

@@ -1,9 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/brick/VoxelRuns.h"
 #include "core/edits/EditJson.h"
+#include "core/edits/kinds/filling/FloodFill.h"
+#include "core/edits/kinds/filling/MirrorSegment.h"
 #include "core/edits/kinds/segments/CombineSegments.h"
+#include "core/edits/kinds/segments/FillOutline.h"
 #include "core/edits/kinds/segments/ImportMask.h"
+#include "core/edits/kinds/segments/InvertSegment.h"
 #include "core/edits/kinds/segments/PaintStroke.h"
+#include "core/edits/kinds/segments/RemoveSegment.h"
+#include "core/edits/kinds/segments/ReshapeSegment.h"
+#include "core/edits/kinds/segments/SegmentSeen.h"
+#include "core/edits/kinds/splitting/SplitSegment.h"
+#include "core/edits/kinds/values/ThresholdSegment.h"
 #include "core/masks/MaskOnVolume.h"
 #include "core/masks/ReadImport.h"
 #include "core/session/EditSession.h"
@@ -249,6 +258,72 @@ private Q_SLOTS:
         QCOMPARE(bench.tried(test::eraseAt(1, {bench.at({12, 6, 6})}, 3.0)), QString());
         QCOMPARE(bench.labels(1), second);
         QVERIFY(bench.count(0, 1) < 13 * 6 * 4);
+    }
+
+    void everyEditKeepsToItsPlane_data()
+    {
+        QTest::addColumn<Edit>("edit");
+        const VolumeGeometry geometry = test::smallStudy().volume.geometry;
+        const glm::dvec3 place = geometry.toWorld({12.0, 6.0, 6.0});
+        const auto row = [](const char* name, Edit edit) { QTest::newRow(name) << edit; };
+        row("invert", InvertSegment{.segment = 2});
+        row("grow by a margin", ReshapeSegment{.segment = 2, .mm = 2.0});
+        row("by values", ThresholdSegment{.segment = 2, .lower = 500.0});
+        row("mirror", MirrorSegment{.segment = 2});
+        row("what is seen",
+            SegmentSeen{.target = {.segment = 2, .name = {}}, .lower = 500.0, .hidden = {}});
+        row("fill",
+            FloodFill{.segment = 2, .placeLps = test::pointsInBrain().front(), .tolerance = 5.0});
+        row("outline",
+            FillOutline{.segment = 2,
+                .originLps = place,
+                .polygonMm = {{-4.0, -2.0}, {4.0, -2.0}, {4.0, 2.0}, {-4.0, 2.0}}});
+        row("split",
+            SplitSegment{.segment = 2,
+                .placeLps = geometry.toWorld({15.0, 6.0, 6.0}),
+                .normalLps = {1.0, 0.0, 0.0},
+                .into = {.name = QStringLiteral("Part"), .rgb = 5}});
+        row("delete", RemoveSegment{.segment = 2});
+    }
+    void everyEditKeepsToItsPlane()
+    {
+        QFETCH(Edit, edit);
+        const Bench bench;
+        QCOMPARE(bench.tried(twoPlanes()), QString());
+        QCOMPARE(bench.tried(edit), QString());
+        QCOMPARE(bench.session->history().rows().size(), std::size_t(2));
+        QCOMPARE(bench.labels(0), labelsOf(one, 1));
+        QVERIFY(bench.labels(1) != labelsOf(two, 2));
+        for (const Segment& segment : bench.session->document().segments) {
+            QCOMPARE(segment.voxels, bench.count(segment.plane, segment.label));
+            QCOMPARE(int(segment.plane), segment.label == 1 ? 0 : 1);
+        }
+        QVERIFY(bench.session->undo());
+        QVERIFY(bench.session->settle());
+        QCOMPARE(bench.labels(0), labelsOf(one, 1));
+        QCOMPARE(bench.labels(1), labelsOf(two, 2));
+    }
+
+    /// Inside a segment is what that segment's own plane says.
+    void insideASegmentOfAnotherPlane()
+    {
+        const Bench bench;
+        QCOMPARE(bench.tried(twoPlanes()), QString());
+        Edit paint = test::paintAt(2, {bench.at({2, 6, 6})}, 3.0);
+        paint.as<PaintStroke>()->editable.emplace().inside = std::vector<int>{1};
+        QCOMPARE(bench.tried(paint), QString());
+        const std::vector<std::uint8_t> first = labelsOf(one, 1);
+        const std::vector<std::uint8_t> before = labelsOf(two, 2);
+        const std::vector<std::uint8_t> after = bench.labels(1);
+        int painted = 0;
+        for (std::size_t i = 0; i < after.size(); ++i) {
+            if (after[i] == before[i])
+                continue;
+            QCOMPARE(int(first[i]), 1);
+            ++painted;
+        }
+        QVERIFY(painted > 20);
+        QCOMPARE(bench.labels(0), first);
     }
 
     void whatOnlyTheFirstPlaneCan()
