@@ -50,7 +50,7 @@ MaskOrderDialog::MaskOrderDialog(
     , m_down(new QPushButton(tr("Further down"), this))
 {
     setWindowTitle(tr("Segments overlap"));
-    constexpr QSize least(480, 360);
+    constexpr QSize least(480, 460);
     setMinimumSize(least);
     auto* heading = new FittingLabel(Qt::AlignLeft, this);
     heading->setFont(theme::headingFont());

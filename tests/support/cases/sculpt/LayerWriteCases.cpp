@@ -72,7 +72,7 @@ LabelListed randomList(const glm::ivec3& size, std::uint8_t plane, Random& rando
 }
 
 /// Lists for some of three planes, most of which leave alone what others hold.
-core::LabelPlanes randomPlanes(const glm::ivec3& size, Random& random)
+core::LabelPlanes randomPlaneLists(const glm::ivec3& size, Random& random)
 {
     constexpr int planes = 3;
     core::LabelPlanes made;
@@ -109,7 +109,7 @@ EngineCase planeWrites(int number, const glm::ivec3& size)
             .label = std::uint8_t(randomInt(random, 1, 4)),
             .voxels = {}};
         appendSeeds(made.steps, seeds, 5, size, random);
-        appendWhole(made.steps, randomPlanes(size, random), {},
+        appendWhole(made.steps, randomPlaneLists(size, random), {},
             edit == 3 ? core::Ending::Rollback : core::Ending::Commit);
         if (edit == 4)
             made.steps.push_back(Undo{});
