@@ -20,6 +20,7 @@
 #include "core/edits/kinds/segments/ImportMask.h"
 #include "core/edits/kinds/segments/InvertSegment.h"
 #include "core/edits/kinds/segments/LayerToSegment.h"
+#include "core/edits/kinds/segments/PaintStroke.h"
 #include "core/edits/kinds/segments/RemoveSegment.h"
 #include "core/edits/kinds/segments/ReshapeSegment.h"
 #include "core/edits/kinds/segments/SegmentSeen.h"
@@ -170,6 +171,16 @@ void addDocumentStrokes(std::vector<StrokeCase>& cases, const StrokeScene& scene
     cases.push_back({"delete a segment of a further plane", volume, {apart},
         core::RemoveSegment{.segment = 2}});
     cases.push_back({"paint under a segment of a further plane", volume, {apart}, paint});
+    core::Edit upper = paint;
+    upper.as<core::PaintStroke>()->segment = 2;
+    core::Edit upperAway = upper;
+    upperAway.as<core::PaintStroke>()->erase = true;
+    cases.push_back({"paint in a further plane", volume, {apart, paint}, upper});
+    cases.push_back({"erase in a further plane", volume, {apart, paint, upper}, upperAway});
+    cases.push_back({"undo only what was painted in one of two planes", volume,
+        {apart, paint, upper}, core::RevertRows{{2}}});
+    core::SegmentSeen seenUpper{.target = {.segment = 2}, .lower = 300.0};
+    cases.push_back({"segment what is seen in a further plane", volume, {apart, paint}, seenUpper});
     cases.push_back(
         {"undo only a mask", volume, {first, joinedFirst(mask), drill}, core::RevertRows{{2}}});
     cases.push_back({"growth after what is seen", volume, {first, seeds, some, seen}, over});
