@@ -3,6 +3,8 @@
 #include "core/edits/EditJson.h"
 #include "core/edits/kinds/filling/FloodFill.h"
 #include "core/edits/kinds/filling/MirrorSegment.h"
+#include "core/edits/kinds/growth/GrowCriteria.h"
+#include "core/edits/kinds/growth/GrowFromSeeds.h"
 #include "core/edits/kinds/segments/CombineSegments.h"
 #include "core/edits/kinds/segments/FillOutline.h"
 #include "core/edits/kinds/segments/ImportMask.h"
@@ -339,6 +341,14 @@ private Q_SLOTS:
         Edit paint = test::paintAt(2, {bench.at({12, 6, 6})});
         paint.as<PaintStroke>()->seeds = true;
         QVERIFY(refused(paint));
+        GrowCriteria criteria;
+        criteria.lower = 0.0;
+        criteria.upper = 100.0;
+        criteria.segments = std::vector<int>{2};
+        QVERIFY(refused(test::growBy(criteria)));
+        GrowFromSeeds compete;
+        compete.segments = std::vector<int>{1, 2};
+        QVERIFY(refused(compete));
         QVERIFY(bench.tried(CombineSegments{.segment = 1, .with = 2})
                     .contains(QStringLiteral("another label plane")));
         QCOMPARE(bench.session->stateHash(), before);
