@@ -121,7 +121,7 @@ private Q_SLOTS:
     void everyPlaneGetsItsLabels()
     {
         std::mt19937 random(19);
-        for (int round = 0; round < 20; ++round) {
+        for (int round = 0; round < 12; ++round) {
             ImportMask edit{.file = QStringLiteral("a.nii")};
             edit.size = size;
             edit.overwriteUnlocked = random() % 2;
