@@ -52,21 +52,18 @@ public:
 private:
     Result<core::ExportReport> segments(const core::RecipeExport& target)
     {
-        if (m_labels.empty()) {
-            Result<std::vector<std::uint8_t>> labels =
-                read([](core::EditSession& session) { return session.questions().labels(0); });
-            if (!labels)
-                return tl::unexpected(labels.error());
-            m_labels = *std::move(labels);
-        }
         core::ExportRequest request;
+        for (const std::uint8_t plane : document().labelPlanes()) {
+            if (const Result<void> known = readLabels(plane); !known)
+                return tl::unexpected(known.error());
+            request.planes.push_back({.plane = plane, .labels = m_labels[plane]});
+        }
         request.format = target.format;
         request.file = target.file;
         request.force = m_force;
         request.space = target.space;
         request.seg = target.seg;
         request.deidentifier = deidentifier(target);
-        request.planes = {{.plane = 0, .labels = m_labels}};
         for (const core::ExportChoice& choice : core::exportChoices(document(), {})) {
             if (choice.chosen)
                 request.segments.push_back(choice.segment);
@@ -107,6 +104,18 @@ private:
                     QStringLiteral("no segment '%1' is exported").arg(name));
             request.seg.codes[segment->label] = codes;
         }
+        return {};
+    }
+
+    Result<void> readLabels(std::uint8_t plane)
+    {
+        if (m_labels.contains(plane))
+            return {};
+        Result<std::vector<std::uint8_t>> labels =
+            read([plane](core::EditSession& session) { return session.questions().labels(plane); });
+        if (!labels)
+            return tl::unexpected(labels.error());
+        m_labels[plane] = *std::move(labels);
         return {};
     }
 
@@ -212,7 +221,7 @@ private:
     bool m_force = false;
     const ReadStudy& m_readStudy;
     const core::Progress& m_progress;
-    std::vector<std::uint8_t> m_labels;
+    std::map<std::uint8_t, std::vector<std::uint8_t>> m_labels; ///< by plane
     std::map<int, std::vector<std::uint8_t>> m_coverages; ///< by layer
     std::optional<core::LoadedVolume> m_study;
     QByteArray m_secret =

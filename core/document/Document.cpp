@@ -4,6 +4,7 @@
 #include <QJsonArray>
 
 #include <algorithm>
+#include <set>
 #include <utility>
 
 namespace core {
@@ -91,6 +92,19 @@ const Piece* Document::pieceOfLayer(int layer) const
     const auto found = std::find_if(pieces.begin(), pieces.end(),
         [layer](const Piece& candidate) { return candidate.layer == layer; });
     return found == pieces.end() ? nullptr : &*found;
+}
+
+std::vector<std::uint8_t> Document::labelPlanes() const
+{
+    std::set<std::uint8_t> planes{0};
+    for (const Segment& segment : segments)
+        planes.insert(segment.plane);
+    return {planes.begin(), planes.end()};
+}
+
+std::bitset<256> Document::labelsIn(int plane) const
+{
+    return lockedLabels(plane) | unlockedLabels(plane);
 }
 
 std::bitset<256> Document::lockedLabels(int plane) const

@@ -27,10 +27,19 @@ struct CodedConcept {
     bool operator==(const CodedConcept&) const = default;
 };
 
+/// Label planes that a session may have. Segments that share voxels lie in different ones: masks of
+/// one file that overlap are taken in so (ImportMask::planes). A plane costs a byte for each voxel.
+inline constexpr int mostLabelPlanes = 4;
+
 /// One structure of the result: the voxels of `plane` that hold `label`.
+///
+/// Whatever edits a segment acts on its plane: there, a voxel is free if no other segment of that
+/// plane has it, whatever segments of other planes do. Only an import asks all planes.
 struct Segment {
-    std::uint8_t label = 0; ///< 1 … 255, unique in its plane and never used again
-    std::uint8_t plane = 0;
+    /// 1 … 255, unique in the document, whatever the plane, and never used again: a label alone
+    /// says which segment is meant.
+    std::uint8_t label = 0;
+    std::uint8_t plane = 0; ///< below mostLabelPlanes; a segment never leaves its plane
     QString name;
     std::uint32_t rgb = 0; ///< 0xRRGGBB
     CodedConcept code; ///< not set: "not coded yet", asked for at export
@@ -92,7 +101,7 @@ struct ChunkDivision {
 };
 
 /// The model: everything that a session holds besides voxels. All parts are lists, although the
-/// window shows one volume and one plane at present.
+/// window shows one volume at present.
 struct Document {
     std::vector<Volume> volumes;
     std::vector<Segment> segments;
@@ -126,6 +135,10 @@ struct Document {
     [[nodiscard]] Piece* piece(int id);
     /// The piece that this sculpt layer cut out; null: none.
     [[nodiscard]] const Piece* pieceOfLayer(int layer) const;
+    /// The planes in which segments lie, ascending; plane 0 always.
+    [[nodiscard]] std::vector<std::uint8_t> labelPlanes() const;
+    /// The labels of all segments of a plane.
+    [[nodiscard]] std::bitset<256> labelsIn(int plane) const;
     /// The labels of a plane that no tool may change.
     [[nodiscard]] std::bitset<256> lockedLabels(int plane) const;
     [[nodiscard]] std::bitset<256> unlockedLabels(int plane) const;

@@ -19,6 +19,7 @@ struct MaskNote {
         SegmentsOverlap, ///< in `some` voxels
         /// the first segment of `names` before the second, in `some` voxels, hereMl, of both
         GoesBefore,
+        OverlapsKept, ///< the segments lie in `some` label planes
         SegmentsWithoutVoxel, ///< `some` of the file's `all` segments, left out
         NothingSurrounded, ///< by the segments of `names`, left out
         Fractional, ///< voxels with one half or more are taken

@@ -10,6 +10,7 @@
 #include <limits>
 #include <map>
 #include <queue>
+#include <set>
 #include <utility>
 
 namespace core {
@@ -65,6 +66,28 @@ private:
     std::map<std::vector<std::size_t>, std::uint64_t> m_found;
 };
 
+/// What segments of one plane share.
+/// @param planes of all segments; empty: all are of one
+std::vector<MaskOverlap> withinPlanes(
+    const std::vector<MaskOverlap>& overlaps, const std::vector<int>& planes)
+{
+    if (planes.empty())
+        return overlaps;
+    std::vector<MaskOverlap> within;
+    for (const MaskOverlap& overlap : overlaps) {
+        std::map<int, std::vector<std::size_t>> byPlane;
+        for (const std::size_t segment : overlap.segments) {
+            if (segment < planes.size())
+                byPlane[planes[segment]].push_back(segment);
+        }
+        for (auto& [plane, segments] : byPlane) {
+            if (segments.size() > 1)
+                within.push_back({.segments = std::move(segments), .voxels = overlap.voxels});
+        }
+    }
+    return within;
+}
+
 } // namespace
 
 std::vector<MaskOverlap> overlapsOf(const std::vector<MaskSegment>& segments)
@@ -103,6 +126,28 @@ std::uint64_t voxelsOf(const std::vector<MaskOverlap>& overlaps)
     return voxels;
 }
 
+std::vector<int> planesFor(const std::vector<MaskOverlap>& overlaps, std::size_t count)
+{
+    std::vector<std::set<std::size_t>> met(count); // those before it with which it shares voxels
+    for (const MaskOverlap& overlap : overlaps) {
+        for (const std::size_t segment : overlap.segments) {
+            for (const std::size_t other : overlap.segments) {
+                if (other < segment)
+                    met[segment].insert(other);
+            }
+        }
+    }
+    std::vector<int> planes(count, 0);
+    for (std::size_t segment = 0; segment < count; ++segment) {
+        std::set<int> taken;
+        for (const std::size_t other : met[segment])
+            taken.insert(planes[other]);
+        while (taken.contains(planes[segment]))
+            ++planes[segment];
+    }
+    return planes;
+}
+
 std::vector<OverlapGiven> givenAway(
     const std::vector<MaskOverlap>& overlaps, const std::vector<std::size_t>& order)
 {
@@ -135,8 +180,11 @@ std::vector<MaskNote> notesOnOverlaps(const std::vector<MaskOverlap>& overlaps,
     if (edit.as || !edit.segments)
         return notes;
     const std::vector<ImportedSegment>& segments = *edit.segments;
-    for (const OverlapGiven& given :
-        givenAway(overlaps, segmentsByPrecedence(edit.ahead, segments.size())))
+    const std::vector<int> planes = edit.planes.value_or(std::vector<int>());
+    if (const std::set<int> used(planes.begin(), planes.end()); used.size() > 1)
+        notes.push_back({.code = MaskNote::Code::OverlapsKept, .some = used.size()});
+    for (const OverlapGiven& given : givenAway(
+             withinPlanes(overlaps, planes), segmentsByPrecedence(edit.ahead, segments.size())))
         notes.push_back({.code = MaskNote::Code::GoesBefore,
             .names = {segments[given.to].name, segments[given.from].name},
             .some = given.voxels,

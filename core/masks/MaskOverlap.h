@@ -13,8 +13,8 @@ struct ImportMask;
 struct MaskSegment;
 struct VolumeGeometry;
 
-// Where segments of one mask overlap, and which of them gets the voxels: a voxel of a session has
-// one segment.
+// Where segments of one mask overlap: which label planes they need to keep what they share, and
+// which of them gets the voxels of one plane, where a voxel has one segment.
 
 /// Voxels that several segments have, and no other one.
 struct MaskOverlap {
@@ -30,6 +30,12 @@ struct MaskOverlap {
 /// The voxels in all of them.
 [[nodiscard]] std::uint64_t voxelsOf(const std::vector<MaskOverlap>& overlaps);
 
+/// The label plane of each segment, from 0: in the order of the mask, each goes to the first plane
+/// in which none of its voxels is another one's. All 0 if none overlap.
+/// @param count of the mask's segments
+[[nodiscard]] std::vector<int> planesFor(
+    const std::vector<MaskOverlap>& overlaps, std::size_t count);
+
 /// How many voxels of the one segment go to the other, which goes before it.
 struct OverlapGiven {
     std::size_t to = 0;
@@ -43,8 +49,8 @@ struct OverlapGiven {
 [[nodiscard]] std::vector<OverlapGiven> givenAway(
     const std::vector<MaskOverlap>& overlaps, const std::vector<std::size_t>& order);
 
-/// Which segments of an import go before which others, a note for each pair, most voxels first.
-/// None if all segments become one.
+/// That the segments of an import lie in several planes; and of those of one plane, which go before
+/// which others, a note for each pair, most voxels first. None if all segments become one.
 /// @param edit holds the segments
 [[nodiscard]] std::vector<MaskNote> notesOnOverlaps(const std::vector<MaskOverlap>& overlaps,
     const ImportMask& edit, const VolumeGeometry& geometry);

@@ -7,6 +7,8 @@
 
 #include <QFileInfo>
 
+#include <algorithm>
+
 namespace core {
 
 namespace {
@@ -25,6 +27,11 @@ QString nameFrom(QString text)
 
 } // namespace
 
+int ReadImport::planesNeeded() const
+{
+    return planes.empty() ? 1 : *std::max_element(planes.begin(), planes.end()) + 1;
+}
+
 Result<ReadImport> readImport(const ImportMask& edit, const Volume& volume,
     std::size_t segmentsBefore, const Progress& progress)
 {
@@ -32,8 +39,12 @@ Result<ReadImport> readImport(const ImportMask& edit, const Volume& volume,
     if (!mask)
         return tl::unexpected(mask.error());
     ReadImport read{.edit = edit, .notes = std::move(mask->notes)};
-    if (!edit.as)
+    if (!edit.as && !mask->overlaps.empty()) {
+        read.planes = planesFor(mask->overlaps, mask->segments.size());
         read.overlaps = std::move(mask->overlaps);
+        if (!edit.ahead && !edit.planes && read.planesNeeded() <= mostLabelPlanes)
+            read.edit.planes = read.planes;
+    }
     read.edit.file = QFileInfo(edit.file).fileName();
     read.edit.size = volume.geometry.size;
     std::vector<ImportedSegment>& segments = read.edit.segments.emplace();
@@ -49,6 +60,17 @@ Result<ReadImport> readImport(const ImportMask& edit, const Volume& volume,
                     .arg(segments.back().name));
     }
     return read;
+}
+
+Result<void> checkOverlaps(const ReadImport& read)
+{
+    if (read.edit.ahead || read.edit.planes || read.planesNeeded() <= mostLabelPlanes)
+        return {};
+    return failure(ErrorCode::UnsupportedFormat, read.edit.file,
+        QStringLiteral("its segments overlap so that they would need %1 label planes, and there "
+                       "are at most %2; with 'ahead' each voxel goes to one of them")
+            .arg(read.planesNeeded())
+            .arg(mostLabelPlanes));
 }
 
 } // namespace core

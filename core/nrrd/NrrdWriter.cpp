@@ -30,15 +30,19 @@ QByteArray headerOf(const NrrdImage& image)
     QByteArray header("NRRD0004\n"
                       "# Complete NRRD file format specification at:\n"
                       "# http://teem.sourceforge.net/nrrd/format.html\n"
-                      "type: unsigned char\n"
-                      "dimension: 3\n"
-                      "space: left-posterior-superior\n");
-    header += "sizes: " + QByteArray::number(size.x) + ' ' + QByteArray::number(size.y) + ' '
+                      "type: unsigned char\n");
+    const bool isList = image.layers > 1;
+    header += isList ? "dimension: 4\n" : "dimension: 3\n";
+    header += "space: left-posterior-superior\nsizes: ";
+    if (isList)
+        header += QByteArray::number(image.layers) + ' ';
+    header += QByteArray::number(size.x) + ' ' + QByteArray::number(size.y) + ' '
         + QByteArray::number(size.z) + '\n';
-    header += "space directions:";
+    header += isList ? "space directions: none" : "space directions:";
     for (int axis = 0; axis < 3; ++axis)
         header += ' ' + inBrackets(glm::dvec3(affine[axis]));
-    header += "\nkinds: domain domain domain\nencoding: gzip\n";
+    header += isList ? "\nkinds: list" : "\nkinds:";
+    header += " domain domain domain\nencoding: gzip\n";
     header += "space origin: " + inBrackets(glm::dvec3(affine[3])) + '\n';
     for (const auto& [key, value] : image.keyValues)
         header += escaped(key) + ":=" + escaped(value) + '\n';
@@ -49,7 +53,8 @@ QByteArray headerOf(const NrrdImage& image)
 
 Result<void> writeNrrdAt(const QString& path, const NrrdImage& image)
 {
-    if (image.voxels.size() != image.geometry.voxelCount())
+    if (image.layers < 1
+        || image.voxels.size() != image.geometry.voxelCount() * std::size_t(image.layers))
         return failure(ErrorCode::UnsupportedFormat, path,
             QStringLiteral("the voxels are not as many as the grid has"));
     const QByteArray header = headerOf(image);

@@ -46,6 +46,8 @@ Result<std::vector<RecipeMaskNote>> readMasks(Recipe& recipe, const Volume& volu
         Result<ReadImport> read = readImport(*mask, volume, segments, {});
         if (!read)
             return tl::unexpected(read.error());
+        if (const Result<void> said = checkOverlaps(*read); !said)
+            return tl::unexpected(said.error());
         *mask = std::move(read->edit);
         segments += mask->segments->size();
         for (const MaskNote& note : read->notes)

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "core/masks/MaskOnVolume.h"
+#include "core/nrrd/NrrdWriter.h"
 #include "core/study/StudyLoader.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/fixtures/CommandFixture.h"
@@ -78,6 +80,59 @@ private Q_SLOTS:
         QVERIFY2(repeated.status == 0, qPrintable(repeated.complaint));
         QVERIFY(!lastHash("b.burin").isEmpty());
         QCOMPARE(lastHash("c.burin"), lastHash("b.burin"));
+    }
+
+    /// Segments that overlap, through a session, a replay of it and a .seg.nrrd.
+    void overlapsComeBackAsTheyWere()
+    {
+        const Result<LoadedVolume> loaded = loadVolume(study());
+        QVERIFY(loaded);
+        const VolumeGeometry& geometry = loaded->volume.geometry;
+        const std::size_t slice = std::size_t(geometry.size.x) * std::size_t(geometry.size.y);
+        std::vector<std::uint8_t> layers(2 * geometry.voxelCount(), 0);
+        for (std::size_t voxel = 0; voxel < geometry.voxelCount(); ++voxel) {
+            const std::size_t k = voxel / slice;
+            layers[2 * voxel] = k >= 2 && k < 6 ? 1 : 0;
+            layers[2 * voxel + 1] = k >= 4 && k < 9 ? 1 : 0;
+        }
+        QVERIFY(writeNrrdAt(path("two.seg.nrrd"),
+            {.geometry = geometry,
+                .voxels = layers,
+                .keyValues = {{"Segment0_ID", "a"}, {"Segment0_Name", "Low"},
+                    {"Segment0_LabelValue", "1"}, {"Segment0_Layer", "0"}, {"Segment1_ID", "b"},
+                    {"Segment1_Name", "High"}, {"Segment1_LabelValue", "1"},
+                    {"Segment1_Layer", "1"}},
+                .layers = 2}));
+        const QJsonObject import{
+            {key("edit"), key("importMask")}, {key("file"), path("two.seg.nrrd")}};
+        const Outcome taken =
+            run(recipe("take.json",
+                    {{key("edits"), QJsonArray{import}},
+                        {key("export"), QJsonArray{exportTo("seg-nrrd", "out.seg.nrrd")}}}),
+                "a.burin");
+        QVERIFY2(taken.status == 0, qPrintable(taken.complaint));
+        const Result<MaskOnVolume> first = readMask(path("two.seg.nrrd"), loaded->volume, {});
+        const Result<MaskOnVolume> second = readMask(path("out.seg.nrrd"), loaded->volume, {});
+        QVERIFY(first && second);
+        QCOMPARE(core::voxelsOf(first->overlaps), std::uint64_t(2 * slice));
+        QCOMPARE(second->overlaps, first->overlaps);
+        QCOMPARE(second->segments.size(), std::size_t(2));
+        for (std::size_t i = 0; i < 2; ++i) {
+            QCOMPARE(second->segments[i].name, first->segments[i].name);
+            QCOMPARE(second->segments[i].voxels, first->segments[i].voxels);
+        }
+        const Outcome replayed = burin({key("replay"), path("a.burin"), key("--verify")});
+        QVERIFY2(replayed.status == 0, qPrintable(replayed.complaint));
+        // One map cannot hold both.
+        const Outcome refused =
+            run(recipe("map.json",
+                    {{key("edits"), QJsonArray{import}},
+                        {key("export"), QJsonArray{exportTo("nifti", "map.nii.gz")}}}),
+                "b.burin");
+        QVERIFY(refused.status != 0);
+        QVERIFY2(refused.complaint.contains(key("'Low' and 'High' overlap in")),
+            qPrintable(refused.complaint));
+        QVERIFY(!QFile::exists(path("map.nii.gz")));
     }
 
     void aNamedSegmentReceivesAll()

@@ -128,13 +128,16 @@ void labelSeen(const DenseArray<std::uint16_t>& codes, const DenseArray<std::uin
     });
 }
 
-void labelListed(DenseFields& fields, const core::LabelListed& edit)
+void labelListed(
+    const DenseArray<std::uint16_t>& codes, DenseFields& fields, const core::LabelListed& edit)
 {
     const core::BrickGrid grid{fields.size()};
     for (const core::LabelListed::Brick& brick : edit.bricks) {
         const core::VoxelBox box = grid.boxOf(int(brick.brick));
         forEachVoxel(box.maximum - box.minimum, [&](const glm::ivec3& within) {
             const glm::ivec3 voxel = box.minimum + within;
+            if (!isEditable(edit.editable, codes, fields, voxel))
+                return;
             const std::uint8_t asked =
                 brick.labels[std::size_t(core::BrickGrid::offsetInBrick(voxel))];
             const std::uint8_t held = fields.labels(edit.plane).at(voxel);
@@ -144,6 +147,13 @@ void labelListed(DenseFields& fields, const core::LabelListed& edit)
                 take(fields, {.plane = edit.plane, .label = held}, voxel);
         });
     }
+}
+
+void labelPlanes(
+    const DenseArray<std::uint16_t>& codes, DenseFields& fields, const core::LabelPlanes& edit)
+{
+    for (const core::LabelListed& plane : edit.planes)
+        labelListed(codes, fields, plane);
 }
 
 void relabelListed(

@@ -22,7 +22,10 @@ void labelCarved(
 /// @param carved coverage of the layers that are not muted, composed
 void labelSeen(const DenseArray<std::uint16_t>& codes, const DenseArray<std::uint8_t>& carved,
     DenseFields& fields, const core::LabelSeen& edit);
-void labelListed(DenseFields& fields, const core::LabelListed& edit);
+void labelListed(
+    const DenseArray<std::uint16_t>& codes, DenseFields& fields, const core::LabelListed& edit);
+void labelPlanes(
+    const DenseArray<std::uint16_t>& codes, DenseFields& fields, const core::LabelPlanes& edit);
 void relabelListed(
     const DenseArray<std::uint16_t>& codes, DenseFields& fields, const core::RelabelListed& edit);
 /// core/sculpt/labels/LabelOutlined.h.

@@ -301,7 +301,15 @@ core::Result<Oracle::Work> Oracle::begin(core::LabelListed& edit)
 {
     if (const auto checked = core::checkSound(edit, core::BrickGrid{m_codes.size}); !checked)
         return tl::unexpected(checked.error());
-    labelListed(m_fields, edit);
+    labelListed(m_codes, m_fields, edit);
+    return Done{};
+}
+
+core::Result<Oracle::Work> Oracle::begin(core::LabelPlanes& edit)
+{
+    if (const auto checked = core::checkSound(edit, core::BrickGrid{m_codes.size}); !checked)
+        return tl::unexpected(checked.error());
+    labelPlanes(m_codes, m_fields, edit);
     return Done{};
 }
 

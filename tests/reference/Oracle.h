@@ -100,6 +100,7 @@ private:
     [[nodiscard]] core::Result<Work> begin(core::LabelCarved& edit);
     [[nodiscard]] core::Result<Work> begin(core::LabelSeen& edit);
     [[nodiscard]] core::Result<Work> begin(core::LabelListed& edit);
+    [[nodiscard]] core::Result<Work> begin(core::LabelPlanes& edit);
     [[nodiscard]] core::Result<Work> begin(core::RelabelListed& edit);
     [[nodiscard]] core::Result<Work> begin(core::LabelOutlined& edit);
     [[nodiscard]] core::Result<Work> begin(core::LabelThreshold& edit);

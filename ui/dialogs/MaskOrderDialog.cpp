@@ -13,6 +13,7 @@
 #include <QListWidget>
 #include <QPixmap>
 #include <QPushButton>
+#include <QRadioButton>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -41,22 +42,40 @@ MaskOrderDialog::MaskOrderDialog(
     : QDialog(parent)
     , m_read(read)
     , m_geometry(geometry)
+    , m_keep(new QRadioButton(tr("Each segment keeps its voxels"), this))
+    , m_flatten(new QRadioButton(tr("Each voxel goes to one segment"), this))
     , m_order(new QListWidget(this))
     , m_given(new QListWidget(this))
     , m_up(new QPushButton(tr("Further up"), this))
     , m_down(new QPushButton(tr("Further down"), this))
 {
     setWindowTitle(tr("Segments overlap"));
-    constexpr QSize least(480, 360);
+    constexpr QSize least(480, 460);
     setMinimumSize(least);
     auto* heading = new FittingLabel(Qt::AlignLeft, this);
     heading->setFont(theme::headingFont());
     heading->setText(tr("Segments of '%1' overlap").arg(m_read.edit.file));
-    auto* hint = new QLabel(
-        tr("A voxel has one segment. Where several of these have it, it goes to the one furthest "
-           "up."),
+    const bool fits = m_read.planesNeeded() <= core::mostLabelPlanes;
+    m_keep->setObjectName(QStringLiteral("maskOrderKeep"));
+    m_keep->setEnabled(fits);
+    m_keep->setChecked(fits);
+    m_flatten->setObjectName(QStringLiteral("maskOrderFlatten"));
+    m_flatten->setChecked(!fits);
+    auto* kept = new QLabel(
+        fits ? tr(
+            "The segments lie in %1 label planes. Segments beyond the first plane can be edited, "
+            "measured and exported, but they cannot grow. Label maps cannot hold overlaps.")
+                   .arg(m_read.planesNeeded())
+             : tr("They would need %1 label planes; there are at most %2.")
+                   .arg(m_read.planesNeeded())
+                   .arg(core::mostLabelPlanes),
         this);
+    kept->setWordWrap(true);
+    kept->setFont(theme::smallFont());
+    auto* hint = new QLabel(
+        tr("Where several of these have a voxel, it goes to the one furthest up."), this);
     hint->setWordWrap(true);
+    hint->setFont(theme::smallFont());
     m_order->setObjectName(QStringLiteral("maskOrder"));
     m_order->setAccessibleName(tr("Segments that overlap, the first one before the others"));
     m_up->setObjectName(QStringLiteral("maskOrderUp"));
@@ -91,6 +110,9 @@ MaskOrderDialog::MaskOrderDialog(
     layout->setContentsMargins(24, 20, 24, 16);
     layout->setSpacing(theme::smallPadding);
     layout->addWidget(heading);
+    layout->addWidget(m_keep);
+    layout->addWidget(kept);
+    layout->addWidget(m_flatten);
     layout->addWidget(hint);
     layout->addLayout(order, 1);
     layout->addWidget(m_given, 1);
@@ -105,21 +127,29 @@ MaskOrderDialog::MaskOrderDialog(
     m_order->setCurrentRow(0);
     connect(m_up, &QPushButton::clicked, this, [this] { move(-1); });
     connect(m_down, &QPushButton::clicked, this, [this] { move(1); });
+    connect(m_keep, &QRadioButton::toggled, this, &MaskOrderDialog::showState);
     connect(m_order, &QListWidget::currentRowChanged, this, &MaskOrderDialog::showState);
     connect(take, &QPushButton::clicked, this, &QDialog::accept);
     connect(cancel, &QPushButton::clicked, this, &QDialog::reject);
     showState();
-    m_order->setFocus();
+    (fits ? m_keep : m_flatten)->setFocus();
 }
 
 std::optional<std::vector<int>> MaskOrderDialog::ahead() const
 {
+    if (m_keep->isChecked())
+        return std::nullopt;
     std::vector<int> places;
     for (int row = 0; row < m_order->count(); ++row)
         places.push_back(m_order->item(row)->data(placeRole).toInt() + 1);
     if (std::is_sorted(places.begin(), places.end()))
         return std::nullopt;
     return places;
+}
+
+std::optional<std::vector<int>> MaskOrderDialog::planes() const
+{
+    return m_keep->isChecked() ? std::optional(m_read.planes) : std::nullopt;
 }
 
 void MaskOrderDialog::move(int by)
@@ -136,9 +166,12 @@ void MaskOrderDialog::move(int by)
 void MaskOrderDialog::showState()
 {
     const int row = m_order->currentRow();
-    m_up->setEnabled(row > 0);
-    m_down->setEnabled(row >= 0 && row + 1 < m_order->count());
+    const bool ordered = m_flatten->isChecked();
+    m_order->setEnabled(ordered);
+    m_up->setEnabled(ordered && row > 0);
+    m_down->setEnabled(ordered && row >= 0 && row + 1 < m_order->count());
     m_read.edit.ahead = ahead();
+    m_read.edit.planes = planes();
     m_given->clear();
     for (const core::MaskNote& note :
         core::notesOnOverlaps(m_read.overlaps, m_read.edit, m_geometry))
@@ -154,7 +187,7 @@ void askForOrderOf(MaskImporter& importer, QWidget& window)
             // The study may be closed while it stands open.
             QObject::connect(&importer, &MaskImporter::noLongerAsked, dialog, &QDialog::reject);
             QObject::connect(dialog, &QDialog::accepted, &importer,
-                [&importer, dialog] { importer.import(dialog->ahead()); });
+                [&importer, dialog] { importer.import(dialog->ahead(), dialog->planes()); });
             QObject::connect(dialog, &QDialog::rejected, &importer, &MaskImporter::giveUp);
             dialog->open();
         });

@@ -11,13 +11,15 @@
 
 class QListWidget;
 class QPushButton;
+class QRadioButton;
 
 namespace ui {
 
 class MaskImporter;
 
-/// Asks which segments of a mask go before which others where they overlap, and tells for each
-/// pair how much goes to which.
+/// Asks what becomes of voxels that several segments of a mask have: each segment keeps its own, in
+/// further label planes, or each voxel goes to one of them. For the latter it asks which segments
+/// go before which others, and tells for each pair how much goes to which.
 class MaskOrderDialog : public QDialog {
     Q_OBJECT
 
@@ -26,8 +28,10 @@ public:
     MaskOrderDialog(const core::ReadImport& read, const core::VolumeGeometry& geometry,
         QWidget* parent = nullptr);
 
-    /// ImportMask::ahead as chosen; none: the order of the file.
+    /// ImportMask::ahead as chosen; none: the order of the file, or the overlaps are kept.
     [[nodiscard]] std::optional<std::vector<int>> ahead() const;
+    /// ImportMask::planes as chosen; none: each voxel goes to one segment.
+    [[nodiscard]] std::optional<std::vector<int>> planes() const;
 
 private:
     void move(int by);
@@ -35,6 +39,8 @@ private:
 
     core::ReadImport m_read;
     core::VolumeGeometry m_geometry;
+    QRadioButton* m_keep;
+    QRadioButton* m_flatten;
     QListWidget* m_order; ///< of the segments that overlap, the first one foremost
     QListWidget* m_given; ///< a sentence for each pair
     QPushButton* m_up;

@@ -23,7 +23,7 @@ namespace ui {
 
 namespace {
 
-/// What is said of an import: what its file brought, and which of its segments go before which.
+/// What is said of an import: what its file brought, and what becomes of overlaps.
 QStringList sentencesOn(const core::ReadImport& read, const core::VolumeGeometry& geometry)
 {
     constexpr std::size_t mostPairs = 3;
@@ -125,12 +125,14 @@ void MaskImporter::take(const core::Result<core::ReadImport>& read, const QStrin
     Q_EMIT overlapping(*read, session->document().volumes.front().geometry);
 }
 
-void MaskImporter::import(const std::optional<std::vector<int>>& ahead)
+void MaskImporter::import(
+    const std::optional<std::vector<int>>& ahead, const std::optional<std::vector<int>>& planes)
 {
     const std::unique_ptr<Waiting> waiting = std::exchange(m_waiting, nullptr);
     if (!waiting)
         return;
     waiting->read.edit.ahead = ahead;
+    waiting->read.edit.planes = planes;
     apply(waiting->read, waiting->path);
 }
 

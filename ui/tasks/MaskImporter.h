@@ -26,7 +26,7 @@ class Workspace;
 
 /// Imports segments from a mask file. The file is read on another thread; its segments become one
 /// step of the history. One file at a time. Where its segments overlap, it waits until it is told
-/// which go before which.
+/// what becomes of the voxels that they share.
 class MaskImporter : public QObject {
     Q_OBJECT
 
@@ -39,7 +39,9 @@ public:
     void import(const QString& path);
     /// Goes on after overlapping(). Nothing happens if nothing waits.
     /// @param ahead ImportMask::ahead
-    void import(const std::optional<std::vector<int>>& ahead);
+    /// @param planes ImportMask::planes
+    void import(const std::optional<std::vector<int>>& ahead,
+        const std::optional<std::vector<int>>& planes);
     /// After overlapping(): the mask is not taken in.
     void giveUp();
     [[nodiscard]] bool busy() const { return m_background.busy() || m_waiting; }
@@ -69,7 +71,7 @@ private:
 
     Workspace& m_workspace;
     QWidget* m_window;
-    std::unique_ptr<Waiting> m_waiting; ///< for the order of its segments; null: nothing waits
+    std::unique_ptr<Waiting> m_waiting; ///< for a word on its overlaps; null: nothing waits
     core::Background m_background; ///< last: it uses all of the above
 };
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/edits/engine/SegmentProtection.h"
 
+#include "core/edits/engine/FirstPlane.h"
+
 #include <set>
 
 namespace core {
@@ -45,9 +47,14 @@ Result<void> checkProtectedAreThere(
     if (restore || !protectedSegments)
         return {};
     for (const int label : *protectedSegments) {
-        if (!document.segment(label))
+        const Segment* segment = document.segment(label);
+        if (!segment)
             return failure(ErrorCode::UnknownSegment, QString::number(label),
                 QStringLiteral("in field 'spared'"));
+        if (const Result<void> first = checkInFirstPlane(
+                QStringLiteral("spared"), *segment, QStringLiteral("be spared by a cut"));
+            !first)
+            return first;
     }
     return {};
 }

@@ -22,7 +22,8 @@ void addProtected(ProtectedSegments& protectedSegments, const Document& document
 [[nodiscard]] Result<void> checkProtected(
     const ProtectedSegments& protectedSegments, bool restore, const QString& edit);
 
-/// Errors: UnknownSegment if a listed segment does not exist.
+/// Errors: UnknownSegment if a listed segment does not exist, InvalidField if it lies on a further
+/// label plane, which no cut reads.
 [[nodiscard]] Result<void> checkProtectedAreThere(
     const ProtectedSegments& protectedSegments, bool restore, const Document& document);
 

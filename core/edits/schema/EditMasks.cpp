@@ -141,4 +141,26 @@ QString EntryOrder::check(const Value& value) const
     return checkEach(value, [](int place) { return WholeNumber{1, mostSegments}.check(place); });
 }
 
+QJsonValue PlaneList::write(const Value& value) const
+{
+    return EntryOrder{}.write(value);
+}
+
+QString PlaneList::read(const QJsonValue& json, Value& value) const
+{
+    return readEach(json, value, QStringLiteral("must be a list of planes"),
+        [](const QJsonValue& entry, int& plane) {
+            return WholeNumber{0, mostLabelPlanes - 1}.read(entry, plane);
+        });
+}
+
+QString PlaneList::check(const Value& value) const
+{
+    if (value.empty() || value.size() > std::size_t(mostSegments))
+        return QStringLiteral("needs 1 to %1 entries").arg(mostSegments);
+    return checkEach(value, [](int plane) {
+        return WholeNumber{0, mostLabelPlanes - 1}.check(plane);
+    });
+}
+
 } // namespace core::editFields

@@ -73,4 +73,16 @@ struct EntryOrder {
     [[nodiscard]] Value rounded(const Value& value) const { return value; }
 };
 
+/// [plane, …]: the label plane of each segment of a list, from 0; at least one.
+struct PlaneList {
+    using Value = std::vector<int>;
+
+    [[nodiscard]] QString type() const { return QStringLiteral("[plane, …]"); }
+    [[nodiscard]] QString unit() const { return {}; }
+    [[nodiscard]] QJsonValue write(const Value& value) const;
+    [[nodiscard]] QString read(const QJsonValue& json, Value& value) const;
+    [[nodiscard]] QString check(const Value& value) const;
+    [[nodiscard]] Value rounded(const Value& value) const { return value; }
+};
+
 } // namespace core::editFields

@@ -307,6 +307,11 @@ template <class Visitor> void visitFields(Visitor& visit, ImportMask& edit)
         "where segments overlap: which of them, by their places from 1 among those that are taken "
         "in, go before all others, the first one foremost",
         "the file's order");
+    visit.maybe("planes", edit.planes, editFields::PlaneList{},
+        "the label plane of each of them: those of different planes keep the voxels that they "
+        "share, those of one plane do not",
+        "where a file is read whose segments overlap and 'ahead' says nothing, as few planes as "
+        "they need; else all lie in plane 0");
 }
 
 } // namespace core::editSchema

@@ -68,15 +68,23 @@ std::optional<CodedConcept> codeOf(const QString& tags)
     return CodedConcept{};
 }
 
+/// The layer that the header names for a segment; −1 if there is no such layer.
+int layerNamed(const Keys& keys, const QByteArray& prefix, int layers)
+{
+    bool isNumber = false;
+    const int layer = valueOf(keys, prefix + "Layer").toInt(&isNumber);
+    return isNumber && layer >= 0 && layer < layers ? layer : -1;
+}
+
 /// What a segment's keys say that is not so, as a word; empty if all is.
-QString differenceOfSegment(
-    const Keys& keys, const QByteArray& prefix, const Segment& segment, const QString& extent)
+QString differenceOfSegment(const Keys& keys, const QByteArray& prefix, const Segment& segment,
+    const QString& extent, int layers)
 {
     if (valueOf(keys, prefix + "Name") != comparable(segment.name, false))
         return QStringLiteral("name");
     if (valueOf(keys, prefix + "LabelValue") != QString::number(segment.label))
         return QStringLiteral("label value");
-    if (valueOf(keys, prefix + "Layer") != QLatin1String("0"))
+    if (layerNamed(keys, prefix, layers) < 0)
         return QStringLiteral("layer");
     if (valueOf(keys, prefix + "Extent") != extent)
         return QStringLiteral("extent");
@@ -93,7 +101,7 @@ QString differenceOfSegment(
 }
 
 /// What the keys of the header say that is not so, as a clause; empty if all is.
-QString differenceOfKeys(const Keys& keys, const ExportExpectation& expected)
+QString differenceOfKeys(const Keys& keys, const ExportExpectation& expected, int layers)
 {
     const glm::ivec3 size = expected.volume.geometry.size;
     const QString extent =
@@ -104,7 +112,8 @@ QString differenceOfKeys(const Keys& keys, const ExportExpectation& expected)
         const QString id = valueOf(keys, prefix + "ID");
         if (id.isEmpty() || !ids.insert(id).second)
             return QStringLiteral("the ID of segment %1").arg(i + 1);
-        const QString what = differenceOfSegment(keys, prefix, expected.segments[i], extent);
+        const QString what =
+            differenceOfSegment(keys, prefix, expected.segments[i], extent, layers);
         if (!what.isEmpty())
             return QStringLiteral("the %1 of segment %2").arg(what).arg(i + 1);
     }
@@ -133,14 +142,16 @@ Result<ReportLines> checkSegNrrdExport(
     const Result<NrrdHeader> header = readNrrdHeader(file);
     if (!header)
         return tl::unexpected(header.error());
-    const Result<GridFile> grid = readNrrd(file);
-    if (!grid)
-        return tl::unexpected(grid.error());
+    const Result<NrrdLayers> read = readNrrdLayers(file);
+    if (!read)
+        return tl::unexpected(read.error());
+    const GridFile* grid = &read->grid;
     if (grid->geometry.size != geometry.size || grid->voxels.type != ScalarType::UInt8)
         return mismatch(QStringLiteral("size or type of the voxels"));
     if (header->field("space") != "left-posterior-superior")
         return mismatch(QStringLiteral("the space is not left-posterior-superior"));
-    if (const QString what = differenceOfKeys(header->keyValues, expected); !what.isEmpty())
+    if (const QString what = differenceOfKeys(header->keyValues, expected, read->layers);
+        !what.isEmpty())
         return mismatch(what);
 
     const auto place = labelMapPlace(file, expected.volume, progress);
@@ -161,13 +172,17 @@ Result<ReportLines> checkSegNrrdExport(
     if (bytes->surplus)
         return mismatch(QStringLiteral("the file holds more than its voxels"));
     const auto* voxels = reinterpret_cast<const std::uint8_t*>(bytes->data.get());
-    const std::size_t wrong = wrongVoxels({voxels, bytes->size}, expected);
+    std::vector<int> layerOf;
+    for (std::size_t i = 0; i < expected.segments.size(); ++i)
+        layerOf.push_back(layerNamed(
+            header->keyValues, "Segment" + QByteArray::number(qulonglong(i)) + '_', read->layers));
+    const std::size_t wrong = wrongVoxels({voxels, bytes->size}, expected, layerOf, read->layers);
     if (wrong != 0)
         return mismatch(QStringLiteral("%1 voxels are not as drawn").arg(wrong));
     return ReportLines{ReportSentence{ReportCode::CornersOnSource, {QString::number(off, 'f', 4)}},
         ReportSentence{ReportCode::NamesAsGiven,
             {countedInReport(ReportCode::Segments, std::int64_t(expected.segments.size()))}},
-        ReportSentence{ReportCode::VoxelsAsDrawn, {std::int64_t(bytes->size)}}};
+        ReportSentence{ReportCode::VoxelsAsDrawn, {std::int64_t(geometry.voxelCount())}}};
 }
 
 } // namespace core

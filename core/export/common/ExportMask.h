@@ -81,8 +81,8 @@ struct ExportReport {
 ///   stack is tilted or uneven; or a FRACTIONAL one of type OCCUPANCY, or a LABELMAP.
 /// - RTSTRUCT: closed contours along the borders of the voxels, on the native slices.
 /// - NIfTI: one label map on the source's grid; the file name must end in .nii or .nii.gz.
-/// - 3D Slicer segmentation: the same map with names, colours and codes in one layer; the file name
-///   must end in .seg.nrrd.
+/// - 3D Slicer segmentation: the same map with names, colours and codes, in one layer or, where
+///   segments overlap, one for each label plane; the file name must end in .seg.nrrd.
 /// - Statistics: the numbers of SegmentStatistics.h; an SR also writes the DICOM SEG to which it
 ///   refers beside it ("a-seg.dcm").
 ///

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <bitset>
+#include <iterator>
+#include <set>
 
 namespace core {
 
@@ -23,16 +25,8 @@ double unevennessMm(const VolumeGeometry& geometry)
     return worst;
 }
 
-} // namespace
-
-ReportSentence gridName(const Volume& volume)
-{
-    return volume.asIs && volume.sources.empty()
-        ? ReportSentence{ReportCode::RepairedGrid, {volume.repair}}
-        : ReportSentence{ReportCode::SourceGrid};
-}
-
-Result<LabelMap> labelMapOf(const Volume& volume, const ExportRequest& request,
+/// A map without voxels, if there can be one.
+Result<LabelMap> emptyMap(const Volume& volume, const ExportRequest& request,
     const MaskSelection& selection, const QString& format, ExportReport& report)
 {
     const VolumeGeometry& geometry = volume.geometry;
@@ -50,7 +44,7 @@ Result<LabelMap> labelMapOf(const Volume& volume, const ExportRequest& request,
         report.cautions +=
             ReportSentence{ReportCode::UnevenInFile, {format, QString::number(uneven, 'f', 3)}};
     LabelMap map;
-    map.labels.resize(geometry.voxelCount(), 0);
+    map.layerOf.resize(selection.segments.size(), 0);
     std::bitset<256> used;
     for (const Segment& segment : selection.segments) {
         if (used.test(segment.label))
@@ -61,14 +55,62 @@ Result<LabelMap> labelMapOf(const Volume& volume, const ExportRequest& request,
                     .arg(format));
         used.set(segment.label);
         map.names += QStringLiteral("%1 %2").arg(segment.label).arg(segment.name);
+    }
+    return map;
+}
+
+void fill(LabelMap& map, const ExportRequest& request, const MaskSelection& selection)
+{
+    const std::size_t voxels = planeOf(request, selection.segments.front())->labels.size();
+    const auto layers = std::size_t(map.layers);
+    map.labels.resize(voxels * layers, 0);
+    for (std::size_t s = 0; s < selection.segments.size(); ++s) {
+        const Segment& segment = selection.segments[s];
         const auto labels = planeOf(request, segment)->labels;
         for (std::size_t i = 0; i < labels.size(); ++i) {
             if (labels[i] == segment.label)
-                map.labels[i] = segment.label;
+                map.labels[i * layers + std::size_t(map.layerOf[s])] = segment.label;
         }
     }
+}
+
+} // namespace
+
+ReportSentence gridName(const Volume& volume)
+{
+    return volume.asIs && volume.sources.empty()
+        ? ReportSentence{ReportCode::RepairedGrid, {volume.repair}}
+        : ReportSentence{ReportCode::SourceGrid};
+}
+
+Result<LabelMap> labelMapOf(const Volume& volume, const ExportRequest& request,
+    const MaskSelection& selection, const QString& format, ExportReport& report)
+{
+    Result<LabelMap> map = emptyMap(volume, request, selection, format, report);
+    if (!map)
+        return map;
     if (const QString why = whyNoLabelMap(request, selection.segments, format); !why.isEmpty())
-        return unsupported(why);
+        return failure(ErrorCode::UnsupportedFormat, request.file, why);
+    fill(*map, request, selection);
+    return map;
+}
+
+Result<LabelMap> labelLayersOf(const Volume& volume, const ExportRequest& request,
+    const MaskSelection& selection, const QString& format, ExportReport& report)
+{
+    Result<LabelMap> map = emptyMap(volume, request, selection, format, report);
+    if (!map)
+        return map;
+    if (!whyNoLabelMap(request, selection.segments, format).isEmpty()) {
+        std::set<std::uint8_t> planes;
+        for (const Segment& segment : selection.segments)
+            planes.insert(segment.plane);
+        for (std::size_t s = 0; s < selection.segments.size(); ++s)
+            map->layerOf[s] =
+                int(std::distance(planes.begin(), planes.find(selection.segments[s].plane)));
+        map->layers = int(planes.size());
+    }
+    fill(*map, request, selection);
     return map;
 }
 
@@ -98,16 +140,28 @@ Result<LabelMapPlace> labelMapPlace(
 
 std::size_t wrongVoxels(std::span<const std::uint8_t> voxels, const ExportExpectation& expected)
 {
+    return wrongVoxels(voxels, expected, std::vector<int>(expected.segments.size(), 0), 1);
+}
+
+std::size_t wrongVoxels(std::span<const std::uint8_t> voxels, const ExportExpectation& expected,
+    const std::vector<int>& layerOf, int layers)
+{
     std::size_t wrong = 0;
-    for (std::size_t i = 0; i < voxels.size(); ++i) {
-        std::uint8_t label = 0;
-        for (const Segment& segment : expected.segments) {
-            for (const LabelPlaneView& plane : expected.planes) {
-                if (plane.plane == segment.plane && plane.labels[i] == segment.label)
-                    label = segment.label;
+    for (std::size_t i = 0; i < voxels.size() / std::size_t(layers); ++i) {
+        bool differs = false;
+        for (int layer = 0; layer < layers; ++layer) {
+            std::uint8_t label = 0;
+            for (std::size_t s = 0; s < expected.segments.size(); ++s) {
+                const Segment& segment = expected.segments[s];
+                for (const LabelPlaneView& plane : expected.planes) {
+                    if (layerOf[s] == layer && plane.plane == segment.plane
+                        && plane.labels[i] == segment.label)
+                        label = segment.label;
+                }
             }
+            differs = differs || voxels[i * std::size_t(layers) + std::size_t(layer)] != label;
         }
-        wrong += voxels[i] != label ? 1U : 0U;
+        wrong += differs ? 1U : 0U;
     }
     return wrong;
 }

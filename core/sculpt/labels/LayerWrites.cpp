@@ -79,6 +79,23 @@ Result<void> checkSound(const LabelListed& edit, const BrickGrid& grid)
 {
     if (!areSound(edit.bricks, &LabelListed::Brick::labels, grid.brickCount()))
         return unsoundBricks();
+    return checkSound(edit.editable);
+}
+
+Result<void> checkSound(const LabelPlanes& edit, const BrickGrid& grid)
+{
+    int last = -1;
+    for (const LabelListed& plane : edit.planes) {
+        if (const Result<void> sound = checkSound(plane, grid); !sound)
+            return sound;
+        if (int(plane.plane) <= last)
+            last = 256; // none comes after it
+        else
+            last = plane.plane;
+    }
+    if (last < 0 || last > 255)
+        return failure(
+            ErrorCode::InvalidField, QStringLiteral("planes"), QStringLiteral("are not sound"));
     return {};
 }
 

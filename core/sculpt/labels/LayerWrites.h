@@ -68,6 +68,13 @@ struct LabelListed {
     std::bitset<256> overwritable{};
     std::vector<Brick> bricks{}; ///< ascending, each once
     std::uint8_t frees = 0; ///< 0: no voxel is freed
+    std::optional<EditableVoxels> editable{}; ///< none: any; neither given nor freed elsewhere
+};
+
+/// LabelListed in several planes, one after another: what `editable` says of other planes is asked
+/// when the edit comes to a plane.
+struct LabelPlanes {
+    std::vector<LabelListed> planes{}; ///< ascending by plane, each once; at least one
 };
 
 /// Give a label to listed voxels, and remove it from others. A voxel that is to receive it follows
@@ -123,6 +130,7 @@ struct FoldLayer {
 [[nodiscard]] Result<void> checkSound(const LabelCarved& edit, const BrickGrid& grid);
 [[nodiscard]] Result<void> checkSound(const LabelSeen& edit, const BrickGrid& grid);
 [[nodiscard]] Result<void> checkSound(const LabelListed& edit, const BrickGrid& grid);
+[[nodiscard]] Result<void> checkSound(const LabelPlanes& edit, const BrickGrid& grid);
 [[nodiscard]] Result<void> checkSound(const RelabelListed& edit, const BrickGrid& grid);
 /// There is no table that is not.
 [[nodiscard]] inline Result<void> checkSound(const MapLabels& edit, const BrickGrid&)
@@ -135,7 +143,7 @@ struct FoldLayer {
 struct LabelOutlined; ///< LabelOutlined.h
 
 /// Those that give or take labels.
-using LabelWrites =
-    TypeList<LabelCarved, LabelSeen, LabelListed, RelabelListed, LabelOutlined, MapLabels>;
+using LabelWrites = TypeList<LabelCarved, LabelSeen, LabelListed, LabelPlanes, RelabelListed,
+    LabelOutlined, MapLabels>;
 
 } // namespace core

@@ -241,10 +241,22 @@ std::vector<core::BrickKey> write(LabelPrograms& programs, VoxelFields& fields,
 {
     const core::LabelTarget target{
         .plane = edit.plane, .label = 0, .overwritable = edit.overwritable};
-    Program& kernel = programs.following("LISTED");
+    Program& kernel = programs.following("LISTED", edit.editable.has_value());
+    BindEditable editable(programs, fields, edit.editable);
     kernel.set("frees", unsigned(edit.frees));
     return label(kernel, fields, before, target, numbersOf(edit.bricks),
-        AskedBytes(edit.bricks, &core::LabelListed::Brick::labels));
+        AskedBytes(edit.bricks, &core::LabelListed::Brick::labels), &editable);
+}
+
+std::vector<core::BrickKey> write(LabelPrograms& programs, VoxelFields& fields,
+    BeforeImages& before, const core::LabelPlanes& edit)
+{
+    std::vector<core::BrickKey> keys;
+    for (const core::LabelListed& plane : edit.planes) {
+        const std::vector<core::BrickKey> its = write(programs, fields, before, plane);
+        keys.insert(keys.end(), its.begin(), its.end());
+    }
+    return keys;
 }
 
 std::vector<core::BrickKey> write(LabelPrograms& programs, VoxelFields& fields,

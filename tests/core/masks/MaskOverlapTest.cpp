@@ -102,15 +102,16 @@ struct Fixture : test::LabelledSeries {
                 .planes = planes},
             {});
     }
-    /// What an import of the segments leaves in an empty session.
-    [[nodiscard]] std::vector<std::uint8_t> carriedOut(const ImportMask& edit) const
+    /// What an import of the segments leaves in a plane of an empty session.
+    [[nodiscard]] std::vector<std::uint8_t> carriedOut(
+        const ImportMask& edit, std::uint8_t plane = 0) const
     {
-        const Result<LabelListed> listed = labelListed(edit, initialDocument(volume));
+        const Result<LabelPlanes> listed = labelPlanes(edit, initialDocument(volume));
         if (!listed)
             return {};
         reference::DenseFields fields(volume.geometry.size);
-        reference::labelListed(fields, *listed);
-        return fields.labels(0).values;
+        reference::labelPlanes({}, fields, *listed);
+        return fields.labels(plane).values;
     }
     /// The label of each column, from 0 on.
     [[nodiscard]] std::vector<std::uint8_t> byColumn(
@@ -196,6 +197,28 @@ private Q_SLOTS:
         QVERIFY(segmentsByPrecedence({}, 0).empty());
     }
 
+    /// No two of one plane share a voxel, and each has met one in every plane before its own.
+    void asFewPlanesAsTheyNeedInTurn()
+    {
+        QCOMPARE(planesFor({}, 3), (std::vector<int>{0, 0, 0}));
+        QVERIFY(planesFor({}, 0).empty());
+        std::mt19937 random(20);
+        for (int round = 0; round < 60; ++round) {
+            const auto segments = randomSegments(random, 1 + random() % 6);
+            const std::vector<int> planes = planesFor(overlapsOf(segments), segments.size());
+            QCOMPARE(planes.size(), segments.size());
+            for (std::size_t i = 0; i < segments.size(); ++i) {
+                std::vector<bool> met(segments.size() + 1, false);
+                for (std::size_t j = 0; j < i; ++j) {
+                    const bool shares = sharedVoxels(segments[i].voxels, segments[j].voxels) > 0;
+                    met[std::size_t(planes[j])] = met[std::size_t(planes[j])] || shares;
+                }
+                const auto first = std::find(met.begin(), met.end(), false);
+                QCOMPARE(planes[i], int(first - met.begin()));
+            }
+        }
+    }
+
     /// A DICOM SEG whose segments overlap: what is said, and what becomes of the voxels.
     void aSegThatOverlaps()
     {
@@ -210,6 +233,15 @@ private Q_SLOTS:
         const auto notes = [&] {
             return notesOnOverlaps(read->overlaps, read->edit, on.volume.geometry);
         };
+        // Both keep what they share, in two planes.
+        QCOMPARE(*read->edit.planes, (std::vector<int>{0, 1}));
+        QCOMPARE(
+            notes(), (std::vector<MaskNote>{{.code = MaskNote::Code::OverlapsKept, .some = 2}}));
+        QCOMPARE(on.carriedOut(read->edit), on.byColumn({1, 1, 1, 1, 0, 0, 0, 0, 0, 0, 0}));
+        QCOMPARE(on.carriedOut(read->edit, 1), on.byColumn({0, 0, 2, 2, 2, 2, 2, 0, 0, 0, 0}));
+
+        // In one plane a voxel has one of them.
+        read->edit.planes.reset();
         MaskNote expected{.code = MaskNote::Code::GoesBefore,
             .names = {QStringLiteral("Liver"), QStringLiteral("Vein")},
             .some = Fixture::shared,
@@ -230,6 +262,24 @@ private Q_SLOTS:
         QVERIFY(on.carriedOut(read->edit).empty());
     }
 
+    /// Contours may lie over each other.
+    void anRtStructThatOverlaps()
+    {
+        const Fixture on;
+        QVERIFY(exportMask(on.volume,
+            {.format = ExportFormat::RtStruct,
+                .file = on.file,
+                .segments = {segmentOf("Liver", 0), segmentOf("Vein", 1)},
+                .planes = on.planes},
+            {}));
+        const Result<ReadImport> read = readImport(ImportMask{.file = on.file}, on.volume, 0, {});
+        QVERIFY(read);
+        QCOMPARE(read->overlaps,
+            (std::vector<MaskOverlap>{{.segments = {0, 1}, .voxels = Fixture::shared}}));
+        QCOMPARE(on.carriedOut(read->edit), on.byColumn({1, 1, 1, 1, 0, 0, 0, 0, 0, 0, 0}));
+        QCOMPARE(on.carriedOut(read->edit, 1), on.byColumn({0, 0, 2, 2, 2, 2, 2, 0, 0, 0, 0}));
+    }
+
     /// `burin run` says it of the files that a recipe names.
     void recipesTellIt()
     {
@@ -239,6 +289,7 @@ private Q_SLOTS:
         QFile file(path);
         QVERIFY(file.open(QIODevice::WriteOnly)
             && file.write(R"({"edits": [{"edit": "importMask", "file": "seg.dcm", "ahead": [2]},
+                             {"edit": "importMask", "file": "seg.dcm"},
                              {"edit": "importMask", "file": "seg.dcm", "as": "All"}]})")
                 > 0);
         file.close();
@@ -256,8 +307,13 @@ private Q_SLOTS:
         }
         QCOMPARE(
             pairs, (std::vector<QStringList>{{QStringLiteral("Vein"), QStringLiteral("Liver")}}));
-        QCOMPARE(
-            *std::get<Edit>(recipe->steps.front()).get<ImportMask>().ahead, std::vector<int>{2});
+        const auto mask = [&](std::size_t step) {
+            return std::get<Edit>(recipe->steps[step]).get<ImportMask>();
+        };
+        QCOMPARE(*mask(0).ahead, std::vector<int>{2});
+        QVERIFY(!mask(0).planes);
+        QCOMPARE(*mask(1).planes, (std::vector<int>{0, 1}));
+        QVERIFY(!mask(2).planes);
     }
 
     /// Where all of a file becomes one segment, nobody goes before anybody.
@@ -270,6 +326,7 @@ private Q_SLOTS:
         const Result<ReadImport> read = readImport(edit, on.volume, 0, {});
         QVERIFY(read);
         QVERIFY(read->overlaps.empty());
+        QVERIFY(!read->edit.planes);
         QVERIFY(notesOnOverlaps({{.segments = {0, 1}, .voxels = 5}}, read->edit, {}).empty());
         QCOMPARE(on.carriedOut(read->edit), on.byColumn({1, 1, 1, 1, 1, 1, 1, 0, 0, 0, 0}));
     }

@@ -44,6 +44,7 @@ class NrrdWriterTest : public QObject {
 private Q_SLOTS:
     void theHeaderIsAsTheFormatHasIt();
     void theReaderSeesTheSameToTheLastBit();
+    void severalNumbersOfAVoxel();
     void keyValuesAreEscaped();
     void refusesTooFewVoxels();
     void aFullDiskIsNamed();
@@ -100,6 +101,32 @@ void NrrdWriterTest::theReaderSeesTheSameToTheLastBit()
     QVERIFY(!bytes->surplus);
     QCOMPARE(bytes->size, voxels.size());
     QCOMPARE(std::memcmp(bytes->data.get(), voxels.data(), voxels.size()), 0);
+}
+
+void NrrdWriterTest::severalNumbersOfAVoxel()
+{
+    core::VolumeGeometry geometry = obliqueGrid();
+    std::vector<std::uint8_t> voxels;
+    for (std::size_t i = 0; i < 3 * geometry.voxelCount(); ++i)
+        voxels.push_back(std::uint8_t(i * 7 % 251));
+    QVERIFY(core::writeNrrdAt(
+        path(), {.geometry = geometry, .voxels = voxels, .keyValues = {}, .layers = 3}));
+    const auto read = core::readNrrdLayers(path());
+    QVERIFY(read);
+    QCOMPARE(read->layers, 3);
+    QVERIFY(read->grid.geometry.size == geometry.size);
+    QVERIFY(read->grid.geometry.indexToWorld == geometry.indexToWorld);
+    const auto bytes = core::readVoxels(read->grid.voxels, {});
+    QVERIFY(bytes);
+    QVERIFY(!bytes->surplus);
+    QCOMPARE(bytes->size, voxels.size());
+    QCOMPARE(std::memcmp(bytes->data.get(), voxels.data(), voxels.size()), 0);
+    QFile file(path());
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    const QByteArray header = file.read(1000);
+    for (const char* line : {"\ndimension: 4\n", "\nsizes: 3 ", "\nspace directions: none (",
+             "\nkinds: list domain domain domain\n"})
+        QVERIFY2(header.contains(line), line);
 }
 
 void NrrdWriterTest::keyValuesAreEscaped()

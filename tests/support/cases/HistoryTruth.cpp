@@ -453,7 +453,7 @@ HistoryTruth::Bricks HistoryTruth::grown(
     if (const auto* seen = edit.as<SegmentSeen>())
         return after(before, *labelSeen(*seen, document), {}, nullptr, &document);
     if (const auto* mask = edit.as<ImportMask>())
-        return after(before, *labelListed(*mask, document), {}, nullptr);
+        return after(before, *labelPlanes(*mask, document), {}, nullptr);
     if (const auto* invert = edit.as<InvertSegment>())
         return after(before, *mapLabels(*invert, document), {}, nullptr);
     if (const auto* both = edit.as<CombineSegments>())
@@ -861,9 +861,11 @@ void HistoryTruth::changeDocument(const Edit& edit, Document& document) const
     } else if (const auto* seen = edit.as<SegmentSeen>()) {
         addTarget(seen->target, document);
     } else if (const auto* mask = edit.as<ImportMask>(); mask && !mask->as) {
-        for (const ImportedSegment& segment : *mask->segments) {
+        for (std::size_t i = 0; i < mask->segments->size(); ++i) {
+            const ImportedSegment& segment = (*mask->segments)[i];
             addTarget({.segment = {}, .name = segment.name, .rgb = segment.rgb}, document);
             document.segments.back().code = segment.code;
+            document.segments.back().plane = std::uint8_t(mask->planes ? (*mask->planes)[i] : 0);
         }
     } else if (const auto* islands = edit.as<SplitIslands>()) {
         for (const SplitPart& part : islands->into.value())

@@ -13,6 +13,7 @@
 #include <QListWidget>
 #include <QPointer>
 #include <QPushButton>
+#include <QRadioButton>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
@@ -72,10 +73,10 @@ struct Fixture : test::WindowFixture {
         return found ? dialog : nullptr;
     }
     /// The label of every voxel of a slice; −1 where they differ.
-    [[nodiscard]] int labelOfSlice(int k)
+    [[nodiscard]] int labelOfSlice(int k, std::uint8_t plane = 0)
     {
         reference::DenseFields fields = engine.fields();
-        const auto& labels = fields.labels(0);
+        const auto& labels = fields.labels(plane);
         const glm::ivec3 size = workspace.volume()->geometry.size;
         const int first = labels.at({0, 0, k});
         for (int y = 0; y < size.y; ++y) {
@@ -101,6 +102,13 @@ void click(const QWidget& dialog, const char* name)
     QTest::mouseClick(dialog.findChild<QPushButton*>(QLatin1String(name)), Qt::LeftButton);
 }
 
+/// Clicks on a radio button's circle, at its left end.
+void choose(const QWidget& dialog, const char* name)
+{
+    auto* button = dialog.findChild<QRadioButton*>(QLatin1String(name));
+    QTest::mouseClick(button, Qt::LeftButton, {}, QPoint(8, button->height() / 2));
+}
+
 } // namespace
 
 class MaskOrderDialogUiTest : public QObject {
@@ -108,6 +116,40 @@ class MaskOrderDialogUiTest : public QObject {
 
 private Q_SLOTS:
     void init() { test::failOnUnexpectedMessages(); }
+
+    /// What the dialog proposes: both keep what they share, in two planes.
+    void overlapsAreKept()
+    {
+        Fixture fixture;
+        const QPointer<ui::MaskOrderDialog> dialog = fixture.asked();
+        QVERIFY(dialog);
+        QVERIFY(dialog->findChild<QRadioButton*>(QStringLiteral("maskOrderKeep"))->isChecked());
+        QVERIFY(!listOf(*dialog, "maskOrder").isEnabled());
+        QVERIFY(!dialog->findChild<QPushButton*>(QStringLiteral("maskOrderDown"))->isEnabled());
+        QListWidget& given = listOf(*dialog, "maskOrderGiven");
+        QCOMPARE(given.count(), 1);
+        QCOMPARE(given.item(0)->text(),
+            QStringLiteral("Each segment keeps them all; the segments lie in 2 label planes."));
+        QTest::keyClick(dialog.data(), Qt::Key_Return);
+        QVERIFY(fixture.session().settle());
+        QCOMPARE(fixture.session().history().rows().size(), std::size_t(1));
+        const auto& edit = fixture.session().history().rows().back().edit.get<core::ImportMask>();
+        QVERIFY(!edit.ahead);
+        QCOMPARE(*edit.planes, (std::vector<int>{0, 1, 0}));
+        const auto& segments = fixture.session().document().segments;
+        QCOMPARE(segments.size(), std::size_t(3));
+        QCOMPARE(int(segments[1].plane), 1);
+        for (const int k : {0, 1})
+            QCOMPARE(fixture.labelOfSlice(k), int(segments[0].label));
+        for (const int k : {1, 2, 3})
+            QCOMPARE(fixture.labelOfSlice(k, 1), int(segments[1].label));
+        QCOMPARE(fixture.labelOfSlice(2), 0);
+        QCOMPARE(fixture.labelOfSlice(0, 1), 0);
+        QCOMPARE(fixture.labelOfSlice(10), int(segments[2].label));
+        const QString sentence = fixture.window.messages().sentence();
+        QVERIFY2(sentence.contains(QLatin1String("the segments lie in 2 label planes.")),
+            qPrintable(sentence));
+    }
 
     void theOneFurtherUpGetsTheVoxels()
     {
@@ -117,6 +159,7 @@ private Q_SLOTS:
         QVERIFY(dialog->isModal());
         QVERIFY(fixture.importer().busy());
         QVERIFY(fixture.session().history().rows().empty());
+        choose(*dialog, "maskOrderFlatten");
         QListWidget& order = listOf(*dialog, "maskOrder");
         QListWidget& given = listOf(*dialog, "maskOrderGiven");
         QCOMPARE(order.count(), 2); // what does not overlap is not asked about
@@ -147,6 +190,7 @@ private Q_SLOTS:
         QCOMPARE(fixture.session().history().rows().size(), std::size_t(1));
         const auto& edit = fixture.session().history().rows().back().edit.get<core::ImportMask>();
         QCOMPARE(*edit.ahead, (std::vector<int>{2, 1}));
+        QVERIFY(!edit.planes);
         const auto& segments = fixture.session().document().segments;
         QCOMPARE(segments.size(), std::size_t(3));
         QCOMPARE(segments[0].name, QStringLiteral("Low"));
@@ -167,11 +211,13 @@ private Q_SLOTS:
         Fixture fixture;
         const QPointer<ui::MaskOrderDialog> dialog = fixture.asked();
         QVERIFY(dialog);
+        choose(*dialog, "maskOrderFlatten");
         QTest::keyClick(dialog.data(), Qt::Key_Return);
         QVERIFY(fixture.session().settle());
         QCOMPARE(fixture.session().history().rows().size(), std::size_t(1));
         const auto& edit = fixture.session().history().rows().back().edit.get<core::ImportMask>();
         QVERIFY(!edit.ahead);
+        QVERIFY(!edit.planes);
         const auto& segments = fixture.session().document().segments;
         QCOMPARE(fixture.labelOfSlice(1), int(segments[0].label));
         QCOMPARE(fixture.labelOfSlice(2), int(segments[1].label));
@@ -187,7 +233,7 @@ private Q_SLOTS:
         QVERIFY(fixture.session().settle());
         QVERIFY(fixture.session().history().rows().empty());
         QTRY_VERIFY(!dialog);
-        fixture.importer().import(std::nullopt); // nothing waits any more
+        fixture.importer().import(std::nullopt, std::nullopt); // nothing waits any more
         QVERIFY(fixture.session().settle());
         QVERIFY(fixture.session().history().rows().empty());
         QVERIFY(fixture.asked()); // and it can be asked for again

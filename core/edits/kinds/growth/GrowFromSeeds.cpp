@@ -6,6 +6,7 @@
 #include "core/edits/answers/EditEffects.h"
 #include "core/edits/answers/RowFacts.h"
 #include "core/edits/engine/EngineEdits.h"
+#include "core/edits/engine/FirstPlane.h"
 #include "core/edits/kinds/growth/GrowthParts.h"
 #include "core/growth/SeedWord.h"
 
@@ -88,6 +89,10 @@ Result<SpreadLabels> spreadLabels(const GrowFromSeeds& edit, const Document& doc
                     QStringLiteral("in field 'growFromSeeds.segments'"));
             if (segment->locked)
                 return failure(ErrorCode::SegmentLocked, segment->name);
+            if (const Result<void> grows = checkInFirstPlane(
+                    QStringLiteral("growFromSeeds.segments"), *segment, QStringLiteral("grow"));
+                !grows)
+                return tl::unexpected(grows.error());
             spread.seeds.set(std::size_t(label));
         }
     }

@@ -3,6 +3,7 @@
 
 #include "core/edits/answers/RowWords.h"
 #include "core/edits/engine/EngineEdits.h"
+#include "core/edits/engine/FirstPlane.h"
 #include "core/edits/fields/EditFields.h"
 #include "core/edits/kinds/growth/GrowCriteria.h"
 #include "core/edits/kinds/growth/GrowGuard.h"
@@ -74,6 +75,10 @@ Result<GrowBurst> burstOf(
                 QStringLiteral("in field '%1.segments'").arg(edit));
         if (segment->locked)
             return failure(ErrorCode::SegmentLocked, segment->name);
+        if (const Result<void> grows = checkInFirstPlane(
+                edit + QStringLiteral(".segments"), *segment, QStringLiteral("grow"));
+            !grows)
+            return tl::unexpected(grows.error());
         resting.reset(std::size_t(label));
     }
     burst.lockedLabels |= resting;

@@ -6,6 +6,7 @@
 #include "core/edits/answers/EditEffects.h"
 #include "core/edits/answers/RowFacts.h"
 #include "core/edits/engine/EngineEdits.h"
+#include "core/edits/engine/FirstPlane.h"
 
 #include <utility>
 
@@ -38,6 +39,10 @@ Result<SeedPlacement> seedPlacement(const SeedStroke& stroke, const Document& do
     if (!unlocked)
         return tl::unexpected(unlocked.error());
     const Segment* segment = *unlocked;
+    if (const Result<void> grows =
+            checkInFirstPlane(QStringLiteral("seed.segment"), *segment, QStringLiteral("grow"));
+        !grows)
+        return tl::unexpected(grows.error());
 
     if (stroke.pointsLps.empty() && !stroke.takenLps)
         return failure(ErrorCode::InvalidField, QStringLiteral("seed.pointsLps"),

@@ -2,6 +2,7 @@
 #include "core/edits/kinds/growth/ToleranceEdits.h"
 
 #include "core/document/Document.h"
+#include "core/edits/engine/FirstPlane.h"
 #include "core/edits/kinds/growth/GrowCriteria.h"
 #include "core/edits/kinds/growth/GrowLimits.h"
 #include "core/edits/kinds/growth/GrowthParts.h"
@@ -19,6 +20,10 @@ Result<ToleranceRule> toleranceRule(
         return failure(ErrorCode::UnknownSegment, QString::number(segment));
     if (growing->locked)
         return failure(ErrorCode::SegmentLocked, growing->name);
+    if (const Result<void> grows = checkInFirstPlane(
+            QStringLiteral("tolerance.segment"), *growing, QStringLiteral("grow"));
+        !grows)
+        return tl::unexpected(grows.error());
     // A majority of one voxel of 27 and a passage of one voxel ask for nothing.
     const std::array<std::pair<const char*, bool>, 5> unknown{
         {{"sigmas", criteria.sigmas.has_value()}, {"difference", criteria.difference.has_value()},

@@ -39,17 +39,15 @@ Result<CoverLabel> coverLabel(const SegmentToLayer& edit, const Document& docume
         .plane = segment->plane,
         .label = segment->label,
         .outside = edit.outside.value_or(false)};
-    if (!edit.outside.value_or(false)) {
-        if (segment->uncarvable)
-            return failure(ErrorCode::SegmentProtected, segment->name);
-        return cover;
-    }
+    if (!cover.outside && segment->uncarvable)
+        return failure(ErrorCode::SegmentProtected, segment->name);
     for (const Segment& each : document.segments) {
         if (!each.uncarvable)
             continue;
-        if (each.plane != segment->plane)
+        if (each.plane != segment->plane) // they may share voxels
             return failure(ErrorCode::SegmentProtected, each.name);
-        cover.spared.set(each.label);
+        if (cover.outside)
+            cover.spared.set(each.label);
     }
     return cover;
 }

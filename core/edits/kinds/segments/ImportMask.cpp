@@ -8,11 +8,12 @@
 #include "core/edits/answers/EditEffects.h"
 #include "core/edits/answers/RowFacts.h"
 #include "core/edits/engine/EngineEdits.h"
-#include "core/edits/kinds/parts/SegmentChoice.h"
 #include "core/edits/kinds/segments/AddSegment.h"
 #include "core/edits/kinds/segments/ImportTargets.h"
 
 #include <algorithm>
+#include <bitset>
+#include <map>
 #include <utility>
 
 namespace core {
@@ -22,23 +23,6 @@ using namespace rowWords;
 namespace {
 
 constexpr int highestLabel = 255;
-
-/// What importMask means by its "as": one that is there; none: a new one.
-Result<std::optional<int>> segmentMeant(const ImportMask& edit, const Document& document)
-{
-    if (!edit.as)
-        return std::optional<int>();
-    if (edit.as->number) {
-        if (!document.segment(*edit.as->number))
-            return failure(ErrorCode::UnknownSegment, QString::number(*edit.as->number),
-                QStringLiteral("in field 'importMask.as'"));
-        return edit.as->number;
-    }
-    const auto named = std::find_if(document.segments.begin(), document.segments.end(),
-        [&](const Segment& segment) { return segment.name == edit.as->name; });
-    return named == document.segments.end() ? std::optional<int>()
-                                            : std::optional<int>(named->label);
-}
 
 tl::unexpected<Error> wrong(const char* field, const QString& reason)
 {
@@ -58,6 +42,32 @@ Result<void> isOfVolume(const ImportMask& edit, const Document& document)
             .arg(size.x)
             .arg(size.y)
             .arg(size.z));
+}
+
+/// What may not be written to in a plane, since segments of other planes keep their voxels.
+std::optional<EditableVoxels> besideOtherPlanes(
+    int plane, const ImportMask& edit, const Document& document)
+{
+    EditableVoxels editable;
+    for (const std::uint8_t other : document.labelPlanes()) {
+        const std::bitset<256> kept =
+            edit.overwriteUnlocked ? document.lockedLabels(other) : document.labelsIn(other);
+        if (other != plane && kept.any())
+            editable.outside.push_back({.plane = other, .labels = kept});
+    }
+    return editable.outside.empty() ? std::nullopt : std::optional(std::move(editable));
+}
+
+/// A number that no segment of the import gets.
+std::uint8_t freeNumber(const ImportTargets& where)
+{
+    std::bitset<256> given;
+    for (const LabelTarget& target : where.targets)
+        given.set(target.label);
+    int number = 1;
+    while (number < highestLabel && given.test(std::size_t(number)))
+        ++number;
+    return std::uint8_t(number);
 }
 
 /// Puts labels where runs are and nothing is yet.
@@ -114,65 +124,13 @@ private:
 
 } // namespace
 
-Result<ImportTargets> importTargets(const ImportMask& edit, const Document& document)
-{
-    if (!edit.segments || !edit.size)
-        return wrong("importMask.segments", QStringLiteral("its file has not been read"));
-    const Result<std::optional<int>> meant = segmentMeant(edit, document);
-    if (!meant)
-        return tl::unexpected(meant.error());
-    ImportTargets result{.targets = {}, .isNew = !*meant};
-    const int room = highestLabel - document.lastLabelGiven();
-    const auto wanted = std::ssize(*edit.segments);
-    for (const int place : edit.ahead.value_or(std::vector<int>())) {
-        if (place < 1 || place > wanted)
-            return wrong("importMask.ahead",
-                QStringLiteral("there is no segment %1 in its list of %2").arg(place).arg(wanted));
-    }
-    if (result.isNew && (edit.as ? 1 : wanted) > room)
-        return wrong("importMask.segments",
-            QStringLiteral("there is room for %1 segments more, it brings %2")
-                .arg(room)
-                .arg(wanted));
-    Result<LabelTarget> target =
-        labelTarget({.segment = *meant, .name = {}}, edit.overwriteUnlocked, document);
-    if (!target)
-        return tl::unexpected(target.error());
-    for (std::ptrdiff_t i = 0; i < wanted; ++i) {
-        result.targets.push_back(*target);
-        if (!edit.as)
-            ++target->label;
-    }
-    return result;
-}
-
-std::vector<std::size_t> segmentsByPrecedence(
-    const std::optional<std::vector<int>>& ahead, std::size_t count)
-{
-    std::vector<std::size_t> order;
-    std::vector<bool> taken(count, false);
-    const auto take = [&](std::size_t segment) {
-        if (segment < count && !taken[segment])
-            order.push_back(segment);
-        if (segment < count)
-            taken[segment] = true;
-    };
-    for (const int place : ahead.value_or(std::vector<int>())) {
-        if (place >= 1)
-            take(std::size_t(place) - 1);
-    }
-    for (std::size_t segment = 0; segment < count; ++segment)
-        take(segment);
-    return order;
-}
-
 Result<void> check(const ImportMask& edit, const Document& document)
 {
     if (effects(edit).changes) {
         if (const Result<void> applied = checkApplied(edit, document); !applied)
             return applied;
     }
-    return discardValue(labelListed(edit, document));
+    return discardValue(labelPlanes(edit, document));
 }
 
 Result<bool> apply(const ImportMask& edit, Document& document)
@@ -192,6 +150,7 @@ Result<bool> apply(const ImportMask& edit, Document& document)
                 document);
         if (!added)
             return added;
+        document.segments.back().plane = where->targets[i].plane;
     }
     return true;
 }
@@ -208,7 +167,7 @@ EditEffects effects(const ImportMask& edit)
         .boundToStudy = true};
 }
 
-Result<LabelListed> labelListed(const ImportMask& edit, const Document& document)
+Result<LabelPlanes> labelPlanes(const ImportMask& edit, const Document& document)
 {
     const Result<ImportTargets> where = importTargets(edit, document);
     if (!where)
@@ -216,23 +175,47 @@ Result<LabelListed> labelListed(const ImportMask& edit, const Document& document
     const VolumeGeometry& geometry = document.volumes.front().geometry;
     if (const Result<void> same = isOfVolume(edit, document); !same)
         return tl::unexpected(same.error());
-    BrickList bricks(geometry.size);
-    for (const std::size_t i : segmentsByPrecedence(edit.ahead, edit.segments->size())) {
-        const std::optional<VoxelRuns> voxels =
-            unpackedRuns((*edit.segments)[i].voxels, geometry.voxelCount());
-        if (!voxels)
-            return wrong("importMask.segments",
-                QStringLiteral("entry %1: its voxels are damaged").arg(i + 1));
-        bricks.put(*voxels, where->targets[i].label);
+    const std::vector<std::size_t> order = segmentsByPrecedence(edit.ahead, edit.segments->size());
+    std::map<std::uint8_t, BrickList> lists;
+    for (const LabelTarget& target : where->targets)
+        lists.try_emplace(target.plane, geometry.size);
+    if (edit.overwriteUnlocked) { // what others lose in planes of their own
+        for (const std::uint8_t plane : document.labelPlanes()) {
+            if (document.unlockedLabels(plane).any())
+                lists.try_emplace(plane, geometry.size);
+        }
     }
-    const LabelTarget& target = where->targets.front();
-    return LabelListed{
-        .plane = target.plane, .overwritable = target.overwritable, .bricks = bricks.take()};
+    const std::uint8_t frees = edit.overwriteUnlocked && lists.size() > 1 ? freeNumber(*where) : 0;
+    // Freeing comes second: a voxel that is asked for in a plane is not freed there.
+    for (const bool freeing : {false, true}) {
+        for (const std::size_t i : order) {
+            const std::optional<VoxelRuns> voxels =
+                unpackedRuns((*edit.segments)[i].voxels, geometry.voxelCount());
+            if (!voxels)
+                return wrong("importMask.segments",
+                    QStringLiteral("entry %1: its voxels are damaged").arg(i + 1));
+            for (auto& [plane, list] : lists) {
+                const bool isIts = plane == where->targets[i].plane;
+                if (isIts != freeing && (isIts || document.unlockedLabels(plane).any()))
+                    list.put(*voxels, isIts ? where->targets[i].label : frees);
+            }
+        }
+        if (frees == 0)
+            break;
+    }
+    LabelPlanes result;
+    for (auto& [plane, list] : lists)
+        result.planes.push_back({.plane = plane,
+            .overwritable = overwrittenBy(edit, plane, document),
+            .bricks = list.take(),
+            .frees = frees,
+            .editable = besideOtherPlanes(plane, edit, document)});
+    return result;
 }
 
 Result<EngineEdit> engineEdit(const ImportMask& edit, const Document& document)
 {
-    return engineEditFrom(labelListed(edit, document));
+    return engineEditFrom(labelPlanes(edit, document));
 }
 
 /// "Import 7 segments of liver.dcm, 12.3 mL"
@@ -254,14 +237,21 @@ RowTitle rowTitle(const ImportMask& mask, const RowFacts& row)
     return title;
 }
 
-/// The labels and seed words of the bricks that it has voxels in.
+/// The labels and seed words of the bricks that it has voxels in, and the labels of other planes
+/// there.
 EditDependencies dependencies(const ImportMask& edit, const DependencyFacts& row)
 {
     dependsOn::Bricks bricks;
-    if (const Result<LabelListed> listed = labelListed(edit, row.document)) {
-        for (const LabelListed::Brick& brick : listed->bricks) {
-            bricks.keys.insert({Field::Labels, listed->plane, brick.brick});
-            bricks.keys.insert({Field::SeedWords, listed->plane, brick.brick});
+    if (const Result<LabelPlanes> listed = labelPlanes(edit, row.document)) {
+        for (const LabelListed& plane : listed->planes) {
+            for (const LabelListed::Brick& brick : plane.bricks) {
+                bricks.keys.insert({Field::Labels, plane.plane, brick.brick});
+                bricks.keys.insert({Field::SeedWords, plane.plane, brick.brick});
+                if (!plane.editable)
+                    continue;
+                for (const EditableVoxels::PlaneLabels& other : plane.editable->outside)
+                    bricks.keys.insert({Field::Labels, other.plane, brick.brick});
+            }
         }
     }
     return bricks;

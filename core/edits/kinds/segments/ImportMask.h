@@ -15,7 +15,7 @@
 
 namespace core {
 
-struct LabelListed;
+struct LabelPlanes;
 
 /// A segment of a mask that was read from a file.
 struct ImportedSegment {
@@ -33,7 +33,10 @@ struct SegmentWord {
 
 /// Make the segments of a mask file segments of the session. An edit that was carried out contains
 /// their voxels and no longer needs the file; core/masks completes one without voxels first. Where
-/// segments overlap, the first one gets the voxel (segmentsByPrecedence()).
+/// segments of one plane overlap, the first one gets the voxel (segmentsByPrecedence()).
+///
+/// Of segments that were there before, it takes no voxel, in whatever plane they have it; with
+/// overwriteUnlocked those that are not locked lose it in their own planes.
 struct ImportMask {
     QString file{};
     std::optional<SegmentWord> as{}; ///< the segment that receives everything; none: new ones
@@ -43,6 +46,9 @@ struct ImportMask {
     /// Places in the list of segments, from 1, of those that go before all others, the first one
     /// foremost; none: the order of the list.
     std::optional<std::vector<int>> ahead{};
+    /// The label plane of each segment, so that those that overlap keep what they share; none: all
+    /// lie in plane 0, or in that of the segment that receives everything.
+    std::optional<std::vector<int>> planes{};
 };
 
 [[nodiscard]] Result<void> check(const ImportMask& edit, const Document& document);
@@ -54,6 +60,6 @@ Result<bool> apply(const ImportMask& edit, Document& document);
 
 /// Errors: those of importTargets(), InvalidField (voxels that cannot be unpacked, or of another
 /// grid).
-[[nodiscard]] Result<LabelListed> labelListed(const ImportMask& edit, const Document& document);
+[[nodiscard]] Result<LabelPlanes> labelPlanes(const ImportMask& edit, const Document& document);
 
 } // namespace core

@@ -6,6 +6,7 @@
 #include "core/edits/kinds/segments/ImportMask.h"
 #include "core/sculpt/labels/LayerWrites.h"
 
+#include <bitset>
 #include <cstddef>
 #include <optional>
 #include <vector>
@@ -18,8 +19,12 @@ struct ImportTargets {
     bool isNew = true; ///< they are new segments: one for each, or a single one with "as"
 };
 /// Errors: InvalidField (no voxels read, no room for so many segments, a place that there is not in
-/// its list), UnknownSegment, SegmentLocked.
+/// its list, not one plane for each segment), UnknownSegment, SegmentLocked.
 [[nodiscard]] Result<ImportTargets> importTargets(const ImportMask& edit, const Document& document);
+
+/// The labels of a plane that yield to an import.
+[[nodiscard]] std::bitset<256> overwrittenBy(
+    const ImportMask& edit, int plane, const Document& document);
 
 /// The segments of a mask, by their places in its list from 0, in the order in which they get
 /// voxels that several of them have: those of ImportMask::ahead, then the others.

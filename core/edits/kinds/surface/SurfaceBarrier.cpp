@@ -5,6 +5,7 @@
 #include "core/edits/answers/EditDependencies.h"
 #include "core/edits/answers/EditEffects.h"
 #include "core/edits/answers/RowFacts.h"
+#include "core/edits/engine/FirstPlane.h"
 #include "core/edits/kinds/surface/SurfaceParts.h"
 
 namespace core {
@@ -13,6 +14,14 @@ using namespace rowWords;
 
 Result<void> check(const SurfaceBarrier& edit, const Document& document)
 {
+    const Segment* segment =
+        document.surface ? document.segment(document.surface->segment) : nullptr;
+    if (segment) {
+        if (const Result<void> first = checkInFirstPlane(
+                QStringLiteral("surfaceBarrier"), *segment, QStringLiteral("keep a growth out"));
+            !first)
+            return first;
+    }
     return checkApplied(edit, document);
 }
 

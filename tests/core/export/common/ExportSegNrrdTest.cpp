@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "core/export/common/CheckExport.h"
 #include "core/export/common/ExportMask.h"
+#include "core/masks/MaskOnVolume.h"
 #include "core/nrrd/NrrdHeader.h"
 #include "core/nrrd/NrrdReader.h"
 #include "core/nrrd/NrrdWriter.h"
@@ -106,6 +108,7 @@ private Q_SLOTS:
     void aMaskOnAnNrrdVolume();
     void tiltedAndUnevenSlices();
     void planesInOneLayer();
+    void overlapsInLayers();
     void nameIsChecked();
     void theChecksumIsThatOfTheFile();
     void fullDiskLeavesNothing();
@@ -323,14 +326,69 @@ void ExportSegNrrdTest::planesInOneLayer()
     const auto same = on.exported({segmentOf(1, 0), segmentOf(1, 1)});
     QVERIFY(!same);
     QCOMPARE(same.error().code, core::ErrorCode::UnsupportedFormat);
-    second[10] = 2;
-    const auto overlapping = on.exported({segmentOf(1, 0), segmentOf(2, 1)});
-    QVERIFY(!overlapping);
-    QCOMPARE(overlapping.error().code, core::ErrorCode::UnsupportedFormat);
-    QVERIFY2(overlapping.error().arguments.value(1).startsWith(
-                 QStringLiteral("'Part 1' and 'Part 2' overlap in 1 voxels, which one NRRD ")),
-        qPrintable(overlapping.error().arguments.value(1)));
     QVERIFY(!QFile::exists(on.file));
+}
+
+/// Segments that overlap lie in layers, one for each plane that holds some of them, and are read
+/// back as they were.
+void ExportSegNrrdTest::overlapsInLayers()
+{
+    Fixture on;
+    std::vector<std::uint8_t> first(on.labels.size(), 0);
+    std::vector<std::uint8_t> second = first;
+    for (std::size_t i = 0; i < first.size(); ++i) {
+        first[i] = i % 3 == 0 ? 1 : i % 7 == 0 ? 4 : 0;
+        second[i] = i % 5 == 0 ? 2 : i % 2 == 0 ? 9 : 0; // 9 is not asked for
+    }
+    const std::vector<std::uint8_t> unused(on.labels.size(), 3);
+    on.planes = {{.plane = 0, .labels = first}, {.plane = 1, .labels = unused},
+        {.plane = 3, .labels = second}};
+    const std::vector<core::Segment> segments{segmentOf(1, 0), segmentOf(2, 3), segmentOf(4, 0)};
+    const auto report = on.exported(segments);
+    QVERIFY2(report.has_value(), qPrintable(report ? QString() : messageOf(report.error())));
+    QCOMPARE(on.key("Segment0_Layer"), QByteArray("0"));
+    QCOMPARE(on.key("Segment1_Layer"), QByteArray("1"));
+    QCOMPARE(on.key("Segment2_Layer"), QByteArray("0"));
+
+    const auto read = core::readMask(on.file, on.volume, {});
+    QVERIFY(read);
+    QCOMPARE(read->segments.size(), segments.size());
+    std::uint64_t shared = 0;
+    for (std::size_t s = 0; s < segments.size(); ++s) {
+        const auto& labels = segments[s].plane == 0 ? first : second;
+        core::VoxelRuns expected;
+        for (std::size_t i = 0; i < labels.size(); ++i) {
+            if (labels[i] == segments[s].label)
+                expected.append(i, 1);
+        }
+        QCOMPARE(read->segments[s].name, segments[s].name);
+        QCOMPARE(read->segments[s].voxels, expected);
+    }
+    for (std::size_t i = 0; i < first.size(); ++i)
+        shared += first[i] != 0 && second[i] == 2 ? 1U : 0U;
+    QVERIFY(shared > 0);
+    QCOMPARE(core::voxelsOf(read->overlaps), shared);
+
+    // The check reads the layers, too.
+    const core::ExportExpectation as{on.volume, segments, on.planes};
+    QVERIFY(core::checkSegNrrdExport(on.file, as, {}));
+    second[5] = 0; // it was 2
+    const auto caught = core::checkSegNrrdExport(on.file, as, {});
+    QVERIFY(!caught);
+    QCOMPARE(caught.error().code, core::ErrorCode::ExportMismatch);
+
+    // A label map has no layers, and names both.
+    second[5] = 2;
+    core::ExportRequest map = on.request(segments);
+    map.format = core::ExportFormat::Nifti;
+    map.file = on.folder.filePath(QStringLiteral("map.nii"));
+    const auto refused = core::exportMask(on.volume, map, {});
+    QVERIFY(!refused);
+    QCOMPARE(refused.error().code, core::ErrorCode::UnsupportedFormat);
+    QVERIFY2(refused.error().arguments.value(1).startsWith(
+                 QStringLiteral("'Part 1' and 'Part 2' overlap in ")),
+        qPrintable(refused.error().arguments.value(1)));
+    QVERIFY(!QFile::exists(map.file));
 }
 
 void ExportSegNrrdTest::nameIsChecked()

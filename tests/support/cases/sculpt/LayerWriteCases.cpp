@@ -71,6 +71,56 @@ LabelListed randomList(const glm::ivec3& size, std::uint8_t plane, Random& rando
     return list;
 }
 
+/// Lists for some of three planes, most of which leave alone what others hold.
+core::LabelPlanes randomPlaneLists(const glm::ivec3& size, Random& random)
+{
+    constexpr int planes = 3;
+    core::LabelPlanes made;
+    for (int plane = 0; plane < planes; ++plane) {
+        if (plane != 1 && random() % 4 == 0)
+            continue;
+        LabelListed list = randomList(size, std::uint8_t(plane), random);
+        list.frees = random() % 2 ? 6 : 0;
+        if (random() % 4) {
+            core::EditableVoxels& editable = list.editable.emplace();
+            for (int other = 0; other < planes; ++other) {
+                core::EditableVoxels::PlaneLabels kept{.plane = std::uint8_t(other), .labels = {}};
+                for (int label = 1; label < 7; ++label)
+                    kept.labels[std::size_t(label)] = random() % 2;
+                if (other != plane)
+                    editable.outside.push_back(kept);
+            }
+        }
+        made.planes.push_back(std::move(list));
+    }
+    return made;
+}
+
+EngineCase planeWrites(int number, const glm::ivec3& size)
+{
+    Random random(std::uint32_t(21900 + number));
+    EngineCase made{"labels listed in several planes " + QByteArray::number(number),
+        constantVolume(size, tissueCode), {}};
+    for (int plane = 0; plane < 3; ++plane)
+        made.steps.push_back(
+            put(noise(size, random, {0, 0, 0, 1, 2, 5}), core::Field::Labels, std::uint8_t(plane)));
+    for (int edit = 0; edit < 6; ++edit) {
+        core::SeedPlacement seeds{.plane = std::uint8_t(edit % 2),
+            .label = std::uint8_t(randomInt(random, 1, 4)),
+            .voxels = {}};
+        appendSeeds(made.steps, seeds, 5, size, random);
+        appendWhole(made.steps, randomPlaneLists(size, random), {},
+            edit == 3 ? core::Ending::Rollback : core::Ending::Commit);
+        if (edit == 4)
+            made.steps.push_back(Undo{});
+    }
+    for (int i = 0; i < 4; ++i)
+        made.steps.push_back(Undo{});
+    for (int i = 0; i < 3; ++i)
+        made.steps.push_back(Redo{});
+    return made;
+}
+
 EngineCase randomWrites(int number)
 {
     Random random(std::uint32_t(21000 + number));
@@ -257,6 +307,8 @@ std::vector<EngineCase> layerWriteCases(int randomCount)
     for (int i = 0; i < 5; ++i)
         listed.steps.push_back(Undo{});
     cases.push_back(listed);
+    for (int number = 0; number < 2; ++number)
+        cases.push_back(planeWrites(number, size));
 
     EngineCase refused{"layer writes that are refused", codes, {}};
     refused.steps.push_back(put(noise(size, random, {0, 255}), core::Field::Coverage, 1));
@@ -266,6 +318,16 @@ std::vector<EngineCase> layerWriteCases(int randomCount)
     appendWhole(refused.steps, LabelListed{.bricks = {{12, whole}}});
     appendWhole(refused.steps, LabelListed{.bricks = {{3, whole}, {3, whole}}});
     appendWhole(refused.steps, LabelListed{.bricks = {{3, {1, 2, 3}}}});
+    LabelListed unsound{.bricks = {{3, whole}}};
+    unsound.editable.emplace().outside = {{.plane = 1, .labels = {1}}}; // 0 is no segment
+    appendWhole(refused.steps, unsound);
+    const LabelListed sound{.bricks = {{3, whole}}};
+    const LabelListed above{.plane = 1, .bricks = {{3, whole}}};
+    appendWhole(refused.steps, core::LabelPlanes{});
+    appendWhole(refused.steps, core::LabelPlanes{{sound, sound}});
+    appendWhole(refused.steps, core::LabelPlanes{{above, sound}});
+    appendWhole(refused.steps, core::LabelPlanes{{sound, above, sound}});
+    appendWhole(refused.steps, core::LabelPlanes{{sound, unsound}});
     appendWhole(refused.steps, CoverLabel{.layer = 1});
     appendWhole(refused.steps, FoldLayer{.layer = 1, .into = 1});
     appendWhole(

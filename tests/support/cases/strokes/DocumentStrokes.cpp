@@ -20,6 +20,7 @@
 #include "core/edits/kinds/segments/ImportMask.h"
 #include "core/edits/kinds/segments/InvertSegment.h"
 #include "core/edits/kinds/segments/LayerToSegment.h"
+#include "core/edits/kinds/segments/PaintStroke.h"
 #include "core/edits/kinds/segments/RemoveSegment.h"
 #include "core/edits/kinds/segments/ReshapeSegment.h"
 #include "core/edits/kinds/segments/SegmentSeen.h"
@@ -154,6 +155,32 @@ void addDocumentStrokes(std::vector<StrokeCase>& cases, const StrokeScene& scene
     taking.overwriteUnlocked = true;
     cases.push_back({"import a mask twice", volume, {mask}, taking});
     cases.push_back({"a mask that is held already", volume, {mask}, mask});
+    // Its segments keep what they share, in two planes.
+    core::ImportMask apart = mask;
+    apart.planes = std::vector<int>{0, 1};
+    core::ImportMask apartTaking = apart;
+    apartTaking.planes = std::vector<int>{2, 0};
+    apartTaking.overwriteUnlocked = true;
+    cases.push_back({"import a mask that overlaps", volume, {}, apart});
+    cases.push_back(
+        {"import a mask that overlaps around what has grown", volume, {first, seeds, some}, apart});
+    cases.push_back({"import over two planes", volume, {apart}, apartTaking});
+    cases.push_back({"import into one of two planes", volume, {apart}, joined});
+    cases.push_back({"invert a segment of a further plane", volume, {apart},
+        core::InvertSegment{.segment = 2}});
+    cases.push_back({"delete a segment of a further plane", volume, {apart},
+        core::RemoveSegment{.segment = 2}});
+    cases.push_back({"paint under a segment of a further plane", volume, {apart}, paint});
+    core::Edit upper = paint;
+    upper.as<core::PaintStroke>()->segment = 2;
+    core::Edit upperAway = upper;
+    upperAway.as<core::PaintStroke>()->erase = true;
+    cases.push_back({"paint in a further plane", volume, {apart, paint}, upper});
+    cases.push_back({"erase in a further plane", volume, {apart, paint, upper}, upperAway});
+    cases.push_back({"undo only what was painted in one of two planes", volume,
+        {apart, paint, upper}, core::RevertRows{{2}}});
+    core::SegmentSeen seenUpper{.target = {.segment = 2}, .lower = 300.0};
+    cases.push_back({"segment what is seen in a further plane", volume, {apart, paint}, seenUpper});
     cases.push_back(
         {"undo only a mask", volume, {first, joinedFirst(mask), drill}, core::RevertRows{{2}}});
     cases.push_back({"growth after what is seen", volume, {first, seeds, some, seen}, over});

@@ -49,6 +49,36 @@ ImportedSegment segmentOf(const QString& name, const std::set<std::uint64_t>& pl
     return {.name = name, .rgb = 5, .code = {}, .voxels = packedRuns(runs)};
 }
 
+reference::DenseArray<std::uint16_t> noCodes()
+{
+    return {size, std::vector<std::uint16_t>(std::size_t(size.x * size.y * size.z), 0)};
+}
+
+/// A segment that was there before, with its voxels.
+struct Old {
+    Segment segment;
+    std::set<std::uint64_t> places;
+};
+
+std::vector<Old> randomOld(std::mt19937& random)
+{
+    std::vector<Old> old;
+    for (const int plane : {0, 2, 0}) {
+        Old each{.segment = {}, .places = randomPlaces(random)};
+        each.segment.label = std::uint8_t(old.size() + 1);
+        each.segment.plane = std::uint8_t(plane);
+        each.segment.locked = random() % 2;
+        for (const Old& before : old) {
+            for (const std::uint64_t place : before.places) {
+                if (before.segment.plane == plane)
+                    each.places.erase(place);
+            }
+        }
+        old.push_back(std::move(each));
+    }
+    return old;
+}
+
 } // namespace
 
 /// importMask on its way from runs to labels in bricks.
@@ -75,15 +105,80 @@ private Q_SLOTS:
             Document document = emptyDocument();
             for (int label = 1; label < 5; ++label)
                 QVERIFY(applyToDocument(test::newSegment(QStringLiteral("Old")), document));
-            const Result<LabelListed> listed = labelListed(edit, document);
+            const Result<LabelPlanes> listed = labelPlanes(edit, document);
             QVERIFY(listed);
             QVERIFY(checkSound(*listed, BrickGrid{size}));
             reference::DenseFields fields(size);
-            reference::labelListed(fields, *listed);
+            reference::labelPlanes(noCodes(), fields, *listed);
             QCOMPARE(fields.labels(0).values, expected);
             QVERIFY(*applyToDocument(edit, document));
             QCOMPARE(document.lastLabelGiven(), 7);
             QCOMPARE(document.segments.back().name, QStringLiteral("S3"));
+        }
+    }
+
+    /// Segments of a file in several planes, among segments that are there in some of them.
+    void everyPlaneGetsItsLabels()
+    {
+        std::mt19937 random(19);
+        for (int round = 0; round < 12; ++round) {
+            ImportMask edit{.file = QStringLiteral("a.nii")};
+            edit.size = size;
+            edit.overwriteUnlocked = random() % 2;
+            edit.segments.emplace();
+            edit.planes.emplace();
+            std::vector<std::set<std::uint64_t>> its;
+            for (int number = 0; number < 4; ++number) {
+                its.push_back(randomPlaces(random));
+                edit.segments->push_back(segmentOf(QStringLiteral("S"), its.back()));
+                edit.planes->push_back(int(random() % mostLabelPlanes));
+            }
+            const std::vector<Old> old = randomOld(random);
+            Document document = emptyDocument();
+            reference::DenseFields before(size);
+            for (const Old& each : old) {
+                document.segments.push_back(each.segment);
+                for (const std::uint64_t place : each.places)
+                    before.labels(each.segment.plane).values[place] = each.segment.label;
+            }
+            const auto yields = [&](std::uint8_t label) {
+                return edit.overwriteUnlocked && !document.segment(label)->locked;
+            };
+            const Result<LabelPlanes> listed = labelPlanes(edit, document);
+            QVERIFY(listed);
+            QVERIFY(checkSound(*listed, BrickGrid{size}));
+            reference::DenseFields after = before;
+            reference::labelPlanes(noCodes(), after, *listed);
+            const auto voxels = std::uint64_t(size.x * size.y * size.z);
+            for (int plane = 0; plane < mostLabelPlanes; ++plane) {
+                std::vector<std::uint8_t> expected = before.labels(std::uint8_t(plane)).values;
+                for (std::uint64_t at = 0; at < voxels; ++at) {
+                    bool isKept = false; // by a segment of another plane
+                    for (int other = 0; other < mostLabelPlanes; ++other) {
+                        const std::uint8_t held = before.labels(std::uint8_t(other)).values[at];
+                        isKept = isKept || (other != plane && held != 0 && !yields(held));
+                    }
+                    std::uint8_t asked = 0;
+                    bool isAskedElsewhere = false;
+                    for (std::size_t i = 0; i < its.size(); ++i) {
+                        if (!its[i].contains(at))
+                            continue;
+                        if ((*edit.planes)[i] != plane)
+                            isAskedElsewhere = true;
+                        else if (asked == 0)
+                            asked = std::uint8_t(i + 4); // three were there before
+                    }
+                    std::uint8_t& label = expected[at];
+                    if (isKept || (label != 0 && !yields(label)))
+                        continue;
+                    if (asked != 0 || isAskedElsewhere)
+                        label = asked;
+                }
+                QCOMPARE(after.labels(std::uint8_t(plane)).values, expected);
+            }
+            QVERIFY(*applyToDocument(edit, document));
+            for (std::size_t i = 0; i < its.size(); ++i)
+                QCOMPARE(int(document.segments[i + 3].plane), (*edit.planes)[i]);
         }
     }
 
@@ -130,7 +225,7 @@ private Q_SLOTS:
         std::mt19937 random(11);
         ImportMask edit{.file = QStringLiteral("a.nii")};
         const auto why = [&](const ImportMask& mask) {
-            const Result<LabelListed> listed = labelListed(mask, emptyDocument());
+            const Result<LabelPlanes> listed = labelPlanes(mask, emptyDocument());
             return listed ? QString() : listed.error().arguments.join(u' ');
         };
         QVERIFY(why(edit).contains(QStringLiteral("its file has not been read")));

@@ -1,0 +1,399 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/brick/VoxelRuns.h"
+#include "core/edits/EditJson.h"
+#include "core/edits/kinds/filling/FloodFill.h"
+#include "core/edits/kinds/filling/MirrorSegment.h"
+#include "core/edits/kinds/growth/GrowCriteria.h"
+#include "core/edits/kinds/growth/GrowFromSeeds.h"
+#include "core/edits/kinds/segments/CombineSegments.h"
+#include "core/edits/kinds/segments/FillOutline.h"
+#include "core/edits/kinds/segments/ImportMask.h"
+#include "core/edits/kinds/segments/InvertSegment.h"
+#include "core/edits/kinds/segments/PaintStroke.h"
+#include "core/edits/kinds/segments/RemoveSegment.h"
+#include "core/edits/kinds/segments/ReshapeSegment.h"
+#include "core/edits/kinds/segments/SegmentSeen.h"
+#include "core/edits/kinds/splitting/SplitSegment.h"
+#include "core/edits/kinds/values/ThresholdSegment.h"
+#include "core/masks/MaskOnVolume.h"
+#include "core/masks/ReadImport.h"
+#include "core/session/EditSession.h"
+#include "core/session/questions/VoxelQuestions.h"
+#include "tests/reference/ReferenceEngine.h"
+#include "tests/support/faults/FailingLog.h"
+#include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/PlainEdits.h"
+#include "tests/support/scenes/SmallStudy.h"
+
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <algorithm>
+
+namespace maskPlanesTest {
+
+using namespace core;
+
+namespace {
+
+constexpr glm::ivec3 size(40, 36, 34); // of the small study
+
+struct Box {
+    glm::ivec3 from{0};
+    glm::ivec3 to{0};
+
+    [[nodiscard]] bool holds(int x, int y, int z) const
+    {
+        return x >= from.x && x < to.x && y >= from.y && y < to.y && z >= from.z && z < to.z;
+    }
+};
+
+constexpr Box one{{2, 3, 4}, {15, 9, 8}};
+constexpr Box two{{10, 3, 4}, {20, 9, 8}};
+constexpr Box three{{12, 5, 5}, {14, 7, 7}}; // in both
+
+VoxelRuns runsOf(const Box& box)
+{
+    VoxelRuns runs;
+    for (int z = box.from.z; z < box.to.z; ++z) {
+        for (int y = box.from.y; y < box.to.y; ++y)
+            runs.append(std::uint64_t((z * size.y + y) * size.x + box.from.x),
+                std::uint64_t(box.to.x - box.from.x));
+    }
+    return runs;
+}
+
+/// As if read from a file.
+ImportMask importOf(const std::vector<Box>& boxes)
+{
+    ImportMask mask{.file = QStringLiteral("organs.seg.nrrd")};
+    mask.size = size;
+    mask.segments.emplace();
+    for (const Box& box : boxes)
+        mask.segments->push_back({.name = QStringLiteral("S%1").arg(mask.segments->size() + 1),
+            .rgb = 7,
+            .code = {},
+            .voxels = packedRuns(runsOf(box))});
+    return mask;
+}
+
+ImportMask twoPlanes()
+{
+    ImportMask mask = importOf({one, two});
+    mask.planes = std::vector<int>{0, 1};
+    return mask;
+}
+
+/// The label in the box, 0 elsewhere.
+std::vector<std::uint8_t> labelsOf(const Box& box, int label)
+{
+    std::vector<std::uint8_t> labels;
+    for (int z = 0; z < size.z; ++z) {
+        for (int y = 0; y < size.y; ++y) {
+            for (int x = 0; x < size.x; ++x)
+                labels.push_back(std::uint8_t(box.holds(x, y, z) ? label : 0));
+        }
+    }
+    return labels;
+}
+
+struct Bench {
+    explicit Bench(const QString& file = {})
+        : session(*EditSession::create(engine, test::smallStudy(), {.file = file}))
+    {
+    }
+    /// @return why it was refused, at once or later; empty if it was not
+    QString tried(const Edit& edit) const
+    {
+        Result<void> done = session->apply(edit);
+        if (done)
+            done = session->settle();
+        return done ? QString() : done.error().arguments.join(QStringLiteral(": "));
+    }
+    [[nodiscard]] std::vector<std::uint8_t> labels(int plane) const
+    {
+        return *session->questions().labels(std::uint8_t(plane));
+    }
+    [[nodiscard]] std::int64_t count(int plane, int label) const
+    {
+        const std::vector<std::uint8_t> all = labels(plane);
+        return std::count(all.begin(), all.end(), std::uint8_t(label));
+    }
+    [[nodiscard]] std::int64_t voxelsOf(int label) const
+    {
+        return session->document().segment(label)->voxels;
+    }
+    [[nodiscard]] glm::dvec3 at(const glm::dvec3& voxel) const
+    {
+        return session->document().volumes.front().geometry.toWorld(voxel);
+    }
+
+    reference::ReferenceEngine engine;
+    std::unique_ptr<EditSession> session;
+};
+
+} // namespace
+
+/// Masks of one file whose segments overlap, each in a label plane of its own.
+class MaskPlanesTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { test::failOnUnexpectedMessages(); }
+
+    void everySegmentKeepsItsVoxels()
+    {
+        const QTemporaryDir folder;
+        const QString file = folder.filePath(QStringLiteral("a.burin"));
+        const std::vector<Box> boxes{one, two, three};
+        ImportMask mask = importOf(boxes);
+        std::vector<MaskSegment> segments;
+        for (const Box& box : boxes)
+            segments.push_back({.name = {}, .rgb = {}, .code = {}, .voxels = runsOf(box)});
+        mask.planes = planesFor(core::overlapsOf(segments), segments.size());
+        QCOMPARE(*mask.planes, (std::vector<int>{0, 1, 2}));
+        QByteArray after;
+        {
+            const Bench bench(file);
+            const QByteArray before = bench.session->stateHash();
+            QCOMPARE(bench.tried(mask), QString());
+            const auto everything = [&] {
+                for (int plane = 0; plane < 3; ++plane) {
+                    QCOMPARE(bench.labels(plane), labelsOf(boxes[std::size_t(plane)], plane + 1));
+                    QCOMPARE(int(bench.session->document().segment(plane + 1)->plane), plane);
+                }
+                QCOMPARE(bench.voxelsOf(1), std::int64_t(13 * 6 * 4));
+                QCOMPARE(bench.voxelsOf(2), std::int64_t(10 * 6 * 4));
+                QCOMPARE(bench.voxelsOf(3), std::int64_t(2 * 2 * 2));
+            };
+            everything();
+            after = bench.session->stateHash();
+            QVERIFY(bench.session->undo());
+            QVERIFY(bench.session->settle());
+            QCOMPARE(bench.session->stateHash(), before);
+            QVERIFY(bench.session->document().segments.empty());
+            for (int plane = 0; plane < 3; ++plane)
+                QCOMPARE(bench.count(plane, 0), std::int64_t(size.x) * size.y * size.z);
+            QVERIFY(bench.session->redo());
+            QVERIFY(bench.session->settle());
+            QCOMPARE(bench.session->stateHash(), after);
+            everything();
+        }
+        reference::ReferenceEngine engine;
+        const auto opened = EditSession::open(engine, test::smallStudy(), file);
+        QVERIFY(opened);
+        QCOMPARE((*opened)->stateHash(), after);
+        for (int plane = 0; plane < 3; ++plane)
+            QCOMPARE(*(*opened)->questions().labels(std::uint8_t(plane)),
+                labelsOf(boxes[std::size_t(plane)], plane + 1));
+        const Bench anew;
+        const Result<Edit> again =
+            editFromJson(editToJson((*opened)->history().rows().front().edit));
+        QVERIFY(again);
+        QCOMPARE(anew.tried(*again), QString());
+        QCOMPARE(anew.session->stateHash(), after);
+    }
+
+    /// Two segments in one plane share what the first of them gets; the third keeps its own.
+    void someOfOnePlane()
+    {
+        const Bench bench;
+        ImportMask mask = importOf({one, two, three});
+        mask.planes = std::vector<int>{0, 0, 3};
+        mask.ahead = std::vector<int>{2};
+        QCOMPARE(bench.tried(mask), QString());
+        QCOMPARE(bench.count(0, 1), std::int64_t(8 * 6 * 4));
+        QCOMPARE(bench.count(0, 2), std::int64_t(10 * 6 * 4));
+        QCOMPARE(bench.labels(3), labelsOf(three, 3));
+    }
+
+    void segmentsThatAreThereKeepTheirs()
+    {
+        const Bench bench;
+        QCOMPARE(bench.tried(twoPlanes()), QString());
+        const Box wide{{0, 3, 4}, {30, 9, 8}};
+        QCOMPARE(bench.tried(importOf({wide})), QString());
+        QCOMPARE(bench.count(0, 3), std::int64_t((30 - 18) * 6 * 4));
+        QCOMPARE(bench.labels(1), labelsOf(two, 2));
+        QCOMPARE(bench.count(0, 1), std::int64_t(13 * 6 * 4));
+
+        // Over what is not locked: the first one keeps only what the locked one has, too.
+        QCOMPARE(bench.tried(test::lockSegment(2)), QString());
+        ImportMask over = importOf({wide});
+        over.overwriteUnlocked = true;
+        QCOMPARE(bench.tried(over), QString());
+        QCOMPARE(bench.count(0, 1), std::int64_t(5 * 6 * 4));
+        QCOMPARE(bench.count(0, 3), std::int64_t(0));
+        QCOMPARE(bench.count(0, 4), std::int64_t((30 - 10) * 6 * 4));
+        QCOMPARE(bench.labels(1), labelsOf(two, 2));
+
+        // Nothing is locked any more: all planes lose it.
+        QCOMPARE(bench.tried(test::lockSegment(2, false)), QString());
+        QCOMPARE(bench.tried(over), QString());
+        QCOMPARE(bench.labels(0), labelsOf(wide, 5));
+        QCOMPARE(bench.count(1, 0), std::int64_t(size.x) * size.y * size.z);
+        QCOMPARE(bench.voxelsOf(2), std::int64_t(0));
+        QVERIFY(bench.session->undo());
+        QVERIFY(bench.session->settle());
+        QCOMPARE(bench.labels(1), labelsOf(two, 2));
+    }
+
+    /// A tool acts on the segment's plane, and no other one changes by a bit.
+    void aToolKeepsToItsPlane()
+    {
+        const Bench bench;
+        QCOMPARE(bench.tried(twoPlanes()), QString());
+        QCOMPARE(bench.tried(test::paintAt(2, {bench.at({5, 6, 6})}, 3.0)), QString());
+        QCOMPARE(bench.labels(0), labelsOf(one, 1));
+        const std::int64_t painted = bench.count(1, 2);
+        QVERIFY(painted > 10 * 6 * 4);
+        QCOMPARE(bench.voxelsOf(2), painted);
+        // What the first one has, too, was no obstacle.
+        const std::vector<std::uint8_t> plane = bench.labels(1);
+        QCOMPARE(int(plane[std::size_t((6 * size.y + 6) * size.x + 5)]), 2);
+        QCOMPARE(bench.tried(test::eraseAt(2, {bench.at({12, 6, 6})}, 3.0)), QString());
+        QCOMPARE(bench.labels(0), labelsOf(one, 1));
+        QVERIFY(bench.count(1, 2) < painted);
+        const std::vector<std::uint8_t> second = bench.labels(1);
+        QCOMPARE(bench.tried(test::eraseAt(1, {bench.at({12, 6, 6})}, 3.0)), QString());
+        QCOMPARE(bench.labels(1), second);
+        QVERIFY(bench.count(0, 1) < 13 * 6 * 4);
+    }
+
+    void everyEditKeepsToItsPlane_data()
+    {
+        QTest::addColumn<Edit>("edit");
+        const VolumeGeometry geometry = test::smallStudy().volume.geometry;
+        const glm::dvec3 place = geometry.toWorld({12.0, 6.0, 6.0});
+        const auto row = [](const char* name, Edit edit) { QTest::newRow(name) << edit; };
+        row("invert", InvertSegment{.segment = 2});
+        row("grow by a margin", ReshapeSegment{.segment = 2, .mm = 2.0});
+        row("by values", ThresholdSegment{.segment = 2, .lower = 500.0});
+        row("mirror", MirrorSegment{.segment = 2});
+        row("what is seen",
+            SegmentSeen{.target = {.segment = 2, .name = {}}, .lower = 500.0, .hidden = {}});
+        row("fill",
+            FloodFill{.segment = 2, .placeLps = test::pointsInBrain().front(), .tolerance = 5.0});
+        row("outline",
+            FillOutline{.segment = 2,
+                .originLps = place,
+                .polygonMm = {{-4.0, -2.0}, {4.0, -2.0}, {4.0, 2.0}, {-4.0, 2.0}}});
+        row("split",
+            SplitSegment{.segment = 2,
+                .placeLps = geometry.toWorld({15.0, 6.0, 6.0}),
+                .normalLps = {1.0, 0.0, 0.0},
+                .into = {.name = QStringLiteral("Part"), .rgb = 5}});
+        row("delete", RemoveSegment{.segment = 2});
+    }
+    void everyEditKeepsToItsPlane()
+    {
+        QFETCH(Edit, edit);
+        const Bench bench;
+        QCOMPARE(bench.tried(twoPlanes()), QString());
+        QCOMPARE(bench.tried(edit), QString());
+        QCOMPARE(bench.session->history().rows().size(), std::size_t(2));
+        QCOMPARE(bench.labels(0), labelsOf(one, 1));
+        QVERIFY(bench.labels(1) != labelsOf(two, 2));
+        for (const Segment& segment : bench.session->document().segments) {
+            QCOMPARE(segment.voxels, bench.count(segment.plane, segment.label));
+            QCOMPARE(int(segment.plane), segment.label == 1 ? 0 : 1);
+        }
+        QVERIFY(bench.session->undo());
+        QVERIFY(bench.session->settle());
+        QCOMPARE(bench.labels(0), labelsOf(one, 1));
+        QCOMPARE(bench.labels(1), labelsOf(two, 2));
+    }
+
+    /// Inside a segment is what that segment's own plane says.
+    void insideASegmentOfAnotherPlane()
+    {
+        const Bench bench;
+        QCOMPARE(bench.tried(twoPlanes()), QString());
+        Edit paint = test::paintAt(2, {bench.at({2, 6, 6})}, 3.0);
+        paint.as<PaintStroke>()->editable.emplace().inside = std::vector<int>{1};
+        QCOMPARE(bench.tried(paint), QString());
+        const std::vector<std::uint8_t> first = labelsOf(one, 1);
+        const std::vector<std::uint8_t> before = labelsOf(two, 2);
+        const std::vector<std::uint8_t> after = bench.labels(1);
+        int painted = 0;
+        for (std::size_t i = 0; i < after.size(); ++i) {
+            if (after[i] == before[i])
+                continue;
+            QCOMPARE(int(first[i]), 1);
+            ++painted;
+        }
+        QVERIFY(painted > 20);
+        QCOMPARE(bench.labels(0), first);
+    }
+
+    void whatOnlyTheFirstPlaneCan()
+    {
+        const Bench bench;
+        QCOMPARE(bench.tried(twoPlanes()), QString());
+        const QByteArray before = bench.session->stateHash();
+        const auto refused = [&](const Edit& edit) {
+            return bench.tried(edit).contains(QStringLiteral("'S2' overlaps other segments"));
+        };
+        QVERIFY(refused(test::seedAt(2, {bench.at({12, 6, 6})})));
+        QVERIFY(refused(test::protectSegment(2)));
+        Edit paint = test::paintAt(2, {bench.at({12, 6, 6})});
+        paint.as<PaintStroke>()->seeds = true;
+        QVERIFY(refused(paint));
+        GrowCriteria criteria;
+        criteria.lower = 0.0;
+        criteria.upper = 100.0;
+        criteria.segments = std::vector<int>{2};
+        QVERIFY(refused(test::growBy(criteria)));
+        GrowFromSeeds compete;
+        compete.segments = std::vector<int>{1, 2};
+        QVERIFY(refused(compete));
+        QVERIFY(bench.tried(CombineSegments{.segment = 1, .with = 2})
+                    .contains(QStringLiteral("another label plane")));
+        QCOMPARE(bench.session->stateHash(), before);
+        QCOMPARE(bench.tried(test::seedAt(1, {bench.at({12, 6, 6})})), QString());
+    }
+
+    void whatIsRefused()
+    {
+        const Bench bench;
+        ImportMask few = twoPlanes();
+        few.planes = std::vector<int>{1};
+        QVERIFY(bench.tried(few).contains(QStringLiteral("importMask.planes")));
+        ImportMask joined = twoPlanes();
+        joined.as = SegmentWord{.number = {}, .name = QStringLiteral("All")};
+        QVERIFY(bench.tried(joined).contains(QStringLiteral("importMask.planes")));
+        QVERIFY(bench.session->history().rows().empty());
+        for (const char* wrong : {"{\"edit\":\"importMask\",\"file\":\"a\",\"planes\":[]}",
+                 "{\"edit\":\"importMask\",\"file\":\"a\",\"planes\":[0,4]}",
+                 "{\"edit\":\"importMask\",\"file\":\"a\",\"planes\":[-1]}",
+                 "{\"edit\":\"importMask\",\"file\":\"a\",\"planes\":1}"})
+            QVERIFY2(!editFromJson(QJsonDocument::fromJson(wrong).object()), wrong);
+        // Without the field a row is what it always was.
+        QVERIFY(!editToJson(Edit(importOf({one, two}))).contains(QStringLiteral("planes")));
+    }
+
+    void morePlanesThanThereCanBe()
+    {
+        std::vector<MaskSegment> segments;
+        for (int i = 0; i < 5; ++i)
+            segments.push_back({.name = {}, .rgb = {}, .code = {}, .voxels = runsOf(three)});
+        ReadImport read{.edit = importOf({one, two}), .notes = {}};
+        read.overlaps = core::overlapsOf(segments);
+        read.planes = planesFor(read.overlaps, segments.size());
+        QCOMPARE(read.planes, (std::vector<int>{0, 1, 2, 3, 4}));
+        const Result<void> refused = checkOverlaps(read);
+        QVERIFY(!refused);
+        QVERIFY(refused.error().arguments.value(1).contains(
+            QStringLiteral("need 5 label planes, and there are at most 4")));
+        read.edit.ahead = std::vector<int>{1};
+        QVERIFY(checkOverlaps(read));
+    }
+};
+
+BURIN_TEST(MaskPlanesTest)
+
+} // namespace maskPlanesTest
+
+#include "MaskPlanesTest.moc"
