@@ -2,6 +2,7 @@
 #include "ui/menus/VoxelMenu.h"
 
 #include "core/session/EditSession.h"
+#include "core/session/questions/SegmentsAt.h"
 #include "core/session/questions/VoxelQuestions.h"
 #include "ui/base/MenuText.h"
 #include "ui/menus/PlaceMenu.h"
@@ -72,13 +73,17 @@ void VoxelMenu::openAbout(const glm::dvec3& placeLps)
             const core::Result<std::vector<core::ProbedVoxel>>& probes) {
             if (!self || self->m_withdrawn)
                 return;
-            if (!probes)
+            if (!probes) {
                 self->m_workspace.fail(probes.error());
-            else if (!probes->empty())
+            } else if (!probes->empty()) {
+                const core::Segment* segment =
+                    core::segmentMeant(self->m_workspace.session()->document(), probes->front(),
+                        self->m_workspace.activeSegment());
                 self->open({.voxel = voxel,
                     .centreLps = centreLps,
                     .code = probes->front().code,
-                    .label = int(probes->front().label)});
+                    .label = segment ? int(segment->label) : 0});
+            }
             self->withdraw();
         });
 }
