@@ -76,13 +76,18 @@ void VoxelMenu::openAbout(const glm::dvec3& placeLps)
             if (!probes) {
                 self->m_workspace.fail(probes.error());
             } else if (!probes->empty()) {
-                const core::Segment* segment =
-                    core::segmentMeant(self->m_workspace.session()->document(), probes->front(),
-                        self->m_workspace.activeSegment());
-                self->open({.voxel = voxel,
+                const core::Document& document = self->m_workspace.session()->document();
+                const core::Segment* meant = core::segmentMeant(
+                    document, probes->front(), self->m_workspace.activeSegment());
+                PointedVoxel pointed{.voxel = voxel,
                     .centreLps = centreLps,
                     .code = probes->front().code,
-                    .label = segment ? int(segment->label) : 0});
+                    .label = meant ? int(meant->label) : 0};
+                for (const core::Segment* each : core::segmentsAt(document, probes->front())) {
+                    if (each != meant)
+                        pointed.others.push_back(each->label);
+                }
+                self->open(pointed);
             }
             self->withdraw();
         });
