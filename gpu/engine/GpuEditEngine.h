@@ -37,8 +37,7 @@ public:
         const glm::ivec3& size, std::span<const std::uint16_t> codes) override;
 
     bool work() override; ///< throws nothing
-    void showSegments(
-        const std::bitset<256>& labels, const std::bitset<256>& translucent) override;
+    void showSegments(const std::bitset<256>& labels, const std::bitset<256>& translucent) override;
     void showPieces(const std::vector<PieceSource>& sources) override;
     void showAtTolerance(const std::optional<ToleranceDisplay>& shown) override;
     void warmUp() override;

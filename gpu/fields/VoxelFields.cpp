@@ -261,8 +261,7 @@ void VoxelFields::setMutedLayers(const std::bitset<256>& muted)
         noteCoverage(boxesOf(changed));
 }
 
-void VoxelFields::setShownLabels(
-    const std::bitset<256>& shown, const std::bitset<256>& translucent)
+void VoxelFields::setShownLabels(const std::bitset<256>& shown, const std::bitset<256>& translucent)
 {
     const bool composedAnew = m_seenLabels && translucent != m_translucentLabels;
     m_translucentLabels = translucent;

@@ -59,8 +59,8 @@ public:
     /// The paged field, or null for the dense label planes.
     [[nodiscard]] BrickField* paged(core::Field field, std::uint8_t plane);
     [[nodiscard]] bool hasData(const core::BrickKey& key);
-    /// Bricks in which any label plane was ever written, ascending. They include all bricks that hold
-    /// labels.
+    /// Bricks in which any label plane was ever written, ascending. They include all bricks that
+    /// hold labels.
     [[nodiscard]] std::vector<std::uint32_t> labelledBricks() const;
 
     /// Must be called after writing bricks. For coverage, radiation is updated around them.
@@ -79,8 +79,7 @@ public:
     /// Sets which labels the segmentation map shows. After a change every labelled brick is out of
     /// date.
     /// @param translucent which of them are; this matters only where segments overlap
-    void setShownLabels(
-        const std::bitset<256>& shown, const std::bitset<256>& translucent = {});
+    void setShownLabels(const std::bitset<256>& shown, const std::bitset<256>& translucent = {});
     [[nodiscard]] bool segmentationStale() const { return !m_staleSegmentation.empty(); }
     /// Updates at most @p maxBricks bricks that are out of date.
     void updateSegmentation(std::size_t maxBricks);

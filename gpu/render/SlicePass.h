@@ -17,12 +17,12 @@ class VolumeTextures;
 
 /// Draws any plane through the volume: grey values by window/level (DICOM LINEAR), or their
 /// colours, fill and outline of segments (where they overlap, those of higher label planes over
-/// those of lower ones, and all lines over all fills), the outlines of what is carved away and of each piece
-/// that was cut out, at its true place, stripes where growth is barred, a warning colour for
-/// members of late generations, hatching over what a cut would remove, and chunks in their colours.
-/// A segment is shown as it would be at a tolerance if the scene asks for it and the field is
-/// valid. Outside the volume the picture is black. Interpolation is cubic if both scene and target
-/// say so. The grey values may be those of a slab (SceneSlab).
+/// those of lower ones, and all lines over all fills), the outlines of what is carved away and of
+/// each piece that was cut out, at its true place, stripes where growth is barred, a warning colour
+/// for members of late generations, hatching over what a cut would remove, and chunks in their
+/// colours. A segment is shown as it would be at a tolerance if the scene asks for it and the field
+/// is valid. Outside the volume the picture is black. Interpolation is cubic if both scene and
+/// target say so. The grey values may be those of a slab (SceneSlab).
 class SlicePass {
 public:
     /// Throws ShaderError. @param library outlives the pass

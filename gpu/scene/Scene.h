@@ -32,8 +32,8 @@ struct ToleranceDisplay {
 };
 
 /// How the segments are drawn, by label. Where they overlap, slices show all of them, those of
-/// higher label planes over those of lower ones, and the 3D view shows the opaque one of the highest
-/// plane, or the translucent one of the highest plane if none is opaque.
+/// higher label planes over those of lower ones, and the 3D view shows the opaque one of the
+/// highest plane, or the translucent one of the highest plane if none is opaque.
 struct SegmentDisplay {
     std::array<std::uint32_t, 256> rgb{}; ///< 0xRRGGBB
     std::array<bool, 256> visible{};

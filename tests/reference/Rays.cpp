@@ -151,9 +151,8 @@ std::optional<glm::ivec3> pick(
     return found;
 }
 
-std::optional<glm::ivec3> pickSegment(
-    const std::vector<const DenseArray<std::uint8_t>*>& planes, const core::PickVoxels& pick,
-    const core::PickRay& ray)
+std::optional<glm::ivec3> pickSegment(const std::vector<const DenseArray<std::uint8_t>*>& planes,
+    const core::PickVoxels& pick, const core::PickRay& ray)
 {
     for (std::int64_t n = 0; n < ray.samples; ++n) {
         const glm::ivec3 voxel = nearestVoxel({ray.origin.x + n * ray.step.x,

@@ -121,10 +121,8 @@ void AxesOfSegment::suggest(const ViewContext& view, const glm::dvec3& placeLps)
     if (const core::Segment* active = session->document().segment(m_workspace.activeSegment()))
         std::stable_partition(inOrder.begin(), inOrder.end(),
             [active](std::uint8_t plane) { return plane == active->plane; });
-    m_job = std::make_shared<Job>(Job{.lattice = lattice,
-        .geometry = geometry,
-        .pixel = *pixel,
-        .planes = std::move(inOrder)});
+    m_job = std::make_shared<Job>(Job{
+        .lattice = lattice, .geometry = geometry, .pixel = *pixel, .planes = std::move(inOrder)});
     m_background.start(
         this, [job = m_job] { job->chooseBricks(); },
         [this, job = m_job](const core::Result<void>& chosen) {

@@ -43,8 +43,8 @@ QAction* addActivation(
         [label = int(segment.label)](Workspace& where) { where.setActiveSegment(label); });
 }
 
-void addSegmentEntries(QMenu& menu, Workspace& workspace, const core::Segment& segment,
-    const std::vector<int>& others)
+void addSegmentEntries(
+    QMenu& menu, Workspace& workspace, const core::Segment& segment, const std::vector<int>& others)
 {
     const int label = segment.label;
     const QString name = menuText(segment.name);

@@ -21,9 +21,9 @@ struct PointedVoxel {
 };
 
 /// Adds what every view offers about a place: whose segment becomes active, is locked or shown
-/// alone; which others become active; the crosshair, undo of the step that changed this very voxel last, the window presets,
-/// and its value and position for the clipboard. Another session makes the entries do nothing. An
-/// entry that cannot be chosen says why by its tool tip.
+/// alone; which others become active; the crosshair, undo of the step that changed this very voxel
+/// last, the window presets, and its value and position for the clipboard. Another session makes
+/// the entries do nothing. An entry that cannot be chosen says why by its tool tip.
 void addPlaceEntries(QMenu& menu, Workspace& workspace, const PointedVoxel& pointed);
 /// Adds the grey scales that are offered for the volume that is open, as a submenu.
 void addWindowPresets(QMenu& menu, Workspace& workspace);

@@ -240,7 +240,7 @@ void activateSegmentAt(Workspace& workspace, const glm::dvec3& placeLps)
         const core::Segment* segment = probes->empty()
             ? nullptr
             : core::segmentNext(
-                  asked->session()->document(), probes->front(), asked->activeSegment());
+                asked->session()->document(), probes->front(), asked->activeSegment());
         if (segment)
             activate(*asked, *segment);
         else

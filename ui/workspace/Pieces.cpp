@@ -169,9 +169,7 @@ void Pieces::measure(
     std::vector<core::BrickKey> keys;
     keys.reserve(std::size_t(grid.brickCount()));
     const core::Segment* its = m_workspace.session()->document().segment(segment);
-    const std::uint8_t plane = layer > 0 ? std::uint8_t(layer)
-        : its                            ? its->plane
-                                         : std::uint8_t(0);
+    const std::uint8_t plane = layer > 0 ? std::uint8_t(layer) : its ? its->plane : std::uint8_t(0);
     for (int brick = 0; brick < grid.brickCount(); ++brick)
         keys.push_back({.field = layer > 0 ? core::Field::Coverage : core::Field::Labels,
             .plane = plane,

@@ -39,8 +39,8 @@ struct PickQuestion {
 /// EditSession::poll() delivers answers in order with the edits, so each one describes the state
 /// after everything requested before it. Answers that are outstanding when the session closes are
 /// dropped. Errors of an answer: InvalidField (places outside the volume, an invalid question),
-/// OutOfMemory, EngineLost. If no plane is given, seeds are those of plane 0; labels are those of all
-/// planes.
+/// OutOfMemory, EngineLost. If no plane is given, seeds are those of plane 0; labels are those of
+/// all planes.
 class VoxelQuestions {
 public:
     template <class T> using Answer = std::function<void(Result<T>)>;

@@ -62,8 +62,8 @@ public:
     void updateFootprint(BrickField& layer, std::span<BrickField* const> before,
         const Footprint& footprint, std::span<const Region> regions);
     /// The footprint of the voxels with one label, in whatever plane.
-    void updateFootprint(Planes planes, int label, const Footprint& footprint,
-        std::span<const Region> regions);
+    void updateFootprint(
+        Planes planes, int label, const Footprint& footprint, std::span<const Region> regions);
 
 private:
     void update(const Footprint& footprint, std::span<const Region> regions,

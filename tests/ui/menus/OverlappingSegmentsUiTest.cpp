@@ -105,8 +105,8 @@ private:
         core::VoxelRuns runs;
         for (int z = from.z; z < to.z; ++z) {
             for (int y = from.y; y < to.y; ++y)
-                runs.append(
-                    std::uint64_t((z * size.y + y) * size.x + from.x), std::uint64_t(to.x - from.x));
+                runs.append(std::uint64_t((z * size.y + y) * size.x + from.x),
+                    std::uint64_t(to.x - from.x));
         }
         return core::packedRuns(runs);
     }
@@ -192,7 +192,8 @@ private Q_SLOTS:
         QMenu* menu = fixture.menuAt(inBoth);
         QVERIFY(menu);
         QCOMPARE(menu->actions().front()->text(), QStringLiteral("Remove this island of 'Liver'"));
-        const QList<QAction*> others = menu->findChildren<QAction*>(QStringLiteral("activateOther"));
+        const QList<QAction*> others =
+            menu->findChildren<QAction*>(QStringLiteral("activateOther"));
         QCOMPARE(others.size(), 1);
         QCOMPARE(others.front()->text(), QStringLiteral("Make 'Tumour' active"));
         others.front()->trigger();
