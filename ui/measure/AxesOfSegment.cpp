@@ -113,11 +113,9 @@ void AxesOfSegment::suggest(const ViewContext& view, const glm::dvec3& placeLps)
     const std::optional<glm::ivec2> pixel = lattice.pixelAt(placeLps);
     if (!pixel)
         return m_workspace.say(tr("Nothing was measured: click on a segment"));
-    std::set<std::uint8_t> planes;
-    for (const core::Segment& segment : session->document().segments)
-        planes.insert(segment.plane);
     // The active one's first, then higher ones before lower ones.
-    std::vector<std::uint8_t> inOrder(planes.rbegin(), planes.rend());
+    std::vector<std::uint8_t> inOrder = session->document().labelPlanes();
+    std::reverse(inOrder.begin(), inOrder.end());
     if (const core::Segment* active = session->document().segment(m_workspace.activeSegment()))
         std::stable_partition(inOrder.begin(), inOrder.end(),
             [active](std::uint8_t plane) { return plane == active->plane; });

@@ -54,12 +54,10 @@ std::vector<std::uint8_t> planesOf(const gpu::ScenePiece& piece, const core::Doc
 {
     if (piece.layer > 0)
         return {std::uint8_t(piece.layer)};
-    std::set<std::uint8_t> planes;
-    for (const core::Segment& segment : document.segments) {
-        if (piece.id == 0 || segment.label == piece.segment)
-            planes.insert(segment.plane);
-    }
-    return {planes.begin(), planes.end()};
+    if (piece.id == 0)
+        return document.labelPlanes();
+    const core::Segment* its = document.segment(piece.segment);
+    return {its ? its->plane : std::uint8_t(0)};
 }
 
 core::BrickKey keyOf(const gpu::ScenePiece& piece, std::uint8_t plane, std::uint32_t brick)
