@@ -23,10 +23,10 @@ struct ReadCodes {
     VoxelBox box;
 };
 /// Reads codes, labels and pending seeds at voxels, for readouts, and tolerances if there is a
-/// tolerance field.
+/// tolerance field. `labels` are those of all planes.
 struct ProbeVoxels {
     std::vector<glm::ivec3> voxels;
-    std::uint8_t plane = 0; ///< of the labels
+    std::uint8_t plane = 0; ///< of `label` and `seedOf`
 };
 
 /// Casts rays to find what is visible; all integers, so a pick is the same on every machine. A hit
@@ -35,14 +35,14 @@ struct ProbeVoxels {
 /// an open stroke has cut so far. Opacity: each sample that is inside and not carved adds o =
 /// opacityOfCode[Z >> 24] (0 … 65535, per sample) front to back: T = T·(65535 − o) / 65535 from T =
 /// 65535; visible when T ≤ 32767. BrightestVoxel: Z over samples that are inside and not carved.
-/// Segment: the first sample that is inside and whose nearest voxel has one of `segments`.
+/// Segment: the first sample that is inside and whose nearest voxel has one of `segments` in any
+/// plane.
 struct PickVoxels {
     std::vector<PickRay> rays{};
     SeenBy seenBy = SeenBy::Surface;
     int thresholdCode = 0;
     std::vector<std::uint32_t> opacityOfCode{}; ///< 256 entries, only for Opacity
     std::bitset<256> segments{}; ///< labels, only for Segment
-    std::uint8_t plane = 0; ///< of the labels
 };
 
 } // namespace core

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/document/Document.h"
 #include "core/growth/SeedStatistics.h"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -12,10 +14,12 @@ namespace core {
 /// What an engine answers about one voxel: its value, its label and how growth would reach it.
 struct ProbedVoxel {
     int code = 0;
-    std::uint8_t label = 0;
-    std::uint8_t seedOf = 0; ///< the label whose pending seed it is; 0: none
+    std::uint8_t label = 0; ///< in the plane that was asked for
+    std::uint8_t seedOf = 0; ///< the label whose pending seed it is in that plane; 0: none
     /// in codes (Tolerance.h); none: not reached, or no tolerances were computed
     std::optional<int> tolerance{};
+    /// By label plane; 0: none. Segments of different planes may overlap.
+    std::array<std::uint8_t, mostLabelPlanes> labels{};
 };
 
 /// Statistics of the codes around seeds of a label: of one group, or of the seeds in no group.

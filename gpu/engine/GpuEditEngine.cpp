@@ -62,7 +62,7 @@ core::Result<void> GpuEditEngine::openVolume(
             if (!opened)
                 return;
             m_fields = std::make_unique<VoxelFields>(m_fieldPrograms, m_textures);
-            m_fields->setShownLabels(m_shownLabels);
+            m_fields->setShownLabels(m_shownLabels, m_translucentLabels);
             m_fields->setPieces(m_shownPieces);
             m_fields->showAtTolerance(m_atTolerance);
             requireNoError();
@@ -103,11 +103,13 @@ void GpuEditEngine::lose(const core::Error& why)
     deliver({.error = why}); // nobody may be asking
 }
 
-void GpuEditEngine::showSegments(const std::bitset<256>& labels)
+void GpuEditEngine::showSegments(
+    const std::bitset<256>& labels, const std::bitset<256>& translucent)
 {
     m_shownLabels = labels;
+    m_translucentLabels = translucent;
     if (m_fields)
-        m_fields->setShownLabels(labels);
+        m_fields->setShownLabels(labels, translucent);
 }
 
 void GpuEditEngine::showPieces(const std::vector<PieceSource>& sources)

@@ -39,7 +39,7 @@ public:
         const glm::ivec3& size, std::span<const std::uint16_t> codes) override;
 
     bool work() override; ///< throws nothing
-    void showSegments(const std::bitset<256>& labels) override;
+    void showSegments(const std::bitset<256>& labels, const std::bitset<256>& translucent) override;
     void showPieces(const std::vector<PieceSource>& sources) override;
     void showAtTolerance(const std::optional<ToleranceDisplay>& shown) override;
     void warmUp() override;
@@ -121,6 +121,7 @@ private:
     std::unique_ptr<EditTransaction> m_transaction;
     std::optional<core::Error> m_lost; ///< why every command is refused until a volume is opened
     std::bitset<256> m_shownLabels;
+    std::bitset<256> m_translucentLabels;
     std::vector<PieceSource> m_shownPieces;
     std::optional<ToleranceDisplay> m_atTolerance;
     std::unique_ptr<ToleranceKernel> m_trace;

@@ -124,7 +124,8 @@ void VoxelFields::updatePiece(
     const RadiationKernel::Footprint footprint{
         .target = m_shared.pieces().footprintBytes(), .shift = entry->place - entry->box.minimum};
     if (source.layer == 0) {
-        m_radiationKernel.updateFootprint(m_shared.labels(), source.segment, footprint, regions);
+        m_radiationKernel.updateFootprint(
+            m_shared.labelPlanes(), source.segment, footprint, regions);
         return;
     }
     std::vector<BrickField*> before;

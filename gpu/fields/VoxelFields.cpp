@@ -25,6 +25,7 @@ VoxelFields::~VoxelFields()
     m_shared.setSeedWords(nullptr);
     m_shared.setBarriers(nullptr);
     m_shared.setTolerances(nullptr, 0);
+    m_shared.setFurtherPlanes({}, nullptr);
 }
 
 BrickField& VoxelFields::coverage(std::uint8_t layer)
@@ -64,12 +65,38 @@ const Texture3D& VoxelFields::labels(std::uint8_t plane)
 {
     if (plane == 0)
         return m_shared.labels();
-    Texture3D& texture = m_furtherPlanes[plane];
-    if (!texture) {
-        texture = Texture3D({.label = "label plane", .size = m_grid.volumeSize, .format = GL_R8UI});
-        texture.clear();
+    if (const auto known = m_furtherPlanes.find(plane); known != m_furtherPlanes.end())
+        return known->second;
+    // Both or neither: what an edit asks for may be refused, what pictures need must not be.
+    Texture3D texture({.label = "label plane", .size = m_grid.volumeSize, .format = GL_R8UI});
+    texture.clear();
+    if (!m_seenLabels)
+        m_seenLabels.emplace(m_grid);
+    const Texture3D& made = m_furtherPlanes.emplace(plane, std::move(texture)).first->second;
+    sharePlanes();
+    return made;
+}
+
+std::array<const Texture3D*, core::mostLabelPlanes> VoxelFields::labelPlanes() const
+{
+    std::array<const Texture3D*, core::mostLabelPlanes> planes{&m_shared.labels()};
+    for (const auto& [plane, texture] : m_furtherPlanes) {
+        if (plane < planes.size())
+            planes[plane] = &texture;
     }
-    return texture;
+    return planes;
+}
+
+void VoxelFields::sharePlanes()
+{
+    std::vector<const Texture3D*> further;
+    for (const auto& [plane, texture] : m_furtherPlanes) {
+        if (plane < core::mostLabelPlanes)
+            further.push_back(&texture);
+    }
+    m_shared.setFurtherPlanes(std::move(further), &m_seenLabels->texture());
+    if (m_shownLabels.any())
+        m_staleSegmentation.insert(m_labelledBricks.begin(), m_labelledBricks.end());
 }
 
 BrickField* VoxelFields::paged(core::Field field, std::uint8_t plane)
@@ -234,9 +261,11 @@ void VoxelFields::setMutedLayers(const std::bitset<256>& muted)
         noteCoverage(boxesOf(changed));
 }
 
-void VoxelFields::setShownLabels(const std::bitset<256>& shown)
+void VoxelFields::setShownLabels(const std::bitset<256>& shown, const std::bitset<256>& translucent)
 {
-    if (shown == m_shownLabels)
+    const bool composedAnew = m_seenLabels && translucent != m_translucentLabels;
+    m_translucentLabels = translucent;
+    if (shown == m_shownLabels && !composedAnew)
         return;
     m_shownLabels = shown;
     const std::vector<std::uint32_t> labelled(m_labelledBricks.begin(), m_labelledBricks.end());
@@ -259,17 +288,20 @@ void VoxelFields::updateSegmentation(std::size_t maxBricks)
     std::vector<RadiationKernel::Region> regions;
     for (const std::uint32_t brick : bricks)
         regions.push_back({.brick = brick});
+    const std::vector<const Texture3D*> planes = m_shared.labelPlanes();
+    if (m_seenLabels)
+        m_seenLabels->update(m_programs.composeLabels(), planes,
+            {.shown = m_shownLabels, .translucent = m_translucentLabels}, bricks);
     const std::optional<int> tolerance = shownTolerance();
     if (tolerance)
-        m_radiationKernel.updateFromLabels(m_shared.labels(),
+        m_radiationKernel.updateFromLabels(planes,
             {.tolerances = m_tolerance.tolerances,
                 .seedWords = seedWords(0),
                 .label = m_tolerance.rule.label,
                 .tolerance = *tolerance},
             m_shownLabels, m_segmentation, regions);
     else
-        m_radiationKernel.updateFromLabels(
-            m_shared.labels(), m_shownLabels, m_segmentation, regions);
+        m_radiationKernel.updateFromLabels(planes, m_shownLabels, m_segmentation, regions);
     m_shared.markDirty(VolumeField::Segmentation, boxOf(bricks));
 }
 
@@ -294,6 +326,7 @@ std::size_t VoxelFields::bytes() const
         total += below.second.bytes();
     for (const auto& plane : m_furtherPlanes)
         total += plane.second.bytes();
+    total += m_seenLabels ? m_seenLabels->texture().bytes() : 0;
     total += m_shared.pieces().bytes();
     total += m_spread.bytes();
     total += m_tolerance.bytes();

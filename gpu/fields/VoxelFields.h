@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/document/Document.h"
 #include "gpu/fields/bricks/BarrierBricks.h"
 #include "gpu/fields/bricks/BrickCopier.h"
 #include "gpu/fields/bricks/BrickField.h"
 #include "gpu/fields/bricks/SpreadField.h"
 #include "gpu/fields/bricks/ToleranceField.h"
+#include "gpu/fields/textures/ShownLabels.h"
 #include "gpu/fields/textures/VolumeTextures.h"
 #include "gpu/kernels/radiation/RadiationKernel.h"
 #include "gpu/scene/Scene.h"
 
+#include <array>
 #include <bitset>
 #include <map>
 #include <optional>
@@ -44,7 +47,11 @@ public:
     /// took any have pages.
     [[nodiscard]] BrickField& overwritten(std::uint8_t plane);
     [[nodiscard]] bool anyOverwritten(std::uint8_t plane) const;
+    /// A plane that was never asked for is made, empty, and pictures count it as in use. Throws
+    /// GlFailure.
     [[nodiscard]] const Texture3D& labels(std::uint8_t plane);
+    /// The planes that are in use, by number: plane 0 always; null: not in use.
+    [[nodiscard]] std::array<const Texture3D*, core::mostLabelPlanes> labelPlanes() const;
     /// The intermediate result of growing from seeds, kept for the next preview. It can be
     /// recomputed.
     [[nodiscard]] SpreadField& spread() { return m_spread; }
@@ -52,8 +59,8 @@ public:
     /// The paged field, or null for the dense label planes.
     [[nodiscard]] BrickField* paged(core::Field field, std::uint8_t plane);
     [[nodiscard]] bool hasData(const core::BrickKey& key);
-    /// Bricks in which a label plane was ever written, ascending. They include all bricks that hold
-    /// labels.
+    /// Bricks in which any label plane was ever written, ascending. They include all bricks that
+    /// hold labels.
     [[nodiscard]] std::vector<std::uint32_t> labelledBricks() const;
 
     /// Must be called after writing bricks. For coverage, radiation is updated around them.
@@ -71,7 +78,8 @@ public:
 
     /// Sets which labels the segmentation map shows. After a change every labelled brick is out of
     /// date.
-    void setShownLabels(const std::bitset<256>& shown);
+    /// @param translucent which of them are; this matters only where segments overlap
+    void setShownLabels(const std::bitset<256>& shown, const std::bitset<256>& translucent = {});
     [[nodiscard]] bool segmentationStale() const { return !m_staleSegmentation.empty(); }
     /// Updates at most @p maxBricks bricks that are out of date.
     void updateSegmentation(std::size_t maxBricks);
@@ -103,6 +111,8 @@ public:
     [[nodiscard]] std::size_t bytes() const;
 
 private:
+    /// Tells the pictures which label planes there are.
+    void sharePlanes();
     [[nodiscard]] core::VoxelBox boxOf(std::span<const std::uint32_t> bricks) const;
     [[nodiscard]] std::vector<core::VoxelBox> boxesOf(std::span<const std::uint32_t> bricks) const;
     /// The regions whose radiation depends on changed boxes.
@@ -130,12 +140,14 @@ private:
     std::map<std::uint8_t, BrickField> m_seedWords;
     std::map<std::uint8_t, BrickField> m_overwritten;
     std::map<std::uint8_t, Texture3D> m_furtherPlanes;
+    std::optional<ShownLabels> m_seenLabels; ///< as soon as there are further planes
     SpreadField m_spread;
     BarrierBricks m_barriers; ///< of plane 0
     ToleranceField m_tolerance;
     std::optional<ToleranceDisplay> m_atTolerance;
     std::bitset<256> m_mutedLayers;
     std::bitset<256> m_shownLabels;
+    std::bitset<256> m_translucentLabels;
     std::set<std::uint32_t> m_labelledBricks; ///< ever written; includes all that hold labels
     std::set<std::uint32_t> m_staleSegmentation;
     FieldPrograms& m_programs;

@@ -32,9 +32,10 @@ public:
     /// calls EngineThread::wakeAt().
     virtual bool work() = 0;
 
-    /// Sets the labels that VolumeTextures::segmentation() shows; none at first. Does not wait:
-    /// work() updates the map and marks it dirty.
-    virtual void showSegments(const std::bitset<256>& labels) = 0;
+    /// Sets the labels that VolumeTextures::segmentation() shows, and which of them are
+    /// translucent; none at first. Does not wait: work() updates the map and marks it dirty.
+    virtual void showSegments(
+        const std::bitset<256>& labels, const std::bitset<256>& translucent) = 0;
 
     /// Sets the sources whose footprints VolumeTextures::pieces() holds; none at first. Updated
     /// like the segmentation map.

@@ -151,16 +151,20 @@ void FrameScheduler::begin(ViewProgress& view, FrameRequest request)
     const bool same = view.request.sizePixels == request.sizePixels
         && view.request.scene == request.scene && view.request.segments == request.segments;
     std::bitset<256> shown;
-    for (std::size_t label = 1; label < 256; ++label)
+    std::bitset<256> translucent;
+    for (std::size_t label = 1; label < 256; ++label) {
         shown[label] = request.segments.visible[label];
+        translucent[label] = shown[label] && request.segments.transparencyPercent[label] > 0;
+    }
     // Slices draw no bodies: they leave it as the 3D view wants it.
     if (const auto* volume = std::get_if<VolumeScene>(&request.scene))
         m_bodiless = volume->bodiless;
     if (m_bodiless > 0 && m_bodiless < 256)
         shown[std::size_t(m_bodiless)] = false;
-    if (shown != m_shown) {
+    if (shown != m_shown || translucent != m_translucent) {
         m_shown = shown;
-        m_edits.showSegments(shown);
+        m_translucent = translucent;
+        m_edits.showSegments(shown, translucent);
     }
     if (request.segments.atTolerance != m_atTolerance) {
         m_atTolerance = request.segments.atTolerance;

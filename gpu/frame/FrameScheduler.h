@@ -94,6 +94,7 @@ private:
     Resolve m_resolve;
     Program m_cellKernel;
     std::bitset<256> m_shown;
+    std::bitset<256> m_translucent;
     int m_bodiless = 0; ///< VolumeScene::bodiless of the last request of a 3D view
     std::vector<PieceSource> m_shownPieces;
     std::optional<ToleranceDisplay> m_atTolerance;

@@ -21,6 +21,8 @@ constexpr unsigned atTolerance = 16;
 constexpr unsigned cutPreview = 32;
 constexpr unsigned chunked = 64;
 constexpr unsigned pieces = 128;
+constexpr unsigned oneMorePlane = 256; // 0 to 3 times
+constexpr GLuint furtherLabelsUnit = 30; // slice.frag; those of the next planes follow
 constexpr std::size_t mostPieces = 64; // slice.frag; as many as a document has
 
 /// Pieces that layers have cut out; those of segments are seen as segments.
@@ -78,6 +80,7 @@ Program& SlicePass::programFor(unsigned form, unsigned variant)
                     {"BARRIERS", has(barriers)}, {"WARNED", has(warned)},
                     {"AT_TOLERANCE", has(atTolerance)}, {"CUT_PREVIEW", has(cutPreview)},
                     {"CHUNKS", has(chunked)}, {"PIECES", has(pieces)},
+                    {"LABEL_PLANES", int(variant / oneMorePlane) + 1},
                     {"CUBIC", (form & Cubic) != 0 ? 1 : 0},
                     {"PLANE", (form & OnPlane) != 0 ? 1 : 0},
                     {"SLAB", (form & Slab) != 0 ? 1 : 0}}});
@@ -145,6 +148,12 @@ Program& SlicePass::prepareForm(unsigned form, VolumeTextures& volume, const Sli
         variant += cutPreview;
         marks->pageTable().bindUnit(16);
         marks->atlas().bindUnit(17);
+    }
+    // A picture without labels is the same with any number of planes.
+    const std::vector<const Texture3D*> planes = volume.labelPlanes();
+    for (std::size_t further = 1; further < planes.size() && (variant & labeled) != 0; ++further) {
+        planes[further]->bindUnit(furtherLabelsUnit + GLuint(further) - 1);
+        variant += oneMorePlane;
     }
     if (chunks)
         variant += chunked;

@@ -16,12 +16,13 @@ namespace gpu {
 class VolumeTextures;
 
 /// Draws any plane through the volume: grey values by window/level (DICOM LINEAR), or their
-/// colours, fill and outline of segments, the outlines of what is carved away and of each piece
-/// that was cut out, at its true place, stripes where growth is barred, a warning colour for
-/// members of late generations, hatching over what a cut would remove, and chunks in their colours.
-/// A segment is shown as it would be at a tolerance if the scene asks for it and the field is
-/// valid. Outside the volume the picture is black. Interpolation is cubic if both scene and target
-/// say so. The grey values may be those of a slab (SceneSlab).
+/// colours, fill and outline of segments (where they overlap, those of higher label planes over
+/// those of lower ones, and all lines over all fills), the outlines of what is carved away and of
+/// each piece that was cut out, at its true place, stripes where growth is barred, a warning colour
+/// for members of late generations, hatching over what a cut would remove, and chunks in their
+/// colours. A segment is shown as it would be at a tolerance if the scene asks for it and the field
+/// is valid. Outside the volume the picture is black. Interpolation is cubic if both scene and
+/// target say so. The grey values may be those of a slab (SceneSlab).
 class SlicePass {
 public:
     /// Throws ShaderError. @param library outlives the pass
@@ -49,7 +50,8 @@ private:
         const SliceScene& scene, const SegmentDisplay& segments, const Palette& palette,
         const PassTarget& target, const ChunkTextures* chunks);
     /// @param variant a sum of bits: 1 labels, 2 carved, 4 barriers, 8 members that warn, 16 a
-    /// segment at a tolerance, 32 what a cut would remove, 64 chunks, 128 pieces
+    /// segment at a tolerance, 32 what a cut would remove, 64 chunks, 128 pieces; and 256 for each
+    /// label plane that is in use beside plane 0
     [[nodiscard]] Program& programFor(unsigned form, unsigned variant);
 
     const ShaderLibrary& m_library;

@@ -1,12 +1,22 @@
 // Draws one pixel of a slice view. LABELED, CARVED, BARRIERS, WARNED, CUT_PREVIEW, CHUNKS, PIECES:
-// whether there is anything of this kind to draw. AT_TOLERANCE: one segment is drawn as it would be at a
+// whether there is anything of this kind to draw. LABEL_PLANES: how many label planes there are (1 … 4).
+// AT_TOLERANCE: one segment is drawn as it would be at a
 // tolerance. CUBIC: cubic interpolation. PLANE: draws the cutting plane in the 3D view.
 // SLAB: the grey values are those of a slab about the slice.
 
 /* Textures */
 layout(binding = 0) uniform sampler3D intensity; // code / 65535
 layout(binding = 1) uniform sampler3D radiation; // ≥ 0.5: carved away
-layout(binding = 3) uniform usampler3D labels;
+layout(binding = 3) uniform usampler3D labels;   // of plane 0
+#if LABEL_PLANES > 1
+layout(binding = 30) uniform usampler3D labels1; // of the next plane
+#endif
+#if LABEL_PLANES > 2
+layout(binding = 31) uniform usampler3D labels2;
+#endif
+#if LABEL_PLANES > 3
+layout(binding = 32) uniform usampler3D labels3;
+#endif
 layout(binding = 7) uniform sampler2D palette;   // rgb, opacity (0: not shown)
 #if BARRIERS || WARNED || AT_TOLERANCE || CUT_PREVIEW
 #include "kernels/labels/memberWords.glsl"
@@ -177,6 +187,42 @@ vec2 around(int i)
     return vec2(cos(angle), sin(angle));
 }
 
+#if LABELED && LABEL_PLANES > 1
+/// What a further plane shows at a pixel: a fill or, if the pixel is at a border, a line.
+struct FurtherSegment {
+    vec4 own; // colour, opacity
+    bool edge;
+};
+
+FurtherSegment furtherSegment(usampler3D plane, vec3 index, vec2 pixel)
+{
+    const uint label = texelFetch(plane, nearestVoxel(index), 0).r;
+    FurtherSegment seen;
+    seen.own = texelFetch(palette, ivec2(int(label), 0), 0);
+    seen.edge = false;
+    for (int i = 0; i < 8; ++i) {
+        const vec3 there = indexAt(pixel + around(i) * outlineWidth);
+        seen.edge = seen.edge || texelFetch(plane, nearestVoxel(there), 0).r != label;
+    }
+#if PLANE
+    const bool isMask = label != 0u && label == maskLabel;
+    seen.own.rgb = isMask ? maskColour : seen.own.rgb;
+    seen.edge = seen.edge && !isMask;
+#endif
+    return seen;
+}
+
+vec3 withFill(vec3 below, FurtherSegment segment)
+{
+    return mix(below, segment.own.rgb, segment.edge ? 0.0 : segment.own.a * fillOpacity);
+}
+
+vec3 withLine(vec3 below, FurtherSegment segment)
+{
+    return mix(below, segment.own.rgb, segment.edge ? segment.own.a : 0.0);
+}
+#endif
+
 void main()
 {
     const vec2 pixel = gl_FragCoord.xy * pixelScale + pixelJitter;
@@ -239,7 +285,34 @@ void main()
     own = isMask ? maskColour : own;
     edge = edge && !isMask;
 #endif
+#if LABEL_PLANES > 1
+    // Fills of higher planes over those of lower ones, and all lines over all fills.
+    const FurtherSegment segment1 = furtherSegment(labels1, index, pixel);
+#if LABEL_PLANES > 2
+    const FurtherSegment segment2 = furtherSegment(labels2, index, pixel);
+#endif
+#if LABEL_PLANES > 3
+    const FurtherSegment segment3 = furtherSegment(labels3, index, pixel);
+#endif
+    result = mix(result, own, edge ? 0.0 : entry.a * fillOpacity);
+    result = withFill(result, segment1);
+#if LABEL_PLANES > 2
+    result = withFill(result, segment2);
+#endif
+#if LABEL_PLANES > 3
+    result = withFill(result, segment3);
+#endif
+    result = mix(result, own, edge ? entry.a : 0.0);
+    result = withLine(result, segment1);
+#if LABEL_PLANES > 2
+    result = withLine(result, segment2);
+#endif
+#if LABEL_PLANES > 3
+    result = withLine(result, segment3);
+#endif
+#else
     result = mix(result, own, entry.a * (edge ? 1.0 : fillOpacity));
+#endif
 #endif
 #if CHUNKS
     // Over the line of the segment, which often is the border of a chunk.

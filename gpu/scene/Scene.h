@@ -31,7 +31,9 @@ struct ToleranceDisplay {
     bool operator==(const ToleranceDisplay&) const = default;
 };
 
-/// How the segments are drawn, by label.
+/// How the segments are drawn, by label. Where they overlap, slices show all of them, those of
+/// higher label planes over those of lower ones, and the 3D view shows the opaque one of the
+/// highest plane, or the translucent one of the highest plane if none is opaque.
 struct SegmentDisplay {
     std::array<std::uint32_t, 256> rgb{}; ///< 0xRRGGBB
     std::array<bool, 256> visible{};

@@ -47,6 +47,14 @@ DenseArray<std::uint8_t>& DenseFields::labels(std::uint8_t plane)
     return named<std::uint8_t>(m_labels, plane, size(), 0);
 }
 
+std::map<std::uint8_t, const DenseArray<std::uint8_t>*> DenseFields::labelPlanes() const
+{
+    std::map<std::uint8_t, const DenseArray<std::uint8_t>*> planes;
+    for (const auto& [plane, field] : m_labels)
+        planes[plane] = &field;
+    return planes;
+}
+
 DenseArray<std::uint32_t>& DenseFields::seedWords(std::uint8_t plane)
 {
     return named<std::uint32_t>(m_seedWords, plane, size(), core::seedWord::unvisited);

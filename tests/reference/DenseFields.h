@@ -42,6 +42,8 @@ public:
     [[nodiscard]] const glm::ivec3& size() const { return m_grid.volumeSize; }
     [[nodiscard]] DenseArray<std::uint8_t>& coverage(std::uint8_t layer);
     [[nodiscard]] DenseArray<std::uint8_t>& labels(std::uint8_t plane);
+    /// The label planes that were ever asked for, ascending.
+    [[nodiscard]] std::map<std::uint8_t, const DenseArray<std::uint8_t>*> labelPlanes() const;
     [[nodiscard]] DenseArray<std::uint32_t>& seedWords(std::uint8_t plane);
     [[nodiscard]] DenseArray<std::uint8_t>& overwritten(std::uint8_t plane);
     [[nodiscard]] const Layers& coverageLayers() const { return m_coverage; }

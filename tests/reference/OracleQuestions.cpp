@@ -39,11 +39,16 @@ Oracle::Outcome Oracle::carryOut(core::ProbeVoxels& command)
         if (!m_codes.contains(voxel))
             return refuse("voxels", "outside the volume");
         const std::uint32_t word = m_fields.seedWords(command.plane).at(voxel);
-        result.probes.push_back({.code = m_codes.at(voxel),
+        core::ProbedVoxel probe{.code = m_codes.at(voxel),
             .label = m_fields.labels(command.plane).at(voxel),
             .seedOf =
                 std::uint8_t(core::seedWord::isPendingSeed(word) ? core::seedWord::label(word) : 0),
-            .tolerance = m_tolerance ? m_tolerance->at(voxel) : std::nullopt});
+            .tolerance = m_tolerance ? m_tolerance->at(voxel) : std::nullopt};
+        for (const auto& [plane, labels] : m_fields.labelPlanes()) {
+            if (plane < probe.labels.size())
+                probe.labels[plane] = labels->at(voxel);
+        }
+        result.probes.push_back(probe);
     }
     return result;
 }
@@ -72,9 +77,11 @@ Oracle::Outcome Oracle::carryOut(core::PickVoxels& command)
         return refuse("opacityOfCode", "has 256 entries");
     core::EngineResult result;
     if (command.seenBy == core::SeenBy::Segment) {
-        const DenseArray<std::uint8_t>& labels = m_fields.labels(command.plane);
+        std::vector<const DenseArray<std::uint8_t>*> planes;
+        for (const auto& [plane, labels] : m_fields.labelPlanes())
+            planes.push_back(labels);
         for (const core::PickRay& ray : command.rays)
-            result.picks.push_back(pickSegment(labels, command, ray));
+            result.picks.push_back(pickSegment(planes, command, ray));
         return result;
     }
     const DenseArray<std::uint8_t> seen = carved();

@@ -151,14 +151,16 @@ std::optional<glm::ivec3> pick(
     return found;
 }
 
-std::optional<glm::ivec3> pickSegment(
-    const DenseArray<std::uint8_t>& labels, const core::PickVoxels& pick, const core::PickRay& ray)
+std::optional<glm::ivec3> pickSegment(const std::vector<const DenseArray<std::uint8_t>*>& planes,
+    const core::PickVoxels& pick, const core::PickRay& ray)
 {
     for (std::int64_t n = 0; n < ray.samples; ++n) {
         const glm::ivec3 voxel = nearestVoxel({ray.origin.x + n * ray.step.x,
             ray.origin.y + n * ray.step.y, ray.origin.z + n * ray.step.z});
-        if (labels.contains(voxel) && pick.segments[labels.at(voxel)])
-            return voxel;
+        for (const DenseArray<std::uint8_t>* labels : planes) {
+            if (labels->contains(voxel) && pick.segments[labels->at(voxel)])
+                return voxel;
+        }
     }
     return std::nullopt;
 }

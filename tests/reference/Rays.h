@@ -41,8 +41,9 @@ struct Tissue {
 /// The voxel that one ray of a pick finds; by what is seen of the volume.
 [[nodiscard]] std::optional<glm::ivec3> pick(
     const Tissue& tissue, const core::PickVoxels& pick, const core::PickRay& ray);
-/// By the segments.
+/// By the segments of all label planes.
 [[nodiscard]] std::optional<glm::ivec3> pickSegment(
-    const DenseArray<std::uint8_t>& labels, const core::PickVoxels& pick, const core::PickRay& ray);
+    const std::vector<const DenseArray<std::uint8_t>*>& planes, const core::PickVoxels& pick,
+    const core::PickRay& ray);
 
 } // namespace reference

@@ -10,6 +10,7 @@
 
 #include <QPointer>
 
+#include <algorithm>
 #include <optional>
 #include <set>
 #include <utility>
@@ -22,7 +23,7 @@ struct AxesOfSegment::Job {
     core::SliceLattice lattice;
     core::VolumeGeometry geometry;
     glm::ivec2 pixel{0};
-    std::uint8_t plane = 0;
+    std::vector<std::uint8_t> planes; ///< to look into, in this order
     std::vector<core::BrickKey> keys{};
     std::vector<core::BrickImage> bricks{};
     std::optional<core::SegmentAxes> axes{};
@@ -45,15 +46,25 @@ struct AxesOfSegment::Job {
                     chosen.insert(grid.brickOf(*voxel));
             }
         }
-        for (const int brick : chosen)
-            keys.push_back({core::Field::Labels, plane, std::uint32_t(brick)});
+        for (const std::uint8_t plane : planes) {
+            for (const int brick : chosen)
+                keys.push_back({core::Field::Labels, plane, std::uint32_t(brick)});
+        }
     }
     void findAxes()
+    {
+        for (const std::uint8_t plane : planes) {
+            if (findAxesIn(plane))
+                return;
+        }
+    }
+    /// @return whether a segment of the plane is there
+    bool findAxesIn(std::uint8_t plane)
     {
         const core::BrickGrid grid{geometry.size};
         std::vector<const core::BrickImage*> ofBrick(std::size_t(grid.brickCount()), nullptr);
         for (const core::BrickImage& image : bricks) {
-            if (!image.bytes.empty())
+            if (!image.bytes.empty() && image.key.plane == plane)
                 ofBrick[image.key.brick] = &image;
         }
         const auto labelAt = [&](int x, int y) -> std::uint8_t {
@@ -65,13 +76,14 @@ struct AxesOfSegment::Job {
         };
         const std::uint8_t label = labelAt(pixel.x, pixel.y);
         if (label == 0)
-            return;
+            return false;
         std::vector<std::uint8_t> inside;
         for (int y = 0; y < lattice.size.y; ++y) {
             for (int x = 0; x < lattice.size.x; ++x)
                 inside.push_back(labelAt(x, y) == label ? 1 : 0);
         }
         axes = core::segmentAxes(lattice, inside, pixel);
+        return true;
     }
 };
 
@@ -101,11 +113,14 @@ void AxesOfSegment::suggest(const ViewContext& view, const glm::dvec3& placeLps)
     const std::optional<glm::ivec2> pixel = lattice.pixelAt(placeLps);
     if (!pixel)
         return m_workspace.say(tr("Nothing was measured: click on a segment"));
-    const core::Segment* active = session->document().segment(m_workspace.activeSegment());
-    m_job = std::make_shared<Job>(Job{.lattice = lattice,
-        .geometry = geometry,
-        .pixel = *pixel,
-        .plane = active ? active->plane : std::uint8_t(0)});
+    // The active one's first, then higher ones before lower ones.
+    std::vector<std::uint8_t> inOrder = session->document().labelPlanes();
+    std::reverse(inOrder.begin(), inOrder.end());
+    if (const core::Segment* active = session->document().segment(m_workspace.activeSegment()))
+        std::stable_partition(inOrder.begin(), inOrder.end(),
+            [active](std::uint8_t plane) { return plane == active->plane; });
+    m_job = std::make_shared<Job>(Job{
+        .lattice = lattice, .geometry = geometry, .pixel = *pixel, .planes = std::move(inOrder)});
     m_background.start(
         this, [job = m_job] { job->chooseBricks(); },
         [this, job = m_job](const core::Result<void>& chosen) {

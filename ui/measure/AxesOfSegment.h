@@ -22,8 +22,9 @@ class AxesOfSegment : public QObject {
 public:
     explicit AxesOfSegment(Workspace& workspace, QObject* parent = nullptr);
 
-    /// Of what hangs together at a place of the view's slice, of the segment there in the plane of
-    /// the active one. What was asked before is dropped.
+    /// Of what hangs together at a place of the view's slice, of the segment there: where several
+    /// overlap, that in the label plane of the active one, else that of the highest plane. What was
+    /// asked before is dropped.
     /// @param view a slice
     void suggest(const ViewContext& view, const glm::dvec3& placeLps);
     void drop();

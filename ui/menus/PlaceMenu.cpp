@@ -35,13 +35,24 @@ QAction* addEntry(QMenu& menu, Workspace& workspace, const char* name, const QSt
     return entry;
 }
 
-void addSegmentEntries(QMenu& menu, Workspace& workspace, const core::Segment& segment)
+QAction* addActivation(
+    QMenu& menu, Workspace& workspace, const char* name, const core::Segment& segment)
+{
+    return addEntry(menu, workspace, name,
+        QObject::tr("Make '%1' active").arg(menuText(segment.name)),
+        [label = int(segment.label)](Workspace& where) { where.setActiveSegment(label); });
+}
+
+void addSegmentEntries(
+    QMenu& menu, Workspace& workspace, const core::Segment& segment, const std::vector<int>& others)
 {
     const int label = segment.label;
     const QString name = menuText(segment.name);
-    QAction* active =
-        addEntry(menu, workspace, "activateSegment", QObject::tr("Make '%1' active").arg(name),
-            [label](Workspace& where) { where.setActiveSegment(label); });
+    QAction* active = addActivation(menu, workspace, "activateSegment", segment);
+    for (const int other : others) {
+        if (const core::Segment* its = workspace.session()->document().segment(other))
+            addActivation(menu, workspace, "activateOther", *its);
+    }
     if (workspace.activeSegment() == label) {
         active->setEnabled(false);
         active->setToolTip(QObject::tr("'%1' is active").arg(segment.name));
@@ -86,7 +97,7 @@ void addPlaceEntries(QMenu& menu, Workspace& workspace, const PointedVoxel& poin
         return;
     menu.addSeparator();
     if (const core::Segment* segment = session->document().segment(pointed.label))
-        addSegmentEntries(menu, workspace, *segment);
+        addSegmentEntries(menu, workspace, *segment, pointed.others);
     addEntry(menu, workspace, "crosshairHere", QObject::tr("Crosshair here"),
         [place = pointed.centreLps](Workspace& where) { where.setCrosshairLps(place); });
     addEntry(menu, workspace, "undoHere", QObject::tr("Undo the last step here only"),

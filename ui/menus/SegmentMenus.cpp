@@ -56,18 +56,25 @@ QString listOtherSegments(QMenu& menu, const core::Document& document, int but,
 {
     menu.setToolTipsVisible(true);
     QString why = QObject::tr("there is no other segment");
+    const core::Segment* own = document.segment(but);
     bool possible = false;
+    bool apart = false;
     for (const core::Segment& each : document.segments) {
         if (each.label == but)
             continue;
         QAction* entry = menu.addAction(menuText(each.name));
         QObject::connect(entry, &QAction::triggered, &menu,
             [choose, label = int(each.label)] { choose(label); });
-        const QString locked = changes ? whyUnchangeable(&each) : QString();
-        entry->setEnabled(locked.isEmpty());
-        entry->setToolTip(locked);
-        possible = possible || locked.isEmpty();
-        why = QObject::tr("every other segment is locked");
+        QString whyNot = changes ? whyUnchangeable(&each) : QString();
+        if (own && each.plane != own->plane) {
+            whyNot = QObject::tr("'%1' lies on another label plane").arg(each.name);
+            apart = true;
+        }
+        entry->setEnabled(whyNot.isEmpty());
+        entry->setToolTip(whyNot);
+        possible = possible || whyNot.isEmpty();
+        why = apart ? QObject::tr("every other segment is locked or lies on another label plane")
+                    : QObject::tr("every other segment is locked");
     }
     return possible ? QString() : why;
 }

@@ -2,6 +2,7 @@
 #include "ui/menus/SegmentViews.h"
 
 #include "core/session/EditSession.h"
+#include "core/session/questions/SegmentsAt.h"
 #include "core/session/questions/VoxelQuestions.h"
 #include "ui/base/Actions.h"
 #include "ui/base/MenuText.h"
@@ -237,7 +238,8 @@ void activateSegmentAt(Workspace& workspace, const glm::dvec3& placeLps)
             return asked->fail(probes.error());
         const core::Segment* segment = probes->empty()
             ? nullptr
-            : asked->session()->document().segment(int(probes->front().label));
+            : core::segmentNext(
+                asked->session()->document(), probes->front(), asked->activeSegment());
         if (segment)
             activate(*asked, *segment);
         else

@@ -2,6 +2,7 @@
 #include "ui/menus/VoxelMenu.h"
 
 #include "core/session/EditSession.h"
+#include "core/session/questions/SegmentsAt.h"
 #include "core/session/questions/VoxelQuestions.h"
 #include "ui/base/MenuText.h"
 #include "ui/menus/PlaceMenu.h"
@@ -72,13 +73,22 @@ void VoxelMenu::openAbout(const glm::dvec3& placeLps)
             const core::Result<std::vector<core::ProbedVoxel>>& probes) {
             if (!self || self->m_withdrawn)
                 return;
-            if (!probes)
+            if (!probes) {
                 self->m_workspace.fail(probes.error());
-            else if (!probes->empty())
-                self->open({.voxel = voxel,
+            } else if (!probes->empty()) {
+                const core::Document& document = self->m_workspace.session()->document();
+                const core::Segment* meant = core::segmentMeant(
+                    document, probes->front(), self->m_workspace.activeSegment());
+                PointedVoxel pointed{.voxel = voxel,
                     .centreLps = centreLps,
                     .code = probes->front().code,
-                    .label = int(probes->front().label)});
+                    .label = meant ? int(meant->label) : 0};
+                for (const core::Segment* each : core::segmentsAt(document, probes->front())) {
+                    if (each != meant)
+                        pointed.others.push_back(each->label);
+                }
+                self->open(pointed);
+            }
             self->withdraw();
         });
 }

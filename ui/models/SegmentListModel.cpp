@@ -101,6 +101,8 @@ QVariant SegmentListModel::data(const QModelIndex& index, int role) const
             lines += follows;
         if (const QString opacity = opacityText(m_workspace, *segment); !opacity.isEmpty())
             lines += opacity;
+        if (segment->plane > 0)
+            lines += tr("overlaps others: plane %1").arg(int(segment->plane) + 1);
         if (data(index, UnwrittenRole).toBool())
             lines += tr("It differs from its surface. Write the surface back, or have the surface "
                         "follow it.");

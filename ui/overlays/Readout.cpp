@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/overlays/Readout.h"
 
+#include "core/session/questions/SegmentsAt.h"
 #include "core/session/questions/VoxelQuestions.h"
 #include "ui/base/StudyTexts.h"
 
@@ -58,8 +59,12 @@ void Readout::answer(const glm::ivec3& voxel, const core::ProbedVoxel* probe)
             + QStringLiteral(" · voxel %1, %2, %3 · ").arg(voxel.x).arg(voxel.y).arg(voxel.z)
             + valueText(volume->encoding.value(probe->code), volume->unit,
                 volume->maximum - volume->minimum);
-        if (const core::Segment* segment = m_workspace.session()->document().segment(probe->label))
-            text += QStringLiteral(" · ") + segment->name;
+        QStringList names;
+        for (const core::Segment* segment :
+            core::segmentsAt(m_workspace.session()->document(), *probe))
+            names += segment->name;
+        if (!names.empty())
+            text += QStringLiteral(" · ") + names.join(QStringLiteral(", "));
         if (probe->tolerance)
             text += QStringLiteral(" · joins at ") + toleranceText(*probe->tolerance, *volume);
         show(text);

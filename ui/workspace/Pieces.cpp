@@ -168,9 +168,11 @@ void Pieces::measure(
     const core::BrickGrid grid{geometry.size};
     std::vector<core::BrickKey> keys;
     keys.reserve(std::size_t(grid.brickCount()));
+    const core::Segment* its = m_workspace.session()->document().segment(segment);
+    const std::uint8_t plane = layer > 0 ? std::uint8_t(layer) : its ? its->plane : std::uint8_t(0);
     for (int brick = 0; brick < grid.brickCount(); ++brick)
         keys.push_back({.field = layer > 0 ? core::Field::Coverage : core::Field::Labels,
-            .plane = std::uint8_t(layer),
+            .plane = plane,
             .brick = std::uint32_t(brick)});
     const auto fail = [this, unless](const core::Error& error) {
         m_workspace.fail(error);

@@ -20,7 +20,7 @@ namespace core {
         QStringLiteral("'%1' overlaps other segments of its file, so it lies on label plane %2; "
                        "segments there cannot %3 yet")
             .arg(segment.name)
-            .arg(segment.plane)
+            .arg(int(segment.plane) + 1)
             .arg(what));
 }
 

@@ -39,7 +39,8 @@ struct PickQuestion {
 /// EditSession::poll() delivers answers in order with the edits, so each one describes the state
 /// after everything requested before it. Answers that are outstanding when the session closes are
 /// dropped. Errors of an answer: InvalidField (places outside the volume, an invalid question),
-/// OutOfMemory, EngineLost. If no plane is given, labels and seeds are those of plane 0.
+/// OutOfMemory, EngineLost. If no plane is given, seeds are those of plane 0; labels are those of
+/// all planes.
 class VoxelQuestions {
 public:
     template <class T> using Answer = std::function<void(Result<T>)>;
@@ -47,7 +48,7 @@ public:
     /// @param line must outlive this
     VoxelQuestions(QuestionLine& line, const glm::ivec3& volumeSize);
 
-    /// Value, label and seed at each of these voxels.
+    /// Value, labels (SegmentsAt.h) and seed at each of these voxels.
     void probe(std::vector<glm::ivec3> voxels, Answer<std::vector<ProbedVoxel>> answer);
     /// The voxel that is visible along each ray; none if none is.
     void pick(PickQuestion question, Answer<std::vector<std::optional<glm::ivec3>>> answer);

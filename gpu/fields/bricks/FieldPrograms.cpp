@@ -59,4 +59,11 @@ Program& FieldPrograms::findBarriers()
     return m_findBarriers;
 }
 
+Program& FieldPrograms::composeLabels()
+{
+    if (!m_composeLabels)
+        m_composeLabels = program(m_library, "fields/textures/composeLabels.comp");
+    return m_composeLabels;
+}
+
 } // namespace gpu

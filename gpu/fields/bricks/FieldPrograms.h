@@ -47,10 +47,13 @@ struct FieldPrograms {
     Program pieceCells;
     /// The kernel of BarrierBricks; compiled when it is first needed.
     [[nodiscard]] Program& findBarriers();
+    /// The kernel of ShownLabels; compiled when it is first needed.
+    [[nodiscard]] Program& composeLabels();
 
 private:
     const ShaderLibrary& m_library;
     Program m_findBarriers;
+    Program m_composeLabels;
 };
 
 } // namespace gpu

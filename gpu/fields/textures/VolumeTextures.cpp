@@ -63,6 +63,19 @@ void VolumeTextures::setGeometry(
     ++m_revision;
 }
 
+std::vector<const Texture3D*> VolumeTextures::labelPlanes() const
+{
+    std::vector<const Texture3D*> planes{&m_labels};
+    planes.insert(planes.end(), m_furtherPlanes.begin(), m_furtherPlanes.end());
+    return planes;
+}
+
+void VolumeTextures::setFurtherPlanes(std::vector<const Texture3D*> planes, const Texture3D* shown)
+{
+    m_furtherPlanes = std::move(planes);
+    m_shownLabels = shown;
+}
+
 void VolumeTextures::markDirty(VolumeField field, const core::VoxelBox& box)
 {
     core::VoxelBox& dirty = m_dirty[std::size_t(field)];

@@ -13,6 +13,7 @@
 #include <array>
 #include <cstdint>
 #include <span>
+#include <vector>
 
 namespace gpu {
 
@@ -21,7 +22,7 @@ class BrickField;
 
 /// The fields of an open volume that can change, as the renderers see them.
 enum class VolumeField : std::uint8_t {
-    Labels, ///< label plane 0
+    Labels, ///< the label planes
     Radiation, ///< of the composed sculpt layers; ≥ 0.5 is carved away
     Segmentation, ///< radiation of the shown segments' members; ≥ 0.5 is inside one
     Pieces, ///< footprints of pieces (PieceTextures)
@@ -57,7 +58,19 @@ public:
     {
         return m_intensityCodes;
     } ///< R16UI view
-    [[nodiscard]] Texture3D& labels() { return m_labels; } ///< R8UI
+    [[nodiscard]] Texture3D& labels() { return m_labels; } ///< R8UI, plane 0
+    /// The label planes that are in use, ascending: labels(), and those that the edit engine owns
+    /// (R8UI); core::mostLabelPlanes at most.
+    [[nodiscard]] std::vector<const Texture3D*> labelPlanes() const;
+    /// What the 3D view sees where label planes overlap (ShownLabels); labels() while it is the
+    /// only plane.
+    [[nodiscard]] const Texture3D& shownLabels() const
+    {
+        return m_shownLabels ? *m_shownLabels : m_labels;
+    }
+    /// @param planes the further ones, ascending
+    /// @param shown of all planes; null if there are no further ones
+    void setFurtherPlanes(std::vector<const Texture3D*> planes, const Texture3D* shown);
     [[nodiscard]] Texture3D& radiation() { return m_radiation; } ///< R8, linear
     [[nodiscard]] Texture3D& segmentation() { return m_segmentation; } ///< R8, linear
     [[nodiscard]] MacroCells& cells() { return m_cells; }
@@ -118,6 +131,8 @@ private:
     MaximumCells m_maximumCells;
     std::uint64_t m_revision = 0;
     PieceTextures m_pieces;
+    std::vector<const Texture3D*> m_furtherPlanes;
+    const Texture3D* m_shownLabels = nullptr;
     BrickField* m_seedWords = nullptr;
     const BarrierBricks* m_barriers = nullptr;
     BrickField* m_cutPreview = nullptr;

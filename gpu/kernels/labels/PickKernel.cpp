@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "gpu/kernels/labels/PickKernel.h"
 
+#include <algorithm>
+#include <array>
+
 namespace gpu {
 
 namespace {
@@ -10,15 +13,40 @@ unsigned groupsFor(std::size_t count)
     return unsigned(count + 63) / 64;
 }
 
+using Planes = std::array<const Texture3D*, core::mostLabelPlanes>;
+
+/// Plane 0 stands for each that is not in use.
+void bindPlanes(const Planes& planes, const std::array<GLuint, core::mostLabelPlanes>& units)
+{
+    for (std::size_t plane = 0; plane < planes.size(); ++plane)
+        (planes[plane] ? planes[plane] : planes.front())->bindUnit(units[plane]);
+}
+
 } // namespace
 
 PickKernel::PickKernel(const ShaderLibrary& library)
-    : m_pick(library,
-        ComputeProgramOptions{.label = "pick", .path = "kernels/labels/pick.comp", .defines = {}})
+    : m_library(library)
+    , m_pick(library,
+          ComputeProgramOptions{.label = "pick", .path = "kernels/labels/pick.comp", .defines = {}})
     , m_probe(library,
           ComputeProgramOptions{
               .label = "probe", .path = "kernels/labels/probe.comp", .defines = {}})
 {
+}
+
+Program& PickKernel::programFor(const core::PickVoxels& command, const VoxelFields& fields)
+{
+    const Planes planes = fields.labelPlanes();
+    const bool further = std::any_of(
+        planes.begin() + 1, planes.end(), [](const Texture3D* plane) { return plane != nullptr; });
+    if (command.seenBy != core::SeenBy::Segment || !further)
+        return m_pick;
+    if (!m_pickInPlanes)
+        m_pickInPlanes = Program(m_library,
+            ComputeProgramOptions{.label = "pick",
+                .path = "kernels/labels/pick.comp",
+                .defines = {{"FURTHER_PLANES", 1}}});
+    return m_pickInPlanes;
 }
 
 std::vector<std::optional<glm::ivec3>> PickKernel::pick(
@@ -40,16 +68,17 @@ std::vector<std::optional<glm::ivec3>> PickKernel::pick(
     Buffer hitBuffer({.label = "pick hits", .bytes = rays.size() * sizeof(glm::ivec4)});
     fields.codes().bindUnit(0);
     fields.radiation().bindUnit(1);
-    fields.labels(command.plane).bindUnit(2);
+    bindPlanes(fields.labelPlanes(), {2, 3, 4, 5});
     rayBuffer.bindBase(GL_SHADER_STORAGE_BUFFER, 0);
     hitBuffer.bindBase(GL_SHADER_STORAGE_BUFFER, 1);
     opacityBuffer.bindBase(GL_SHADER_STORAGE_BUFFER, 2);
-    m_pick.set("volumeSize", fields.grid().volumeSize)
+    Program& program = programFor(command, fields);
+    program.set("volumeSize", fields.grid().volumeSize)
         .set("rayCount", unsigned(rays.size()))
         .set("seenBy", int(command.seenBy))
         .set("thresholdCode", command.thresholdCode)
         .set("segments", command.segments);
-    m_pick.dispatch({groupsFor(rays.size()), 1, 1});
+    program.dispatch({groupsFor(rays.size()), 1, 1});
     glMemoryBarrier(GL_ALL_BARRIER_BITS);
     std::vector<glm::ivec4> hits(rays.size());
     hitBuffer.read(std::span<glm::ivec4>(hits));
@@ -72,7 +101,8 @@ std::vector<core::ProbedVoxel> PickKernel::probe(
     const Buffer voxelBuffer = bufferOf("probe voxels", voxels);
     Buffer foundBuffer({.label = "probe answers", .bytes = voxels.size() * sizeof(glm::uvec4)});
     fields.codes().bindUnit(0);
-    fields.labels(command.plane).bindUnit(1);
+    const Planes planes = fields.labelPlanes();
+    bindPlanes(planes, {1, 5, 6, 7});
     const ToleranceField& field = fields.tolerance();
     (field.stands ? field.tolerances : fields.codes()).bindUnit(2);
     BrickField& words = fields.seedWords(command.plane);
@@ -87,8 +117,11 @@ std::vector<core::ProbedVoxel> PickKernel::probe(
     foundBuffer.read(std::span<glm::uvec4>(found));
     std::vector<core::ProbedVoxel> probes;
     for (const glm::uvec4& each : found) {
-        core::ProbedVoxel probe{
-            .code = int(each.x), .label = std::uint8_t(each.y), .seedOf = std::uint8_t(each.w)};
+        core::ProbedVoxel probe{.code = int(each.x), .seedOf = std::uint8_t(each.w)};
+        for (std::size_t plane = 0; plane < planes.size(); ++plane)
+            probe.labels[plane] = planes[plane] ? std::uint8_t(each.y >> 8 * plane) : 0;
+        if (command.plane < planes.size())
+            probe.label = probe.labels[command.plane];
         if (int(each.z) <= core::ToleranceRule::greatest)
             probe.tolerance = int(each.z);
         probes.push_back(probe);

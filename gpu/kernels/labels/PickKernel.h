@@ -14,6 +14,7 @@ namespace gpu {
 /// for its answer. Engine thread only.
 class PickKernel {
 public:
+    /// @param library outlives the kernel
     explicit PickKernel(const ShaderLibrary& library);
 
     [[nodiscard]] std::vector<std::optional<glm::ivec3>> pick(
@@ -22,7 +23,13 @@ public:
         VoxelFields& fields, const core::ProbeVoxels& command);
 
 private:
+    /// A pick of segments looks into all label planes; while there is one, it has no program of its
+    /// own.
+    [[nodiscard]] Program& programFor(const core::PickVoxels& command, const VoxelFields& fields);
+
+    const ShaderLibrary& m_library;
     Program m_pick;
+    Program m_pickInPlanes; ///< compiled when it is first needed
     Program m_probe;
 };
 

@@ -1,10 +1,16 @@
 // Casts rays into what is seen (core/engine/VoxelReads.h, PickVoxels). One invocation a ray.
+// FURTHER_PLANES: there are label planes beside plane 0.
 
 layout(local_size_x = 64) in;
 
 layout(binding = 0) uniform usampler3D codes;
 layout(binding = 1) uniform usampler3D radiation;
 layout(binding = 2) uniform usampler3D labels;
+#ifdef FURTHER_PLANES // plane 0 stands for each that is not in use
+layout(binding = 3) uniform usampler3D labels1;
+layout(binding = 4) uniform usampler3D labels2;
+layout(binding = 5) uniform usampler3D labels3;
+#endif
 struct Ray {
     ivec4 origin;   // index16; w: samples
     ivec4 perSample; // index16
@@ -31,10 +37,20 @@ uint radiationAt(ivec3 voxel)
 
 #include "kernels/cut/interpolate.glsl"
 
+bool ofSegment(uint label)
+{
+    return (segments[label >> 5] >> (label & 31u) & 1u) != 0u;
+}
+
 bool ofSegments(ivec3 voxel)
 {
-    uint label = texelFetch(labels, voxel, 0).r;
-    return (segments[label >> 5] >> (label & 31u) & 1u) != 0u;
+    bool found = ofSegment(texelFetch(labels, voxel, 0).r);
+#ifdef FURTHER_PLANES
+    found = found || ofSegment(texelFetch(labels1, voxel, 0).r)
+        || ofSegment(texelFetch(labels2, voxel, 0).r)
+        || ofSegment(texelFetch(labels3, voxel, 0).r);
+#endif
+    return found;
 }
 
 void main()

@@ -45,14 +45,14 @@ void RadiationKernel::updateFromCoverage(
         [this, layers](unsigned count) { gatherLayers(layers, false, count); });
 }
 
-void RadiationKernel::updateFromLabels(const Texture3D& labels, const std::bitset<256>& shown,
+void RadiationKernel::updateFromLabels(Planes planes, const std::bitset<256>& shown,
     const Texture3D& target, std::span<const Region> regions)
 {
     update({.target = target}, regions,
-        [&, this](unsigned count) { gatherLabels(labels, shown, count); });
+        [&, this](unsigned count) { gatherLabels(planes, shown, true, count); });
 }
 
-void RadiationKernel::updateFromLabels(const Texture3D& labels, const AtTolerance& segment,
+void RadiationKernel::updateFromLabels(Planes planes, const AtTolerance& segment,
     const std::bitset<256>& shown, const Texture3D& target, std::span<const Region> regions)
 {
     Program& program = m_programs.gatherAtTolerance();
@@ -63,11 +63,12 @@ void RadiationKernel::updateFromLabels(const Texture3D& labels, const AtToleranc
         .set("toleranceLabel", unsigned(segment.label))
         .set("tolerance", unsigned(std::max(segment.tolerance, 0)));
     update({.target = target}, regions, [&](unsigned count) {
-        labels.bindUnit(0);
+        planes.front()->bindUnit(0);
         segment.tolerances.bindUnit(13);
         segment.seedWords.atlas().bindUnit(14);
         segment.seedWords.pageTable().bindUnit(15);
         program.dispatch({count * gatherGroupsPerBrick, 1, 1});
+        gatherLabels(planes.subspan(1), shown, false, count);
     });
 }
 
@@ -81,11 +82,19 @@ void RadiationKernel::updateFootprint(BrickField& layer, std::span<BrickField* c
 }
 
 void RadiationKernel::updateFootprint(
-    const Texture3D& labels, int label, const Footprint& footprint, std::span<const Region> regions)
+    Planes planes, int label, const Footprint& footprint, std::span<const Region> regions)
 {
     std::bitset<256> shown;
     shown.set(std::size_t(label));
-    update(footprint, regions, [&, this](unsigned count) { gatherLabels(labels, shown, count); });
+    update(footprint, regions,
+        [&, this](unsigned count) { gatherLabels(planes, shown, true, count); });
+}
+
+/// A summary only ever gains bits, so what is gathered over something must start it afresh.
+void RadiationKernel::gatherMore()
+{
+    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
+    m_summaries.fill(0);
 }
 
 /// @param subtract the first layer less all others, instead of the greatest
@@ -94,26 +103,28 @@ void RadiationKernel::gatherLayers(
 {
     bool first = true;
     for (BrickField* layer : layers) {
+        if (!first)
+            gatherMore();
         layer->atlas().bindUnit(0);
         layer->pageTable().bindUnit(1);
         m_programs.gatherCoverage.set("firstLayer", first).set("subtract", subtract && !first);
         m_programs.gatherCoverage.dispatch({count * gatherGroupsPerBrick, 1, 1});
-        // The summary only ever gains bits, so a later layer must start it afresh.
-        if (layer != layers.back()) {
-            glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
-            m_summaries.fill(0);
-        }
         first = false;
     }
 }
 
 void RadiationKernel::gatherLabels(
-    const Texture3D& labels, const std::bitset<256>& shown, unsigned count)
+    Planes planes, const std::bitset<256>& shown, bool first, unsigned count)
 {
-    labels.bindUnit(0);
-    m_programs.gatherLabels.set("firstLayer", true);
     m_programs.gatherLabels.set("shown", shown);
-    m_programs.gatherLabels.dispatch({count * gatherGroupsPerBrick, 1, 1});
+    for (const Texture3D* plane : planes) {
+        if (!first)
+            gatherMore();
+        plane->bindUnit(0);
+        m_programs.gatherLabels.set("firstLayer", first);
+        m_programs.gatherLabels.dispatch({count * gatherGroupsPerBrick, 1, 1});
+        first = false;
+    }
 }
 
 void RadiationKernel::update(const Footprint& footprint, std::span<const Region> regions,

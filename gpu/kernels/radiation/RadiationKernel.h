@@ -37,18 +37,20 @@ public:
     /// @param target dense R8UI texture of the volume
     void updateFromCoverage(std::span<BrickField* const> layers, const Texture3D& target,
         std::span<const Region> regions);
-    /// @param labels dense R8UI texture; shown labels count as 255
-    void updateFromLabels(const Texture3D& labels, const std::bitset<256>& shown,
-        const Texture3D& target, std::span<const Region> regions);
-    /// A segment as it would be at a tolerance (toleranceLabel.glsl).
+    /// The label planes: dense R8UI textures, at least one.
+    using Planes = std::span<const Texture3D* const>;
+    /// A voxel counts as 255 if it has a shown label in any plane.
+    void updateFromLabels(Planes planes, const std::bitset<256>& shown, const Texture3D& target,
+        std::span<const Region> regions);
+    /// A segment of the first plane as it would be at a tolerance (toleranceLabel.glsl).
     struct AtTolerance {
         const Texture3D& tolerances;
         BrickField& seedWords;
         int label = 0;
         int tolerance = 0;
     };
-    void updateFromLabels(const Texture3D& labels, const AtTolerance& segment,
-        const std::bitset<256>& shown, const Texture3D& target, std::span<const Region> regions);
+    void updateFromLabels(Planes planes, const AtTolerance& segment, const std::bitset<256>& shown,
+        const Texture3D& target, std::span<const Region> regions);
 
     /// Where a footprint is written: voxel v to texel v + shift of an R8UI texture.
     struct Footprint {
@@ -59,15 +61,17 @@ public:
     /// the greatest of theirs).
     void updateFootprint(BrickField& layer, std::span<BrickField* const> before,
         const Footprint& footprint, std::span<const Region> regions);
-    /// The footprint of the voxels with one label.
-    void updateFootprint(const Texture3D& labels, int label, const Footprint& footprint,
-        std::span<const Region> regions);
+    /// The footprint of the voxels with one label, in whatever plane.
+    void updateFootprint(
+        Planes planes, int label, const Footprint& footprint, std::span<const Region> regions);
 
 private:
     void update(const Footprint& footprint, std::span<const Region> regions,
         const std::function<void(unsigned count)>& gather);
     void gatherLayers(std::span<BrickField* const> layers, bool subtract, unsigned count);
-    void gatherLabels(const Texture3D& labels, const std::bitset<256>& shown, unsigned count);
+    /// @param first whether nothing was gathered before
+    void gatherLabels(Planes planes, const std::bitset<256>& shown, bool first, unsigned count);
+    void gatherMore();
 
     RadiationPrograms& m_programs;
     core::BrickGrid m_grid;

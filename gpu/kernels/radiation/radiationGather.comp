@@ -1,7 +1,8 @@
 // First stage of radiation: copies the field around each listed box, with a margin of four voxels,
 // into scratch memory, 24³ words per brick. SOURCE_COVERAGE: the maximum with one layer's coverage
-// (one dispatch per layer). Otherwise: 255 where the label plane holds a shown label. AT_TOLERANCE:
-// where it would hold one if a segment had grown to a tolerance.
+// (one dispatch per layer). Otherwise: the maximum with 255 where a label plane holds a shown label
+// (one dispatch per plane). AT_TOLERANCE: where it would hold one if a segment had grown to a
+// tolerance.
 
 layout(local_size_x = 64) in;
 

@@ -344,7 +344,7 @@ void RaycastPass::prepare(Program& active, VolumeTextures& volume, const VolumeS
     volume.intensity().bindUnit(0);
     volume.radiation().bindUnit(1);
     volume.segmentation().bindUnit(2);
-    volume.labels().bindUnit(3);
+    volume.shownLabels().bindUnit(3);
     volume.cells().skipMap(visible).bindUnit(4);
     volume.cells().ranges().bindUnit(5);
     m_transfer.texture().bindUnit(6);

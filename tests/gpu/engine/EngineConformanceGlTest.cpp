@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "core/document/Document.h"
 #include "core/edits/engine/EngineEdits.h"
 #include "core/edits/kinds/sculpt/BrushStroke.h"
 #include "core/edits/kinds/sculpt/DrillPathSampler.h"
@@ -18,6 +19,7 @@
 
 #include <QtTest>
 
+#include <algorithm>
 #include <map>
 
 namespace engineConformanceGlTest {
@@ -281,8 +283,14 @@ void EngineConformanceGlTest::derivedTexturesFollow()
                     shut[std::size_t(grid.brickOf({x, y, z}))] = 1;
     QVERIFY(m_gpu.read(gpu::VolumeField::BarrierBricks).values == shut);
     reference::DenseArray<std::uint8_t> members = fields.labels(0);
-    for (std::uint8_t& value : members.values)
-        value = shown.test(value) ? 255 : 0;
+    std::ranges::fill(members.values, std::uint8_t(0));
+    for (const auto& [plane, labels] : fields.labelPlanes()) {
+        QVERIFY(plane < core::mostLabelPlanes);
+        for (std::size_t i = 0; i < members.values.size(); ++i) {
+            if (shown.test(labels->values[i]))
+                members.values[i] = 255;
+        }
+    }
     QVERIFY(
         m_gpu.read(gpu::VolumeField::Segmentation).values == reference::radiation(members).values);
 }

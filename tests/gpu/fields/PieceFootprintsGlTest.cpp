@@ -96,6 +96,8 @@ private Q_SLOTS:
             for (const int layer : {1, 2, 3})
                 scatter(state.coverage(std::uint8_t(layer)), random);
             scatter(state.labels(0), random);
+            if (round % 2 == 1) // a segment may lie in any plane
+                scatter(state.labels(1), random);
             m_fixture->put(state);
             const PieceSource second{.layer = 2};
             const PieceSource third{.layer = 3};
@@ -115,9 +117,13 @@ private Q_SLOTS:
                 return truth;
             };
             const auto bearers = [&] {
-                Bytes truth = state.labels(0);
-                for (std::uint8_t& value : truth.values)
-                    value = value == 255 ? 255 : 0;
+                Bytes truth{size, std::vector<std::uint8_t>(state.labels(0).values.size(), 0)};
+                for (const auto& [plane, labels] : state.labelPlanes()) {
+                    for (std::size_t i = 0; i < truth.values.size(); ++i) {
+                        if (labels->values[i] == 255)
+                            truth.values[i] = 255;
+                    }
+                }
                 return truth;
             };
             const auto check = [&](const std::bitset<256>& muted) {

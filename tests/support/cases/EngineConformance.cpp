@@ -443,6 +443,8 @@ QString differenceOfResults(const core::EngineResult& a, const core::EngineResul
                 .arg(b.probes[i].label)
                 .arg(a.probes[i].code)
                 .arg(a.probes[i].label);
+        if (a.probes[i].labels != b.probes[i].labels)
+            return QStringLiteral("probe %1 reads other labels of all planes").arg(i);
         if (a.probes[i].seedOf != b.probes[i].seedOf)
             return QStringLiteral("probe %1 reads a seed of %2 instead of %3")
                 .arg(i)

@@ -7,6 +7,7 @@
 #include "ui/tools/aim/PickQuestion.h"
 #include "ui/workspace/Workspace.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
@@ -28,6 +29,7 @@ struct Sample {
 struct Way {
     std::size_t point = 0;
     gpu::ScenePiece piece;
+    std::vector<std::uint8_t> planes; ///< the label planes, or the layer, that may hold it
     double sampleMm = 0.0; ///< at the true place
     std::vector<Sample> samples;
 };
@@ -47,17 +49,29 @@ glm::dvec3 forwardOf(const gpu::VolumeScene& scene)
     return glm::normalize(scene.targetLps - scene.eyeLps);
 }
 
-core::BrickKey keyOf(const gpu::ScenePiece& piece, std::uint32_t brick)
+/// What may hold a piece, or the segments if it has the id 0: its layer, or label planes.
+std::vector<std::uint8_t> planesOf(const gpu::ScenePiece& piece, const core::Document& document)
+{
+    if (piece.layer > 0)
+        return {std::uint8_t(piece.layer)};
+    if (piece.id == 0)
+        return document.labelPlanes();
+    const core::Segment* its = document.segment(piece.segment);
+    return {its ? its->plane : std::uint8_t(0)};
+}
+
+core::BrickKey keyOf(const gpu::ScenePiece& piece, std::uint8_t plane, std::uint32_t brick)
 {
     return {.field = piece.layer > 0 ? core::Field::Coverage : core::Field::Labels,
-        .plane = std::uint8_t(piece.layer),
+        .plane = plane,
         .brick = brick};
 }
 
 /// Adds the ways of all points through a piece, as if it were at home and the viewer moved.
 void addWays(std::vector<Way>& ways, const gpu::ScenePiece& piece, const gpu::VolumeScene& scene,
-    const std::vector<glm::dvec2>& planeMm, const core::Volume& volume)
+    const std::vector<glm::dvec2>& planeMm, const core::Document& document)
 {
+    const core::Volume& volume = document.volumes.front();
     const double zoom = std::cbrt(std::abs(glm::determinant(glm::dmat3(piece.shownFromTrue))));
     const glm::dmat4 toTrue = glm::inverse(piece.shownFromTrue);
     core::OrthographicView view = orthographicView(scene);
@@ -70,7 +84,11 @@ void addWays(std::vector<Way>& ways, const gpu::ScenePiece& piece, const gpu::Vo
     const core::PickRays picked = core::pickRays(view, points, volume.geometry, scene.clip);
     for (std::size_t i = 0; i < points.size(); ++i) {
         const core::PickRay& ray = picked.rays[i];
-        Way way{.point = i, .piece = piece, .sampleMm = picked.sampleMm, .samples = {}};
+        Way way{.point = i,
+            .piece = piece,
+            .planes = planesOf(piece, document),
+            .sampleMm = picked.sampleMm,
+            .samples = {}};
         for (int n = 0; n < ray.samples; ++n) {
             const glm::dvec3 index = glm::dvec3(ray.origin + ray.step * n) / 65536.0;
             const glm::dvec3 shown(
@@ -88,15 +106,15 @@ void addWays(std::vector<Way>& ways, const gpu::ScenePiece& piece, const gpu::Vo
 /// The ways of all points through all shown pieces. Segments that are shown alone are one of them,
 /// whose id is 0.
 std::vector<Way> waysThrough(const gpu::VolumeScene& scene, const std::vector<glm::dvec2>& planeMm,
-    const core::Volume& volume)
+    const core::Document& document)
 {
     std::vector<Way> ways;
     for (const gpu::ScenePiece& piece : scene.pieces) {
         if (piece.opacity > 0.0f && piece.id != 0)
-            addWays(ways, piece, scene, planeMm, volume);
+            addWays(ways, piece, scene, planeMm, document);
     }
     if (scene.context == gpu::Context::Hidden)
-        addWays(ways, {.solid = true}, scene, planeMm, volume);
+        addWays(ways, {.solid = true}, scene, planeMm, document);
     return ways;
 }
 
@@ -109,18 +127,22 @@ void keepMembers(
     for (const core::BrickImage& brick : bricks)
         known[brick.key] = &brick.bytes.read();
     for (Way& way : ways) {
-        std::erase_if(way.samples, [&](const Sample& sample) {
+        const auto isMember = [&](const Sample& sample, std::uint8_t plane) {
             const int brick = grid.brickOf(sample.voxel);
-            const auto found = known.find(keyOf(way.piece, std::uint32_t(brick)));
+            const auto found = known.find(keyOf(way.piece, plane, std::uint32_t(brick)));
             if (found == known.end() || found->second->empty())
-                return true;
+                return false;
             const glm::ivec3 local =
                 sample.voxel - grid.brickPosition(brick) * core::BrickGrid::side;
             const int value = (*found->second)[std::size_t(
                 local.x + core::BrickGrid::side * (local.y + core::BrickGrid::side * local.z))];
             if (way.piece.id == 0)
-                return value == 0 || !question.segments[std::size_t(value)];
-            return way.piece.layer > 0 ? value < 128 : value != way.piece.segment;
+                return value != 0 && question.segments[std::size_t(value)];
+            return way.piece.layer > 0 ? value >= 128 : value == way.piece.segment;
+        };
+        std::erase_if(way.samples, [&](const Sample& sample) {
+            return std::ranges::none_of(
+                way.planes, [&](std::uint8_t plane) { return isMember(sample, plane); });
         });
     }
     std::erase_if(ways, [](const Way& way) { return way.samples.empty(); });
@@ -218,8 +240,10 @@ void askMembers(Workspace& workspace, const std::shared_ptr<Question>& question)
     const core::BrickGrid grid{question->volume.geometry.size};
     std::set<core::BrickKey> keys;
     for (const Way& way : question->ways) {
-        for (const Sample& sample : way.samples)
-            keys.insert(keyOf(way.piece, std::uint32_t(grid.brickOf(sample.voxel))));
+        for (const Sample& sample : way.samples) {
+            for (const std::uint8_t plane : way.planes)
+                keys.insert(keyOf(way.piece, plane, std::uint32_t(grid.brickOf(sample.voxel))));
+        }
     }
     workspace.session()->questions().bricks({keys.begin(), keys.end()},
         [&workspace, question, grid](const core::Result<std::vector<core::BrickImage>>& bricks) {
@@ -247,7 +271,7 @@ void askWhatIsSeen(Workspace& workspace, const gpu::VolumeScene& scene,
         question->scene.mode = gpu::RenderMode::Surface; // as it is drawn in every mode
     question->segments = workspace.segmentDisplay().visible;
     question->volume = *workspace.volume();
-    question->ways = waysThrough(scene, planeMm, *workspace.volume());
+    question->ways = waysThrough(scene, planeMm, workspace.session()->document());
     question->then = then;
     workspace.session()->questions().pick(pickQuestion(scene, planeMm, *workspace.volume()),
         [&workspace, question](const core::Result<PickedVoxels>& picked) {

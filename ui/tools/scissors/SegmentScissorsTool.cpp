@@ -154,12 +154,16 @@ std::vector<int> SegmentScissorsTool::targets() const
     if (!m_settings.allShown || !erases(doesNow()))
         return chosen ? std::vector<int>{active} : std::vector<int>();
     std::vector<int> labels;
+    std::optional<std::uint8_t> plane; // that of the chosen one, or else of the first
+    if (chosen)
+        plane = chosen->plane;
     for (const core::Segment& segment : document.segments) {
         const bool isShown = m_workspace.viewOptions().showSegments
             && m_workspace.segmentDisplay().visible[segment.label];
-        // All of them lie in one plane, that of the chosen one.
-        if (isShown && !segment.locked && (!chosen || segment.plane == chosen->plane))
-            labels.push_back(segment.label);
+        if (!isShown || segment.locked || segment.plane != plane.value_or(segment.plane))
+            continue;
+        plane = segment.plane;
+        labels.push_back(segment.label);
     }
     const auto first = std::find(labels.begin(), labels.end(), active);
     if (first != labels.end())

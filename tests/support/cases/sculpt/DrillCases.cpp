@@ -172,7 +172,6 @@ core::PickVoxels randomPick(const glm::ivec3& size, Random& random)
     pick.seenBy = core::SeenBy(random() % 4);
     for (std::size_t label = 1; label < 5; ++label)
         pick.segments[label] = random() % 2;
-    pick.plane = std::uint8_t(random() % 4 ? 0 : 1);
     pick.thresholdCode = random() % 6 ? randomInt(random, 0, tissueCode) : 65536;
     if (pick.seenBy == core::SeenBy::Opacity) {
         const int highest = random() % 3 ? 9000 : 65535;
