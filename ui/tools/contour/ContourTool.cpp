@@ -63,7 +63,7 @@ ContourTool::ContourTool(Workspace& workspace, QObject* parent)
     connect(&workspace, &Workspace::editableChanged, this, &ContourTool::follow);
     connect(&workspace, &Workspace::activeSegmentChanged, this, [this] {
         if (m_workspace.activeSegment() != m_segment)
-            drop();
+            putAway();
         Q_EMIT overlayChanged();
     });
 }
@@ -270,6 +270,15 @@ void ContourTool::cancel()
         drop();
     else if (core::EditSession* session = m_workspace.session())
         session->segmentWork().abort();
+}
+
+/// A peel is kept here; a step made of a contour would take away what a redo leads to.
+void ContourTool::putAway()
+{
+    if (!m_run.isOpen() && !m_awaitsValues)
+        return;
+    drop();
+    m_workspace.say(tr("The contour was dropped, as nobody had accepted it; nothing has changed"));
 }
 
 bool ContourTool::pressKey(int key)

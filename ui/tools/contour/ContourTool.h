@@ -60,8 +60,8 @@ public:
     void press(const PointerSample& sample, const ViewContext& view) override;
     /// Drops what is watched; else abandons one that was accepted and takes long.
     void cancel() override;
-    /// What was accepted goes on when another tool is chosen.
-    void putAway() override { drop(); }
+    /// What is watched is dropped, and the user hears of it. What was accepted goes on.
+    void putAway() override;
     /// Undo drops what is watched.
     [[nodiscard]] bool canTakeStepBack() const override { return m_run.isOpen(); }
     void takeStepBack() override { drop(); }
