@@ -45,16 +45,10 @@ public:
         workspace.setActiveSegment(1);
         axial().setFocus();
     }
-    [[nodiscard]] core::EditSession& session() { return *workspace.session(); }
     [[nodiscard]] ui::SliceView& axial() { return window.views().axial(); }
     [[nodiscard]] QAction& action(const char* id)
     {
         return window.actionTable()[QLatin1String(id)];
-    }
-    void apply(const core::Edit& edit)
-    {
-        QVERIFY(session().apply(edit));
-        QVERIFY(session().settle());
     }
     void settle()
     {

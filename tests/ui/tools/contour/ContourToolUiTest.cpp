@@ -18,11 +18,9 @@
 #include "ui/workspace/SegmentActions.h"
 
 #include <QAction>
-#include <QApplication>
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
-#include <QMouseEvent>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QSlider>
@@ -66,31 +64,12 @@ public:
         m_poll.start(1);
         QCoreApplication::sendPostedEvents();
     }
-    [[nodiscard]] core::EditSession& session() { return *workspace.session(); }
-    [[nodiscard]] std::size_t rows() { return session().history().rows().size(); }
     [[nodiscard]] const core::EvolveContour& lastEdit()
     {
         return session().history().rows().back().edit.get<core::EvolveContour>();
     }
-    [[nodiscard]] glm::dvec3 place(const glm::dvec3& index) const
-    {
-        return workspace.volume()->geometry.toWorld(index);
-    }
     [[nodiscard]] Labels labels() { return *session().questions().labels(0); }
-    void apply(const core::Edit& edit)
-    {
-        QVERIFY(session().apply(edit));
-        QVERIFY(session().settle());
-    }
-    void click(const glm::dvec3& index)
-    {
-        const QPointF at = view.context().toPixel(place(index));
-        for (const QEvent::Type type : {QEvent::MouseButtonPress, QEvent::MouseButtonRelease}) {
-            QMouseEvent event(type, at, view.mapToGlobal(at), Qt::LeftButton,
-                type == QEvent::MouseButtonRelease ? Qt::NoButton : Qt::LeftButton, {});
-            QApplication::sendEvent(&view, &event);
-        }
-    }
+    void click(const glm::dvec3& index) { WindowFixture::click(view, pixel(view, index)); }
     void press(const char* button)
     {
         auto* found = panel.findChild<QPushButton*>(QLatin1String(button));
