@@ -3,9 +3,9 @@
 
 #include "ui/input/Tool.h"
 #include "ui/tools/common/SliceOutline.h"
-#include "ui/tools/growth/LevelTrace.h"
-#include "ui/tools/growth/LiveWire.h"
-#include "ui/tools/growth/ReadSlice.h"
+#include "ui/tools/outline/LevelTrace.h"
+#include "ui/tools/outline/LiveWire.h"
+#include "ui/tools/outline/ReadSlice.h"
 
 #include <QString>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ui/tools/growth/FillOutlineTool.h"
+#include "ui/tools/outline/FillOutlineTool.h"
 
 #include "core/edits/kinds/segments/FillOutline.h"
 #include "core/session/questions/VoxelQuestions.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ui/tools/growth/FillOutlineTool.h"
+#include "ui/tools/outline/FillOutlineTool.h"
 
 #include "core/sculpt/labels/LabelOutlined.h"
 #include "ui/base/StudyTexts.h"
@@ -7,7 +7,7 @@
 #include "ui/tools/aim/CursorLabel.h"
 #include "ui/tools/common/PaintLimits.h"
 #include "ui/tools/common/SeedOptions.h"
-#include "ui/tools/growth/OutlineFilling.h"
+#include "ui/tools/outline/OutlineFilling.h"
 #include "ui/workspace/Workspace.h"
 
 #include <QComboBox>
