@@ -40,7 +40,7 @@ void readNumber(
 } // namespace
 
 ContourTool::ContourTool(Workspace& workspace, QObject* parent)
-    : Tool(parent)
+    : CursorTool(parent)
     , m_workspace(workspace)
     , m_run(workspace)
     , m_look(workspace)
@@ -305,19 +305,6 @@ void ContourTool::changeRadius(int steps)
     setSettings(now);
 }
 
-void ContourTool::hover(const PointerSample& sample, const ViewContext& view)
-{
-    m_cursor = sample.position;
-    m_cursorView = view.view;
-    Q_EMIT overlayChanged();
-}
-
-void ContourTool::leave()
-{
-    m_cursorView.reset();
-    Q_EMIT overlayChanged();
-}
-
 void ContourTool::showRun()
 {
     if (!m_run.track()) {
@@ -366,18 +353,18 @@ void ContourTool::paintOverlay(QPainter& painter, const ViewContext& view) const
         else
             m_ghost.paint(painter, view, state, geometry, colour);
     }
-    if (m_cursorView != view.view || !view.isSlice())
+    if (!isUnderPointer(view) || !view.isSlice())
         return;
     if (!m_settings.fromSegment && !m_run.isOpen())
         drawCursorRing(
-            painter, m_cursor, m_settings.bubbleMm / view.mmPerPixel(), toolColour(), true);
+            painter, cursor(), m_settings.bubbleMm / view.mmPerPixel(), toolColour(), true);
     QStringList lines{m_run.track() ? shownText() : target()};
     lines += intervalText();
     if (const QString editable = m_workspace.editableText(); !editable.isEmpty())
         lines += editable;
     const double radius =
         m_settings.fromSegment || m_run.isOpen() ? 6.0 : m_settings.bubbleMm / view.mmPerPixel();
-    drawCursorLabel(painter, view.sizePixels, m_cursor, radius, lines);
+    drawCursorLabel(painter, view.sizePixels, cursor(), radius, lines);
 }
 
 } // namespace ui
