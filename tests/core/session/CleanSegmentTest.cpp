@@ -4,11 +4,10 @@
 #include "core/edits/kinds/segments/ImportMask.h"
 #include "core/session/EditSession.h"
 #include "core/session/questions/VoxelQuestions.h"
-#include "tests/reference/DelayedEngine.h"
-#include "tests/reference/ReferenceEngine.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/PlainEdits.h"
+#include "tests/support/scenes/SessionBench.h"
 #include "tests/support/scenes/SmallStudy.h"
 
 #include <QTest>
@@ -38,13 +37,11 @@ std::size_t at(int x, int y, int z)
 }
 
 /// A block of 8³ with a hole of 2³ and one of a single voxel, an island of 3³ and a speck.
-struct Bench {
+struct Bench : test::SessionBench {
     Bench(bool delayed, const ImportMask& matter)
-        : late(inner, 11)
+        : SessionBench(delayed)
     {
-        EditEngine& engine = delayed ? static_cast<EditEngine&>(late) : inner;
-        session = *EditSession::create(engine, test::smallStudy(), {.file = {}});
-        QCOMPARE(tried(matter), QString());
+        run(matter);
     }
     explicit Bench(bool delayed = false)
         : Bench(delayed, parts())
@@ -52,7 +49,7 @@ struct Bench {
     }
     [[nodiscard]] static ImportMask parts()
     {
-        std::vector<bool> mask(geometry().voxelCount(), false);
+        std::vector<bool> mask(cleanSegmentTest::geometry().voxelCount(), false);
         const auto set = [&](const glm::ivec3& from, int side, bool in) {
             for (int z = 0; z < side; ++z) {
                 for (int y = 0; y < side; ++y) {
@@ -72,29 +69,12 @@ struct Bench {
                 runs.append(voxel, 1);
         }
         ImportMask import{.file = QStringLiteral("parts.nii")};
-        import.size = geometry().size;
+        import.size = cleanSegmentTest::geometry().size;
         import.segments.emplace();
         import.segments->push_back(
             {.name = QStringLiteral("Parts"), .rgb = 7, .code = {}, .voxels = packedRuns(runs)});
         return import;
     }
-    [[nodiscard]] QString tried(const Edit& edit) const
-    {
-        Result<void> done = session->apply(edit);
-        if (done)
-            done = session->settle();
-        return done ? QString() : done.error().arguments.join(QStringLiteral(": "));
-    }
-    [[nodiscard]] std::int64_t voxels(int label = 1) const
-    {
-        const std::vector<std::uint8_t> all = *session->questions().labels(0);
-        return std::count(all.begin(), all.end(), label);
-    }
-    [[nodiscard]] const std::vector<HistoryRow>& rows() const { return session->history().rows(); }
-
-    reference::ReferenceEngine inner;
-    reference::DelayedEngine late;
-    std::unique_ptr<EditSession> session;
 };
 
 constexpr std::int64_t all = 512 - 8 - 1 + 27 + 1;

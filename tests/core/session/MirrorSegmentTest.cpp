@@ -4,12 +4,10 @@
 #include "core/brick/VoxelRuns.h"
 #include "core/edits/kinds/segments/ImportMask.h"
 #include "core/session/EditSession.h"
-#include "core/session/questions/VoxelQuestions.h"
-#include "tests/reference/DelayedEngine.h"
-#include "tests/reference/ReferenceEngine.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/PlainEdits.h"
+#include "tests/support/scenes/SessionBench.h"
 #include "tests/support/scenes/SmallStudy.h"
 
 #include <QTest>
@@ -73,26 +71,12 @@ ImportMask anyMatter(std::mt19937& random)
     return import;
 }
 
-struct Bench {
+struct Bench : test::SessionBench {
     Bench(bool delayed, const ImportMask& matter)
-        : late(inner, 7)
+        : SessionBench(delayed)
     {
-        EditEngine& engine = delayed ? static_cast<EditEngine&>(late) : inner;
-        session = *EditSession::create(engine, test::smallStudy(), {});
-        QCOMPARE(tried(matter), QString());
+        run(matter);
     }
-    [[nodiscard]] QString tried(const Edit& edit) const
-    {
-        Result<void> done = session->apply(edit);
-        if (done)
-            done = session->settle();
-        return done ? QString() : done.error().arguments.join(QStringLiteral(": "));
-    }
-    [[nodiscard]] Labels labels() const { return *session->questions().labels(0); }
-
-    reference::ReferenceEngine inner;
-    reference::DelayedEngine late;
-    std::unique_ptr<EditSession> session;
 };
 
 /// Each voxel of the segment is sent to its image first, and then it is looked who is there. The

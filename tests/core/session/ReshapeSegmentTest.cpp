@@ -5,13 +5,11 @@
 #include "core/edits/kinds/segments/ImportMask.h"
 #include "core/session/EditSession.h"
 #include "core/session/SegmentWork.h"
-#include "core/session/questions/VoxelQuestions.h"
 #include "core/sessionfile/SessionSalvage.h"
-#include "tests/reference/DelayedEngine.h"
-#include "tests/reference/ReferenceEngine.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/PlainEdits.h"
+#include "tests/support/scenes/SessionBench.h"
 #include "tests/support/scenes/SmallStudy.h"
 
 #include <QTemporaryDir>
@@ -99,33 +97,13 @@ ImportMask randomMatter(std::mt19937& random)
     return importOf({runs[0], runs[1]});
 }
 
-struct Bench {
+struct Bench : test::SessionBench {
     explicit Bench(
         bool delayed = false, const ImportMask& matter = block(), const QString& file = {})
-        : late(inner, 11)
+        : SessionBench(delayed, test::smallStudy(), file)
     {
-        EditEngine& engine = delayed ? static_cast<EditEngine&>(late) : inner;
-        session = *EditSession::create(engine, test::smallStudy(), {.file = file});
-        QCOMPARE(tried(matter), QString());
+        run(matter);
     }
-    [[nodiscard]] QString tried(const Edit& edit) const
-    {
-        Result<void> done = session->apply(edit);
-        if (done)
-            done = session->settle();
-        return done ? QString() : done.error().arguments.join(QStringLiteral(": "));
-    }
-    [[nodiscard]] Labels labels() const { return *session->questions().labels(0); }
-    [[nodiscard]] std::int64_t voxels(int label = 1) const
-    {
-        const Labels all = labels();
-        return std::count(all.begin(), all.end(), label);
-    }
-    [[nodiscard]] const std::vector<HistoryRow>& rows() const { return session->history().rows(); }
-
-    reference::ReferenceEngine inner;
-    reference::DelayedEngine late;
-    std::unique_ptr<EditSession> session;
 };
 
 bool isNear(const glm::ivec3& one, const glm::ivec3& other, double mm)
