@@ -6,6 +6,7 @@
 #include "ui/base/Theme.h"
 #include "ui/dialogs/CodeDialog.h"
 #include "ui/measure/CentreOnSegment.h"
+#include "ui/menus/SegmentEntries.h"
 #include "ui/menus/SegmentMenus.h"
 #include "ui/menus/SegmentOpacity.h"
 #include "ui/menus/SegmentViews.h"
