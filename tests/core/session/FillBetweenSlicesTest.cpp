@@ -26,21 +26,16 @@ using namespace core;
 namespace {
 
 using Labels = std::vector<std::uint8_t>;
-
-const VolumeGeometry& grid()
-{
-    static const VolumeGeometry its = test::smallStudy().volume.geometry;
-    return its;
-}
+using test::smallGrid;
 
 /// A disc on one slice across an axis.
 Edit discAt(int segment, SliceAxis axis, const glm::dvec3& voxel, double radiusMm)
 {
     PaintStroke stroke{.segment = segment};
     stroke.path.shape = BrushPath::Shape::Disc;
-    stroke.path.normalLps = grid().direction()[alongOf(axis)];
+    stroke.path.normalLps = smallGrid().direction()[alongOf(axis)];
     stroke.path.radiusMm = radiusMm;
-    stroke.path.pointsLps = {grid().toWorld(voxel)};
+    stroke.path.pointsLps = {smallGrid().toWorld(voxel)};
     return stroke;
 }
 
@@ -58,7 +53,7 @@ Labels expectedAfter(const FillBetweenSlices& edit, const Labels& before)
 {
     Labels after = before;
     const std::vector<bool> between =
-        reference::voxelsBetween(before, grid(), std::uint8_t(edit.segment), edit.axis);
+        reference::voxelsBetween(before, smallGrid(), std::uint8_t(edit.segment), edit.axis);
     for (std::size_t voxel = 0; voxel < after.size(); ++voxel) {
         if (between[voxel] && before[voxel] == 0)
             after[voxel] = std::uint8_t(edit.segment);
