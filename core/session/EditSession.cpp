@@ -10,7 +10,7 @@
 #include "core/session/operations/EditOperation.h"
 #include "core/session/operations/OperationQueue.h"
 #include "core/session/operations/SurfaceOperation.h"
-#include "core/session/operations/WalkOperation.h"
+#include "core/session/operations/history/WalkOperation.h"
 
 #include <utility>
 

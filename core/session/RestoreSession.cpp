@@ -7,7 +7,7 @@
 #include "core/engine/EngineCommands.h"
 #include "core/refine/mesh/SurfaceDelta.h"
 #include "core/session/operations/EditOperation.h"
-#include "core/session/operations/WalkOperation.h"
+#include "core/session/operations/history/WalkOperation.h"
 
 #include <map>
 #include <utility>

@@ -48,6 +48,7 @@ core::Result<void> GpuEditEngine::openVolume(
         return core::failure(core::ErrorCode::InvalidGeometry, QStringLiteral("volume"),
             QStringLiteral("its size and the number of its codes do not agree"));
     finish();
+    m_expectsRanges = false;
     core::Result<void> opened;
     m_thread.run([&] {
         if (contextLost()) {

@@ -108,7 +108,7 @@ private:
 
     EngineThread& m_thread;
     VolumeTextures& m_textures;
-    std::atomic<bool> m_expectsRanges = false; ///< set on the session's thread
+    std::atomic<bool> m_expectsRanges = false; ///< of what is open; set on the session's thread
 
     // Engine thread.
     EditPrograms m_programs;

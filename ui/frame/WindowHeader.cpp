@@ -8,9 +8,9 @@
 #include "ui/base/Theme.h"
 #include "ui/base/TimeText.h"
 #include "ui/frame/ReadOnlyMark.h"
+#include "ui/menus/SegmentEntries.h"
 #include "ui/menus/SegmentMenus.h"
 #include "ui/widgets/FittingLabel.h"
-#include "ui/workspace/SegmentActions.h"
 #include "ui/workspace/Workspace.h"
 
 #include <QHBoxLayout>

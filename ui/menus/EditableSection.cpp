@@ -2,6 +2,7 @@
 #include "ui/menus/EditableSection.h"
 
 #include "ui/base/Theme.h"
+#include "ui/widgets/ValueField.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -19,18 +20,6 @@ namespace ui {
 namespace {
 
 using Where = EditableSettings::Where;
-
-QDoubleSpinBox* valueBox(QWidget* parent, const char* name)
-{
-    auto* box = new QDoubleSpinBox(parent);
-    box->setObjectName(QLatin1String(name));
-    box->setFixedHeight(theme::controlHeight);
-    box->setKeyboardTracking(false);
-    box->setButtonSymbols(QAbstractSpinBox::NoButtons);
-    box->setRange(-1e6, 1e6);
-    box->setFixedWidth(96);
-    return box;
-}
 
 QCheckBox* choice(QWidget* parent, const char* name, const QString& text)
 {
@@ -52,8 +41,8 @@ EditableSection::EditableSection(Workspace& workspace, QWidget* parent)
     , m_workspace(workspace)
     , m_on(choice(this, "editableOn", tr("editable range: all tools change only voxels")))
     , m_byValue(choice(this, "editableByValue", tr("with values from")))
-    , m_lower(valueBox(this, "editableLower"))
-    , m_upper(valueBox(this, "editableUpper"))
+    , m_lower(valueField(this, "editableLower"))
+    , m_upper(valueField(this, "editableUpper"))
     , m_where(new QComboBox(this))
     , m_boxed(choice(this, "editableBoxed", tr("in the clip box, or else in the box of growth")))
 {
@@ -80,8 +69,10 @@ EditableSection::EditableSection(Workspace& workspace, QWidget* parent)
     connect(&m_workspace, &Workspace::editableChanged, this, &EditableSection::showSettings);
     for (const QCheckBox* each : {m_on, m_byValue, m_boxed})
         connect(each, &QCheckBox::clicked, this, &EditableSection::take);
-    for (const QDoubleSpinBox* each : {m_lower, m_upper})
+    for (QDoubleSpinBox* each : {m_lower, m_upper}) {
+        each->setFixedWidth(valueFieldWidth);
         connect(each, &QDoubleSpinBox::valueChanged, this, &EditableSection::takeValues);
+    }
     connect(m_where, &QComboBox::activated, this, [this] {
         // Who chooses where voxels may change wants that to hold.
         if (m_where->currentData().toPoint() != placeOf(Where::Anywhere))

@@ -4,6 +4,7 @@
 #include "core/session/EditSession.h"
 #include "ui/base/MenuText.h"
 #include "ui/measure/DistanceOfSegments.h"
+#include "ui/menus/SegmentEntries.h"
 #include "ui/workspace/SegmentActions.h"
 #include "ui/workspace/Workspace.h"
 

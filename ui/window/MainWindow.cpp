@@ -18,6 +18,7 @@
 #include "ui/frame/ToolColumn.h"
 #include "ui/frame/WindowHeader.h"
 #include "ui/input/Tool.h"
+#include "ui/menus/SegmentEntries.h"
 #include "ui/menus/SegmentMenus.h"
 #include "ui/settings/RecentStudies.h"
 #include "ui/tasks/MaskImporter.h"
@@ -30,7 +31,6 @@
 #include "ui/window/StageActions.h"
 #include "ui/window/StatusLine.h"
 #include "ui/window/WindowActions.h"
-#include "ui/workspace/SegmentActions.h"
 
 #include <QApplication>
 #include <QDragEnterEvent>

@@ -9,6 +9,7 @@
 #include "ui/dialogs/study/OpenDialogs.h"
 #include "ui/frame/MessageBar.h"
 #include "ui/input/Tool.h"
+#include "ui/menus/SegmentEntries.h"
 #include "ui/menus/SegmentViews.h"
 #include "ui/report/AuditSaver.h"
 #include "ui/tasks/MaskImporter.h"

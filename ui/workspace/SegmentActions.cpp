@@ -18,7 +18,6 @@
 #include "core/edits/kinds/values/ThresholdSegment.h"
 #include "core/session/questions/VoxelQuestions.h"
 #include "ui/base/CountText.h"
-#include "ui/base/MenuText.h"
 #include "ui/base/RowTitleText.h"
 #include "ui/workspace/CuttingPlane.h"
 #include "ui/workspace/Workspace.h"
@@ -110,8 +109,6 @@ double smallIslandMm3(const Workspace& workspace, const core::Segment& segment)
     return std::min(100.0, 0.01 * double(segment.voxels) * spacing.x * spacing.y * spacing.z);
 }
 
-namespace {
-
 void invertSegment(Workspace& workspace, int label)
 {
     core::EditSession* session = workspace.session();
@@ -124,6 +121,8 @@ void invertSegment(Workspace& workspace, int label)
     if (const core::Segment* segment = expected.segment(label))
         workspace.say(QObject::tr("Inverted '%1'; Ctrl+Z takes it back").arg(segment->name));
 }
+
+namespace {
 
 /// The name of a segment; its number if there is none.
 QString nameOfSegment(const Workspace& workspace, int label)
@@ -188,6 +187,19 @@ void carryOut(Workspace& workspace, core::Edit edit, const QString& nothing)
         [&edit](core::EditSession& session) { return session.apply(edit); });
 }
 
+/// @param to label that receives the island; none: nobody
+void aboutIsland(Workspace& workspace, int label, core::IslandRule rule, const glm::dvec3& placeLps,
+    std::optional<int> to)
+{
+    carryOut(workspace,
+        core::CleanSegment{.segment = label, .rule = rule, .islandLps = placeLps, .to = to},
+        rule == core::IslandRule::KeepClicked
+            ? QObject::tr("'%1' is one island already").arg(nameOfSegment(workspace, label))
+            : QObject::tr("'%1' has no island there").arg(nameOfSegment(workspace, label)));
+}
+
+} // namespace
+
 void fillHoles(Workspace& workspace, int label)
 {
     carryOut(workspace, core::CleanSegment{.segment = label, .rule = core::IslandRule::FillHoles},
@@ -214,70 +226,10 @@ void removeSmallIslands(Workspace& workspace, int label)
         QObject::tr("'%1' has no island that is so small").arg(segment->name));
 }
 
-/// @param to label that receives the island; none: nobody
-void aboutIsland(Workspace& workspace, int label, core::IslandRule rule, const glm::dvec3& placeLps,
-    std::optional<int> to)
+void mirrorSegment(Workspace& workspace, const core::MirrorSegment& edit)
 {
-    carryOut(workspace,
-        core::CleanSegment{.segment = label, .rule = rule, .islandLps = placeLps, .to = to},
-        rule == core::IslandRule::KeepClicked
-            ? QObject::tr("'%1' is one island already").arg(nameOfSegment(workspace, label))
-            : QObject::tr("'%1' has no island there").arg(nameOfSegment(workspace, label)));
-}
-
-void askThreshold(Workspace& workspace, int label)
-{
-    const core::EditSession* session = workspace.session();
-    if (session && !session->foreseenDocument().segment(label)) {
-        const core::Result<int> made = ensureActiveSegment(workspace);
-        if (!made)
-            return workspace.fail(made.error());
-        label = *made;
-    }
-    workspace.askForThreshold(label);
-}
-
-void askMargin(Workspace& workspace, int label)
-{
-    workspace.askToReshape(label, core::ShapeOperation::Grow);
-}
-
-void askShell(Workspace& workspace, int label)
-{
-    workspace.askToReshape(label, core::ShapeOperation::Hollow);
-}
-
-void askSmoothing(Workspace& workspace, int label)
-{
-    workspace.askToReshape(label, core::ShapeOperation::Median);
-}
-
-void askBetweenSlices(Workspace& workspace, int label)
-{
-    workspace.askToFillBetween(label);
-}
-
-/// @param placeLps in the plane; none: the middle of the images
-void mirror(Workspace& workspace, int label, core::MirroredSides sides,
-    const std::optional<glm::dvec3>& placeLps)
-{
-    carryOut(workspace, core::MirrorSegment{.segment = label, .sides = sides, .placeLps = placeLps},
-        QObject::tr("'%1' is its own mirror image").arg(nameOfSegment(workspace, label)));
-}
-
-template <core::MirroredSides sides> void mirrorAtMiddle(Workspace& workspace, int label)
-{
-    mirror(workspace, label, sides, std::nullopt);
-}
-
-template <core::MirroredSides sides> void mirrorAtCrosshair(Workspace& workspace, int label)
-{
-    mirror(workspace, label, sides, workspace.crosshairLps());
-}
-
-void askToSplit(Workspace& workspace, int label)
-{
-    workspace.askToSplitIslands(label);
+    carryOut(workspace, edit,
+        QObject::tr("'%1' is its own mirror image").arg(nameOfSegment(workspace, edit.segment)));
 }
 
 /// What lies behind the cutting plane, as its viewer sees it, becomes a new segment.
@@ -298,13 +250,6 @@ void splitByPlane(Workspace& workspace, int label)
             .into = core::usualParts(expected, *segment, 1).front()},
         QObject::tr("all of '%1' lies on one side of the cutting plane").arg(segment->name));
 }
-
-QString whyNoPlane(const Workspace& workspace)
-{
-    return workspace.plane().look().shown ? QString() : QObject::tr("no cutting plane is shown");
-}
-
-} // namespace
 
 void reshapeSegment(Workspace& workspace, const core::ReshapeSegment& edit)
 {
@@ -383,109 +328,6 @@ void swapSegments(Workspace& workspace, int one, int other)
             .segment = one, .with = other, .how = core::CombineSegments::How::Swap},
         QObject::tr("neither '%1' nor '%2' has voxels")
             .arg(nameOfSegment(workspace, one), nameOfSegment(workspace, other)));
-}
-
-QString namedText(const SegmentAction& action, const core::Segment* segment)
-{
-    if (!segment)
-        return action.text;
-    return action.named.isEmpty()
-        ? QStringLiteral("%1 '%2'").arg(action.text, menuText(segment->name))
-        : action.named.arg(menuText(segment->name));
-}
-
-const std::vector<SegmentAction>& segmentActions()
-{
-    static const QString cleanUp = QObject::tr("Clean up"); // as the panel with the same
-    static const std::vector<SegmentAction> all{
-        {.id = "segments.threshold",
-            .text = QObject::tr("Threshold …"),
-            .named = QObject::tr("Threshold for '%1' …"),
-            .run = &askThreshold,
-            .makesFirst = true},
-        {.id = "segments.fillHoles",
-            .text = QObject::tr("Fill holes"),
-            .named = QObject::tr("Fill holes of '%1'"),
-            .run = &fillHoles,
-            .submenu = cleanUp},
-        {.id = "segments.keepLargest",
-            .text = QObject::tr("Keep largest island"),
-            .named = QObject::tr("Keep largest island of '%1'"),
-            .run = &keepLargestIsland,
-            .submenu = cleanUp},
-        {.id = "segments.removeSmall",
-            .text = QObject::tr("Remove small islands"),
-            .named = QObject::tr("Remove small islands of '%1'"),
-            .run = &removeSmallIslands,
-            .submenu = cleanUp},
-        {.id = "segments.splitIslands",
-            .text = QObject::tr("Split islands into segments …"),
-            .named = QObject::tr("Split islands of '%1' into segments …"),
-            .run = &askToSplit,
-            .submenu = cleanUp},
-        {.id = "segments.splitByPlane",
-            .text = QObject::tr("Split by the cutting plane"),
-            .named = QObject::tr("Split '%1' by the cutting plane"),
-            .run = &splitByPlane,
-            .submenu = cleanUp,
-            .whyNot = &whyNoPlane},
-        {.id = "segments.margin",
-            .text = QObject::tr("Grow or shrink by a margin …"),
-            .named = QObject::tr("Grow or shrink '%1' by a margin …"),
-            .run = &askMargin,
-            .submenu = cleanUp},
-        {.id = "segments.hollow",
-            .text = QObject::tr("Hollow …"),
-            .named = QObject::tr("Hollow '%1' …"),
-            .run = &askShell,
-            .submenu = cleanUp},
-        {.id = "segments.smooth",
-            .text = QObject::tr("Smooth …"),
-            .named = QObject::tr("Smooth '%1' …"),
-            .run = &askSmoothing,
-            .submenu = cleanUp},
-        {.id = "segments.fillBetween",
-            .text = QObject::tr("Fill between slices …"),
-            .named = QObject::tr("Fill between slices of '%1' …"),
-            .run = &askBetweenSlices,
-            .submenu = cleanUp},
-        {.id = "segments.mirror",
-            .text = QObject::tr("Mirror left and right"),
-            .named = QObject::tr("Mirror '%1' left and right"),
-            .run = &mirrorAtMiddle<core::MirroredSides::RightLeft>,
-            .submenu = QObject::tr("Mirror")},
-        {.id = "segments.mirrorFrontBack",
-            .text = QObject::tr("Mirror front and back"),
-            .named = QObject::tr("Mirror '%1' front and back"),
-            .run = &mirrorAtMiddle<core::MirroredSides::AnteriorPosterior>,
-            .submenu = QObject::tr("Mirror")},
-        {.id = "segments.mirrorHeadFeet",
-            .text = QObject::tr("Mirror head and feet"),
-            .named = QObject::tr("Mirror '%1' head and feet"),
-            .run = &mirrorAtMiddle<core::MirroredSides::InferiorSuperior>,
-            .submenu = QObject::tr("Mirror")},
-        {.id = "segments.mirrorAtCrosshair",
-            .text = QObject::tr("Mirror left and right at the crosshair"),
-            .named = QObject::tr("Mirror '%1' left and right at the crosshair"),
-            .run = &mirrorAtCrosshair<core::MirroredSides::RightLeft>,
-            .submenu = QObject::tr("Mirror")},
-        {.id = "segments.mirrorFrontBackAtCrosshair",
-            .text = QObject::tr("Mirror front and back at the crosshair"),
-            .named = QObject::tr("Mirror '%1' front and back at the crosshair"),
-            .run = &mirrorAtCrosshair<core::MirroredSides::AnteriorPosterior>,
-            .submenu = QObject::tr("Mirror")},
-        {.id = "segments.mirrorHeadFeetAtCrosshair",
-            .text = QObject::tr("Mirror head and feet at the crosshair"),
-            .named = QObject::tr("Mirror '%1' head and feet at the crosshair"),
-            .run = &mirrorAtCrosshair<core::MirroredSides::InferiorSuperior>,
-            .submenu = QObject::tr("Mirror")},
-        {.id = "segments.invert", .text = QObject::tr("Invert segment"), .run = &invertSegment},
-        {.id = "segments.remove",
-            .text = QObject::tr("Delete segment"),
-            .keys = QKeySequence::Delete,
-            .run = &removeSegment},
-    };
-    return all;
 }
 
 } // namespace ui

@@ -3,19 +3,18 @@
 
 #include "core/base/Result.h"
 
-#include <QKeySequence>
 #include <QString>
 
 #include <glm/glm.hpp>
 
 #include <cstdint>
-#include <vector>
 
 namespace core {
 struct Document;
 struct EvolveContour;
 struct FillBetweenSlices;
 struct FloodFill;
+struct MirrorSegment;
 struct ReshapeSegment;
 struct Segment;
 struct SplitIslands;
@@ -48,6 +47,19 @@ void removeSegment(Workspace& workspace, int label);
 void mergeSegments(Workspace& workspace, int from, int into);
 void swapSegments(Workspace& workspace, int one, int other);
 
+/// The same for holes and islands of a segment; smallIslandMm3() tells which ones are small.
+void fillHoles(Workspace& workspace, int label);
+void keepLargestIsland(Workspace& workspace, int label);
+void removeSmallIslands(Workspace& workspace, int label);
+
+/// The same for a segment that becomes its mirror image, or all that no segment has.
+void mirrorSegment(Workspace& workspace, const core::MirrorSegment& edit);
+void invertSegment(Workspace& workspace, int label);
+
+/// The same for what lies behind the cutting plane, as its viewer sees it: it becomes a new
+/// segment.
+void splitByPlane(Workspace& workspace, int label);
+
 /// The same for what a ball of millimetres makes of a segment.
 void reshapeSegment(Workspace& workspace, const core::ReshapeSegment& edit);
 
@@ -75,23 +87,5 @@ void takeThreshold(Workspace& workspace, const core::ThresholdSegment& edit, boo
 void removeIsland(Workspace& workspace, int label, const glm::dvec3& placeLps);
 void keepOnlyIsland(Workspace& workspace, int label, const glm::dvec3& placeLps);
 void giveIsland(Workspace& workspace, int label, int to, const glm::dvec3& placeLps);
-
-/// What is done to a segment as a whole, and not to one that is locked: in the menu of its row, and
-/// to the active one in the menu Segments.
-struct SegmentAction {
-    const char* id; ///< of the window's action: "segments.remove"
-    QString text; ///< "Delete segment"; with the segment's name behind it where that is said,
-    QString named{}; ///< unless this says it: "Fill holes of '%1'"
-    QKeySequence keys{}; ///< heard in the list of segments alone
-    void (*run)(Workspace& workspace, int label);
-    bool makesFirst = false; ///< where there is no segment yet, one is added for it
-    QString submenu{}; ///< the title of the one in which it stands, beside its like; empty: none
-    /// Why it cannot be done to any segment now, empty if it can; null: it always can.
-    QString (*whyNot)(const Workspace& workspace) = nullptr;
-};
-/// The text with the segment's name, where no list shows whose it is; null: without.
-[[nodiscard]] QString namedText(const SegmentAction& action, const core::Segment* segment);
-/// As menus have them.
-[[nodiscard]] const std::vector<SegmentAction>& segmentActions();
 
 } // namespace ui

@@ -19,10 +19,10 @@
 #include "core/session/operations/DocumentOperation.h"
 #include "core/session/operations/FloodOperation.h"
 #include "core/session/operations/IslandOperation.h"
-#include "core/session/operations/RevertOperation.h"
-#include "core/session/operations/ReviseOperation.h"
 #include "core/session/operations/SurfaceOperation.h"
 #include "core/session/operations/VoxelOperation.h"
+#include "core/session/operations/history/RevertOperation.h"
+#include "core/session/operations/history/ReviseOperation.h"
 
 namespace core {
 

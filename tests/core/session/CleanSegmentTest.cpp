@@ -4,11 +4,10 @@
 #include "core/edits/kinds/segments/ImportMask.h"
 #include "core/session/EditSession.h"
 #include "core/session/questions/VoxelQuestions.h"
-#include "tests/reference/DelayedEngine.h"
-#include "tests/reference/ReferenceEngine.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/PlainEdits.h"
+#include "tests/support/scenes/SessionBench.h"
 #include "tests/support/scenes/SmallStudy.h"
 
 #include <QTest>
@@ -24,27 +23,21 @@ using namespace core;
 
 namespace {
 
-const VolumeGeometry& geometry()
-{
-    static const VolumeGeometry its = test::smallStudy().volume.geometry;
-    return its;
-}
+using test::smallGrid;
 
 std::size_t at(int x, int y, int z)
 {
-    return (std::size_t(z) * std::size_t(geometry().size.y) + std::size_t(y))
-        * std::size_t(geometry().size.x)
+    return (std::size_t(z) * std::size_t(smallGrid().size.y) + std::size_t(y))
+        * std::size_t(smallGrid().size.x)
         + std::size_t(x);
 }
 
 /// A block of 8³ with a hole of 2³ and one of a single voxel, an island of 3³ and a speck.
-struct Bench {
+struct Bench : test::SessionBench {
     Bench(bool delayed, const ImportMask& matter)
-        : late(inner, 11)
+        : SessionBench(delayed)
     {
-        EditEngine& engine = delayed ? static_cast<EditEngine&>(late) : inner;
-        session = *EditSession::create(engine, test::smallStudy(), {.file = {}});
-        QCOMPARE(tried(matter), QString());
+        run(matter);
     }
     explicit Bench(bool delayed = false)
         : Bench(delayed, parts())
@@ -52,7 +45,7 @@ struct Bench {
     }
     [[nodiscard]] static ImportMask parts()
     {
-        std::vector<bool> mask(geometry().voxelCount(), false);
+        std::vector<bool> mask(smallGrid().voxelCount(), false);
         const auto set = [&](const glm::ivec3& from, int side, bool in) {
             for (int z = 0; z < side; ++z) {
                 for (int y = 0; y < side; ++y) {
@@ -72,49 +65,32 @@ struct Bench {
                 runs.append(voxel, 1);
         }
         ImportMask import{.file = QStringLiteral("parts.nii")};
-        import.size = geometry().size;
+        import.size = smallGrid().size;
         import.segments.emplace();
         import.segments->push_back(
             {.name = QStringLiteral("Parts"), .rgb = 7, .code = {}, .voxels = packedRuns(runs)});
         return import;
     }
-    [[nodiscard]] QString tried(const Edit& edit) const
-    {
-        Result<void> done = session->apply(edit);
-        if (done)
-            done = session->settle();
-        return done ? QString() : done.error().arguments.join(QStringLiteral(": "));
-    }
-    [[nodiscard]] std::int64_t voxels(int label = 1) const
-    {
-        const std::vector<std::uint8_t> all = *session->questions().labels(0);
-        return std::count(all.begin(), all.end(), label);
-    }
-    [[nodiscard]] const std::vector<HistoryRow>& rows() const { return session->history().rows(); }
-
-    reference::ReferenceEngine inner;
-    reference::DelayedEngine late;
-    std::unique_ptr<EditSession> session;
 };
 
 constexpr std::int64_t all = 512 - 8 - 1 + 27 + 1;
 
 glm::dvec3 placeOf(const glm::ivec3& voxel)
 {
-    return geometry().toWorld(glm::dvec3(voxel));
+    return smallGrid().toWorld(glm::dvec3(voxel));
 }
 
 /// Three segments that lie about at random, each voxel at most one's.
 ImportMask randomMatter(std::mt19937& random, std::uint32_t percent)
 {
     std::array<VoxelRuns, 3> runs;
-    for (std::size_t voxel = 0; voxel < geometry().voxelCount(); ++voxel) {
+    for (std::size_t voxel = 0; voxel < smallGrid().voxelCount(); ++voxel) {
         const std::uint32_t dice = std::uint32_t(random()) % 100;
         if (dice < 3 * percent)
             runs.at(dice / percent).append(voxel, 1);
     }
     ImportMask import{.file = QStringLiteral("random.nii")};
-    import.size = geometry().size;
+    import.size = smallGrid().size;
     import.segments.emplace();
     for (const VoxelRuns& each : runs)
         import.segments->push_back(
@@ -128,7 +104,7 @@ ImportMask randomMatter(std::mt19937& random, std::uint32_t percent)
 /// The island of a voxel: grown by whole sweeps over the volume until one adds nothing.
 std::vector<bool> islandAround(const std::vector<std::uint8_t>& labels, std::size_t clicked)
 {
-    const glm::ivec3& size = geometry().size;
+    const glm::ivec3& size = smallGrid().size;
     std::vector<bool> island(labels.size(), false);
     island[clicked] = true;
     for (bool grows = true; grows;) {
@@ -157,7 +133,7 @@ std::vector<bool> islandAround(const std::vector<std::uint8_t>& labels, std::siz
 
 double voxelMm3()
 {
-    const glm::dvec3 spacing = geometry().spacingMm();
+    const glm::dvec3 spacing = smallGrid().spacingMm();
     return spacing.x * spacing.y * spacing.z;
 }
 
@@ -295,7 +271,7 @@ private Q_SLOTS:
             std::size_t clicked = std::uint32_t(random()) % before.size();
             while (before[clicked] != 1)
                 clicked = (clicked + 1) % before.size();
-            const auto& size = geometry().size;
+            const auto& size = smallGrid().size;
             CleanSegment edit{.segment = 1, .rule = rule};
             edit.islandLps = placeOf(
                 {int(clicked % std::size_t(size.x)), int(clicked / std::size_t(size.x)) % size.y,
@@ -328,7 +304,7 @@ private Q_SLOTS:
     {
         Bench bench;
         QCOMPARE(bench.tried(test::addSegment("Other")), QString());
-        const glm::dvec3 place = geometry().toWorld({10.0, 10.0, 10.0});
+        const glm::dvec3 place = smallGrid().toWorld({10.0, 10.0, 10.0});
         QCOMPARE(bench.tried(test::paintAt(2, {place}, 0.1)), QString());
         QCOMPARE(bench.voxels(2), std::int64_t(1));
         QCOMPARE(bench.tried(CleanSegment{.segment = 1}), QString());

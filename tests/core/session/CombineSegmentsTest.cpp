@@ -4,12 +4,10 @@
 #include "core/edits/kinds/segments/ImportMask.h"
 #include "core/growth/SeedWord.h"
 #include "core/session/EditSession.h"
-#include "core/session/questions/VoxelQuestions.h"
-#include "tests/reference/DelayedEngine.h"
-#include "tests/reference/ReferenceEngine.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/PlainEdits.h"
+#include "tests/support/scenes/SessionBench.h"
 #include "tests/support/scenes/SmallStudy.h"
 
 #include <QTest>
@@ -26,18 +24,10 @@ namespace {
 
 using How = CombineSegments::How;
 
-struct Bench {
+struct Bench : test::SessionBench {
     explicit Bench(bool delayed = false)
-        : late(inner, 11)
+        : SessionBench(delayed)
     {
-        EditEngine& engine = delayed ? static_cast<EditEngine&>(late) : inner;
-        session = *EditSession::create(engine, test::smallStudy(), {.file = {}});
-    }
-    void run(const Edit& edit)
-    {
-        const Result<void> applied = session->apply(edit);
-        QVERIFY2(applied, qPrintable(applied ? QString() : applied.error().arguments.join(u' ')));
-        QVERIFY(session->settle());
     }
     /// Brain (1) and bone (2), both grown, and an empty segment (3).
     void grow()
@@ -47,22 +37,11 @@ struct Bench {
                  test::addSegment("None")})
             run(edit);
     }
-    [[nodiscard]] std::vector<std::uint8_t> labels() { return *session->questions().labels(0); }
-    [[nodiscard]] std::int64_t voxels(int label)
-    {
-        const std::vector<std::uint8_t> all = labels();
-        return std::count(all.begin(), all.end(), label);
-    }
     [[nodiscard]] std::vector<std::uint32_t> words() const
     {
         reference::DenseFields fields = inner.fields();
         return fields.seedWords(0).values;
     }
-    [[nodiscard]] const std::vector<HistoryRow>& rows() const { return session->history().rows(); }
-
-    reference::ReferenceEngine inner;
-    reference::DelayedEngine late;
-    std::unique_ptr<EditSession> session;
 };
 
 QString spaced(std::int64_t count)

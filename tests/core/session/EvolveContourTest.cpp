@@ -3,21 +3,18 @@
 #include "core/contour/ContourRule.h"
 #include "core/session/EditSession.h"
 #include "core/session/SegmentWork.h"
-#include "core/session/questions/VoxelQuestions.h"
 #include "core/sessionfile/SessionSalvage.h"
 #include "tests/reference/Contour.h"
-#include "tests/reference/DelayedEngine.h"
-#include "tests/reference/ReferenceEngine.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/PlainEdits.h"
+#include "tests/support/scenes/SessionBench.h"
 #include "tests/support/scenes/SmallStudy.h"
 
 #include <QTemporaryDir>
 #include <QTest>
 
 #include <algorithm>
-#include <memory>
 #include <optional>
 #include <random>
 #include <vector>
@@ -40,26 +37,13 @@ LoadedVolume noisyStudy(std::uint32_t seed)
     return study;
 }
 
-struct Bench {
+struct Bench : test::SessionBench {
     explicit Bench(LoadedVolume its, bool delayed = false, const QString& file = {})
-        : study(std::move(its))
-        , late(inner, 11)
+        : SessionBench(delayed, its, file)
+        , study(std::move(its))
     {
-        EditEngine& engine = delayed ? static_cast<EditEngine&>(late) : inner;
-        session = *EditSession::create(engine, study, {.file = file});
-        done(test::addSegment("Organ"));
+        run(test::addSegment("Organ"));
     }
-    void done(const Edit& edit) const { QCOMPARE(tried(edit), QString()); }
-    [[nodiscard]] QString tried(const Edit& edit) const
-    {
-        Result<void> done = session->apply(edit);
-        if (done)
-            done = session->settle();
-        return done ? QString() : done.error().arguments.join(QStringLiteral(": "));
-    }
-    [[nodiscard]] const VolumeGeometry& grid() const { return study.volume.geometry; }
-    [[nodiscard]] Labels labels() const { return *session->questions().labels(0); }
-    [[nodiscard]] const std::vector<HistoryRow>& rows() const { return session->history().rows(); }
     /// By the oracle, voxel by voxel.
     [[nodiscard]] Labels expectedAfter(const EvolveContour& edit, const Labels& before) const
     {
@@ -78,9 +62,6 @@ struct Bench {
     }
 
     LoadedVolume study;
-    reference::ReferenceEngine inner;
-    reference::DelayedEngine late;
-    std::unique_ptr<EditSession> session;
 };
 
 EvolveContour fromBrain()
@@ -122,7 +103,7 @@ private Q_SLOTS:
         edit.edgeGradient = edge > 0 ? 300.0 : 0.0;
         const Labels before = bench.labels();
         const QByteArray hash = bench.session->stateHash();
-        bench.done(edit);
+        bench.run(edit);
         const Labels after = bench.labels();
         QVERIFY(after == bench.expectedAfter(edit, before));
         QVERIFY(std::count(after.begin(), after.end(), 1) > 150);
@@ -138,7 +119,7 @@ private Q_SLOTS:
         edit.bubbleLps.reset();
         edit.bubbleMm = 0.0;
         edit.generations = 4;
-        bench.done(edit);
+        bench.run(edit);
         QVERIFY(bench.labels() == bench.expectedAfter(edit, after));
         EvolveContour whole = fromBrain();
         whole.edge = edge;
@@ -153,15 +134,15 @@ private Q_SLOTS:
         Bench bench(test::smallStudy());
         EvolveContour edit{.segment = 1, .lower = -100.0, .upper = 200.0, .generations = 300};
         const std::size_t rows = bench.rows().size();
-        bench.done(edit);
+        bench.run(edit);
         QCOMPARE(bench.rows().size(), rows);
         edit.bubbleLps = test::pointsInBrain().front();
         edit.bubbleMm = 3.1;
-        bench.done(edit);
+        bench.run(edit);
         QCOMPARE(bench.rows().size(), rows + 1);
         edit.bubbleLps.reset();
         edit.bubbleMm = 0.0;
-        bench.done(edit); // 300 generations are more than it needed
+        bench.run(edit); // 300 generations are more than it needed
         QCOMPARE(bench.rows().size(), rows + 1);
     }
 
@@ -178,12 +159,12 @@ private Q_SLOTS:
         std::mt19937 random(seed);
         const auto below = [&](int limit) { return int(random() % std::uint32_t(limit)); };
         Bench bench(noisyStudy(seed));
-        bench.done(test::addSegment("Other"));
-        bench.done(test::paintAt(2, {bench.grid().toWorld({16.0, 18.0, 16.0})}, 4.0));
+        bench.run(test::addSegment("Other"));
+        bench.run(test::paintAt(2, {bench.geometry().toWorld({16.0, 18.0, 16.0})}, 4.0));
         std::size_t changes = 0;
         for (int step = 0; step < 8; ++step) {
             if (step == 5)
-                bench.done(test::lockSegment(2));
+                bench.run(test::lockSegment(2));
             EvolveContour edit{.segment = 1,
                 .lower = -300.0 + below(300),
                 .upper = 100.0 + below(900),
@@ -197,13 +178,13 @@ private Q_SLOTS:
                 edit.edgeGradient = 50.0 + below(300);
             }
             if (step % 2 == 0) {
-                edit.bubbleLps = bench.grid().toWorld(
+                edit.bubbleLps = bench.geometry().toWorld(
                     {double(12 + below(16)), double(12 + below(12)), double(10 + below(14))});
                 edit.bubbleMm = 2.6 + below(3); // no distance between two voxels
             }
             const Labels before = bench.labels();
             const std::size_t rows = bench.rows().size();
-            bench.done(edit);
+            bench.run(edit);
             const Labels after = bench.labels();
             QVERIFY(after == bench.expectedAfter(edit, before));
             QCOMPARE(bench.rows().size(), before == after ? rows : rows + 1);
@@ -212,7 +193,7 @@ private Q_SLOTS:
         QVERIFY(changes > 3);
         Bench anew(noisyStudy(seed), true);
         for (std::size_t row = 1; row < bench.rows().size(); ++row)
-            anew.done(bench.rows()[row].edit);
+            anew.run(bench.rows()[row].edit);
         QCOMPARE(anew.session->stateHash(), bench.session->stateHash());
     }
 
@@ -234,7 +215,7 @@ private Q_SLOTS:
         refused({.segment = 1, .bubbleLps = test::pointsInBrain().front()}, "bubbleMm");
         QVERIFY(!bench.tried(EvolveContour{.segment = 9}).isEmpty());
         QCOMPARE(bench.rows().size(), rows);
-        bench.done(test::lockSegment(1));
+        bench.run(test::lockSegment(1));
         const Result<void> locked = bench.session->apply(fromBrain());
         QVERIFY(!locked);
         QVERIFY(locked.error().code == ErrorCode::SegmentLocked);

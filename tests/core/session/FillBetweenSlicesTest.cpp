@@ -3,21 +3,18 @@
 #include "core/edits/kinds/segments/PaintStroke.h"
 #include "core/session/EditSession.h"
 #include "core/session/SegmentWork.h"
-#include "core/session/questions/VoxelQuestions.h"
 #include "core/sessionfile/SessionSalvage.h"
 #include "tests/reference/BetweenSlices.h"
-#include "tests/reference/DelayedEngine.h"
-#include "tests/reference/ReferenceEngine.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/PlainEdits.h"
+#include "tests/support/scenes/SessionBench.h"
 #include "tests/support/scenes/SmallStudy.h"
 
 #include <QTemporaryDir>
 #include <QTest>
 
 #include <algorithm>
-#include <memory>
 #include <optional>
 #include <random>
 #include <vector>
@@ -29,60 +26,34 @@ using namespace core;
 namespace {
 
 using Labels = std::vector<std::uint8_t>;
-
-const VolumeGeometry& grid()
-{
-    static const VolumeGeometry its = test::smallStudy().volume.geometry;
-    return its;
-}
+using test::smallGrid;
 
 /// A disc on one slice across an axis.
 Edit discAt(int segment, SliceAxis axis, const glm::dvec3& voxel, double radiusMm)
 {
     PaintStroke stroke{.segment = segment};
     stroke.path.shape = BrushPath::Shape::Disc;
-    stroke.path.normalLps = grid().direction()[alongOf(axis)];
+    stroke.path.normalLps = smallGrid().direction()[alongOf(axis)];
     stroke.path.radiusMm = radiusMm;
-    stroke.path.pointsLps = {grid().toWorld(voxel)};
+    stroke.path.pointsLps = {smallGrid().toWorld(voxel)};
     return stroke;
 }
 
-struct Bench {
+struct Bench : test::SessionBench {
     explicit Bench(bool delayed = false, const QString& file = {})
-        : late(inner, 11)
+        : SessionBench(delayed, test::smallStudy(), file)
     {
-        EditEngine& engine = delayed ? static_cast<EditEngine&>(late) : inner;
-        session = *EditSession::create(engine, test::smallStudy(), {.file = file});
-        done(test::addSegment("Organ"));
-        done(discAt(1, SliceAxis::K, {20.0, 18.0, 8.0}, 6.0));
-        done(discAt(1, SliceAxis::K, {22.0, 18.0, 16.0}, 3.0));
+        run(test::addSegment("Organ"));
+        run(discAt(1, SliceAxis::K, {20.0, 18.0, 8.0}, 6.0));
+        run(discAt(1, SliceAxis::K, {22.0, 18.0, 16.0}, 3.0));
     }
-    void done(const Edit& edit) const { QCOMPARE(tried(edit), QString()); }
-    [[nodiscard]] QString tried(const Edit& edit) const
-    {
-        Result<void> done = session->apply(edit);
-        if (done)
-            done = session->settle();
-        return done ? QString() : done.error().arguments.join(QStringLiteral(": "));
-    }
-    [[nodiscard]] Labels labels() const { return *session->questions().labels(0); }
-    [[nodiscard]] std::int64_t voxels(int label) const
-    {
-        const Labels all = labels();
-        return std::count(all.begin(), all.end(), label);
-    }
-    [[nodiscard]] const std::vector<HistoryRow>& rows() const { return session->history().rows(); }
-
-    reference::ReferenceEngine inner;
-    reference::DelayedEngine late;
-    std::unique_ptr<EditSession> session;
 };
 
 Labels expectedAfter(const FillBetweenSlices& edit, const Labels& before)
 {
     Labels after = before;
     const std::vector<bool> between =
-        reference::voxelsBetween(before, grid(), std::uint8_t(edit.segment), edit.axis);
+        reference::voxelsBetween(before, smallGrid(), std::uint8_t(edit.segment), edit.axis);
     for (std::size_t voxel = 0; voxel < after.size(); ++voxel) {
         if (between[voxel] && before[voxel] == 0)
             after[voxel] = std::uint8_t(edit.segment);
@@ -114,7 +85,7 @@ private Q_SLOTS:
         QVERIFY(drawn > 0);
         const QByteArray hash = bench.session->stateHash();
         const FillBetweenSlices edit{.segment = 1};
-        bench.done(edit);
+        bench.run(edit);
         const Labels after = bench.labels();
         QVERIFY(after == expectedAfter(edit, before));
         const std::int64_t gained = bench.voxels(1) - drawn;
@@ -129,7 +100,7 @@ private Q_SLOTS:
         QCOMPARE(bench.session->stateHash(), changed);
         // There is nothing left to fill, and so no row.
         const std::size_t rows = bench.rows().size();
-        bench.done(edit);
+        bench.run(edit);
         QCOMPARE(bench.rows().size(), rows);
     }
 
@@ -147,20 +118,20 @@ private Q_SLOTS:
         std::mt19937 random(seed);
         const auto below = [&](int limit) { return int(random() % std::uint32_t(limit)); };
         Bench bench;
-        bench.done(test::addSegment("Other"));
+        bench.run(test::addSegment("Other"));
         std::size_t filled = 0;
         for (int step = 0; step < 10; ++step) {
             for (int discs = 1 + below(2); discs > 0; --discs) {
                 const glm::dvec3 voxel{
                     double(4 + below(32)), double(4 + below(28)), double(2 + below(30))};
-                bench.done(discAt(1 + below(2), SliceAxis(below(3)), voxel, 1.0 + below(5)));
+                bench.run(discAt(1 + below(2), SliceAxis(below(3)), voxel, 1.0 + below(5)));
             }
             FillBetweenSlices edit{.segment = 1 + below(2)};
             if (below(3) > 0)
                 edit.axis = SliceAxis(below(3));
             const Labels before = bench.labels();
             const std::size_t rows = bench.rows().size();
-            bench.done(edit);
+            bench.run(edit);
             const Labels after = bench.labels();
             QVERIFY(after == expectedAfter(edit, before));
             QCOMPARE(bench.rows().size(), before == after ? rows : rows + 1);
@@ -169,7 +140,7 @@ private Q_SLOTS:
         QVERIFY(filled > 0);
         Bench anew(true);
         for (std::size_t row = 3; row < bench.rows().size(); ++row)
-            anew.done(bench.rows()[row].edit);
+            anew.run(bench.rows()[row].edit);
         QCOMPARE(anew.session->stateHash(), bench.session->stateHash());
     }
 
@@ -178,16 +149,16 @@ private Q_SLOTS:
     void locksAndOthers()
     {
         Bench bench;
-        bench.done(test::addSegment("Other"));
-        bench.done(discAt(2, SliceAxis::K, {21.0, 18.0, 12.0}, 2.5));
+        bench.run(test::addSegment("Other"));
+        bench.run(discAt(2, SliceAxis::K, {21.0, 18.0, 12.0}, 2.5));
         const std::int64_t others = bench.voxels(2);
         const std::int64_t drawn = bench.voxels(1);
         QVERIFY(others > 4);
-        bench.done(FillBetweenSlices{.segment = 1, .axis = SliceAxis::K});
+        bench.run(FillBetweenSlices{.segment = 1, .axis = SliceAxis::K});
         QCOMPARE(bench.voxels(2), others);
         QVERIFY(bench.voxels(1) > drawn);
         QVERIFY(bench.session->undo() && bench.session->settle());
-        bench.done(test::lockSegment(1));
+        bench.run(test::lockSegment(1));
         const Result<void> locked = bench.session->apply(FillBetweenSlices{.segment = 1});
         QVERIFY(!locked);
         QVERIFY(locked.error().code == ErrorCode::SegmentLocked);
@@ -201,11 +172,11 @@ private Q_SLOTS:
     void nothingToFill()
     {
         Bench bench;
-        bench.done(test::addSegment("Empty"));
+        bench.run(test::addSegment("Empty"));
         const std::size_t rows = bench.rows().size();
-        bench.done(FillBetweenSlices{.segment = 2});
-        bench.done(FillBetweenSlices{.segment = 2, .axis = SliceAxis::I});
-        bench.done(FillBetweenSlices{.segment = 1, .axis = SliceAxis::J}); // a solid disc
+        bench.run(FillBetweenSlices{.segment = 2});
+        bench.run(FillBetweenSlices{.segment = 2, .axis = SliceAxis::I});
+        bench.run(FillBetweenSlices{.segment = 1, .axis = SliceAxis::J}); // a solid disc
         QCOMPARE(bench.rows().size(), rows);
     }
 

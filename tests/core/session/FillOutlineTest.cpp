@@ -3,14 +3,13 @@
 #include "core/edits/EditQuantise.h"
 #include "core/session/EditSession.h"
 #include "core/session/past/RowDependencies.h"
-#include "core/session/questions/VoxelQuestions.h"
-#include "tests/reference/DelayedEngine.h"
 #include "tests/reference/ReferenceEngine.h"
 #include "tests/support/cases/RandomEdits.h"
 #include "tests/support/cases/strokes/StrokeScene.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/PlainEdits.h"
+#include "tests/support/scenes/SessionBench.h"
 #include "tests/support/scenes/SmallStudy.h"
 
 #include <QTest>
@@ -27,40 +26,13 @@ using namespace core;
 namespace {
 
 /// A session with two segments, One and Two.
-struct Bench {
+struct Bench : test::SessionBench {
     explicit Bench(const LoadedVolume& volume = test::smallStudy())
-        : late(inner, 11)
-        , session(*EditSession::create(late, volume, {.file = {}}))
+        : SessionBench(true, volume)
     {
         run(test::addSegment("One"));
         run(test::addSegment("Two"));
     }
-    void run(const Edit& edit)
-    {
-        const Result<void> applied = session->apply(edit);
-        QVERIFY2(applied, qPrintable(applied ? QString() : applied.error().arguments.join(u' ')));
-        QVERIFY(session->settle());
-    }
-    [[nodiscard]] ErrorCode refusal(const FillOutline& edit)
-    {
-        const Result<void> applied = session->apply(edit);
-        return applied ? ErrorCode::Internal : applied.error().code;
-    }
-    [[nodiscard]] std::vector<std::uint8_t> labels() { return *session->questions().labels(0); }
-    [[nodiscard]] std::int64_t voxels(int label)
-    {
-        const std::vector<std::uint8_t> all = labels();
-        return std::count(all.begin(), all.end(), label);
-    }
-    [[nodiscard]] const VolumeGeometry& geometry() const
-    {
-        return session->document().volumes.front().geometry;
-    }
-    [[nodiscard]] const std::vector<HistoryRow>& rows() const { return session->history().rows(); }
-
-    reference::ReferenceEngine inner;
-    reference::DelayedEngine late;
-    std::unique_ptr<EditSession> session;
 };
 
 /// Calls with the position of each voxel, x fastest.

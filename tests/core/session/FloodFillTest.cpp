@@ -2,21 +2,18 @@
 #include "core/edits/kinds/filling/FloodFill.h"
 #include "core/session/EditSession.h"
 #include "core/session/SegmentWork.h"
-#include "core/session/questions/VoxelQuestions.h"
 #include "core/sessionfile/SessionSalvage.h"
-#include "tests/reference/DelayedEngine.h"
 #include "tests/reference/FloodFill.h"
-#include "tests/reference/ReferenceEngine.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/PlainEdits.h"
+#include "tests/support/scenes/SessionBench.h"
 #include "tests/support/scenes/SmallStudy.h"
 
 #include <QTemporaryDir>
 #include <QTest>
 
 #include <algorithm>
-#include <memory>
 #include <optional>
 #include <random>
 #include <vector>
@@ -39,31 +36,13 @@ LoadedVolume noisyStudy(std::uint32_t seed)
     return study;
 }
 
-struct Bench {
+struct Bench : test::SessionBench {
     explicit Bench(LoadedVolume its, bool delayed = false, const QString& file = {})
-        : study(std::move(its))
-        , late(inner, 11)
+        : SessionBench(delayed, its, file)
+        , study(std::move(its))
     {
-        EditEngine& engine = delayed ? static_cast<EditEngine&>(late) : inner;
-        session = *EditSession::create(engine, study, {.file = file});
-        done(test::addSegment("Organ"));
+        run(test::addSegment("Organ"));
     }
-    void done(const Edit& edit) const { QCOMPARE(tried(edit), QString()); }
-    [[nodiscard]] QString tried(const Edit& edit) const
-    {
-        Result<void> done = session->apply(edit);
-        if (done)
-            done = session->settle();
-        return done ? QString() : done.error().arguments.join(QStringLiteral(": "));
-    }
-    [[nodiscard]] const VolumeGeometry& grid() const { return study.volume.geometry; }
-    [[nodiscard]] Labels labels() const { return *session->questions().labels(0); }
-    [[nodiscard]] std::int64_t voxels(int label = 1) const
-    {
-        const Labels all = labels();
-        return std::count(all.begin(), all.end(), label);
-    }
-    [[nodiscard]] const std::vector<HistoryRow>& rows() const { return session->history().rows(); }
     /// By the oracle, voxel by voxel.
     [[nodiscard]] Labels expectedAfter(const FloodFill& edit, const Labels& before) const
     {
@@ -83,9 +62,6 @@ struct Bench {
     }
 
     LoadedVolume study;
-    reference::ReferenceEngine inner;
-    reference::DelayedEngine late;
-    std::unique_ptr<EditSession> session;
 };
 
 glm::dvec3 inBrain()
@@ -121,7 +97,7 @@ private Q_SLOTS:
             edit.within = SliceAxis(within);
         const Labels before = bench.labels();
         const QByteArray hash = bench.session->stateHash();
-        bench.done(edit);
+        bench.run(edit);
         const Labels after = bench.labels();
         QVERIFY(after == bench.expectedAfter(edit, before));
         const std::int64_t gained = bench.voxels();
@@ -138,12 +114,12 @@ private Q_SLOTS:
         QCOMPARE(bench.session->stateHash(), changed);
         // It is all the segment's now, so there is no row.
         const std::size_t rows = bench.rows().size();
-        bench.done(edit);
+        bench.run(edit);
         QCOMPARE(bench.rows().size(), rows);
         // And it goes as it came.
         edit.erase = true;
         edit.tolerance = 0.0;
-        bench.done(edit);
+        bench.run(edit);
         QCOMPARE(bench.voxels(), std::int64_t(0));
         QVERIFY2(bench.rows().back().name.startsWith(within >= 0
                          ? QStringLiteral("Erase a region of 'Organ' in a slice, −")
@@ -164,23 +140,23 @@ private Q_SLOTS:
         std::mt19937 random(seed);
         const auto below = [&](int limit) { return int(random() % std::uint32_t(limit)); };
         Bench bench(noisyStudy(seed));
-        bench.done(test::addSegment("Other"));
-        bench.done(test::paintAt(2, {bench.grid().toWorld({16.0, 18.0, 16.0})}, 4.0));
+        bench.run(test::addSegment("Other"));
+        bench.run(test::paintAt(2, {bench.geometry().toWorld({16.0, 18.0, 16.0})}, 4.0));
         std::size_t filled = 0;
         std::size_t erased = 0;
         for (int step = 0; step < 24; ++step) {
             if (step == 12)
-                bench.done(test::lockSegment(2));
+                bench.run(test::lockSegment(2));
             const glm::dvec3 voxel{
                 double(8 + below(24)), double(8 + below(20)), double(8 + below(18))};
-            FloodFill edit{.segment = 1, .placeLps = bench.grid().toWorld(voxel)};
+            FloodFill edit{.segment = 1, .placeLps = bench.geometry().toWorld(voxel)};
             if (below(2) == 0)
                 edit.within = SliceAxis(below(3));
             edit.corners = below(2) == 0;
             const Labels before = bench.labels();
             const auto at =
-                (std::size_t(voxel.z) * std::size_t(bench.grid().size.y) + std::size_t(voxel.y))
-                    * std::size_t(bench.grid().size.x)
+                (std::size_t(voxel.z) * std::size_t(bench.geometry().size.y) + std::size_t(voxel.y))
+                    * std::size_t(bench.geometry().size.x)
                 + std::size_t(voxel.x);
             edit.erase = before[at] == 1 && below(3) > 0;
             if (!edit.erase) {
@@ -188,7 +164,7 @@ private Q_SLOTS:
                 edit.overwriteUnlocked = below(3) == 0;
             }
             const std::size_t rows = bench.rows().size();
-            bench.done(edit);
+            bench.run(edit);
             const Labels after = bench.labels();
             QVERIFY(after == bench.expectedAfter(edit, before));
             QCOMPARE(bench.rows().size(), before == after ? rows : rows + 1);
@@ -198,7 +174,7 @@ private Q_SLOTS:
         QVERIFY(erased > 0);
         Bench anew(noisyStudy(seed), true);
         for (std::size_t row = 1; row < bench.rows().size(); ++row)
-            anew.done(bench.rows()[row].edit);
+            anew.run(bench.rows()[row].edit);
         QCOMPARE(anew.session->stateHash(), bench.session->stateHash());
     }
 
@@ -218,7 +194,7 @@ private Q_SLOTS:
         QVERIFY(!settled);
         QVERIFY(settled.error().code == ErrorCode::NoIslandThere);
         QCOMPARE(bench.rows().size(), rows);
-        bench.done(test::lockSegment(1));
+        bench.run(test::lockSegment(1));
         for (const bool erase : {false, true}) {
             const Result<void> locked = bench.session->apply(
                 FloodFill{.segment = 1, .placeLps = inBrain(), .erase = erase});

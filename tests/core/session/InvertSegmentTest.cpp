@@ -2,12 +2,10 @@
 #include "core/edits/kinds/segments/InvertSegment.h"
 #include "core/growth/SeedWord.h"
 #include "core/session/EditSession.h"
-#include "core/session/questions/VoxelQuestions.h"
-#include "tests/reference/DelayedEngine.h"
-#include "tests/reference/ReferenceEngine.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/PlainEdits.h"
+#include "tests/support/scenes/SessionBench.h"
 #include "tests/support/scenes/SmallStudy.h"
 
 #include <QTest>
@@ -21,12 +19,10 @@ using namespace core;
 
 namespace {
 
-struct Bench {
+struct Bench : test::SessionBench {
     explicit Bench(bool delayed = false)
-        : late(inner, 11)
+        : SessionBench(delayed)
     {
-        EditEngine& engine = delayed ? static_cast<EditEngine&>(late) : inner;
-        session = *EditSession::create(engine, test::smallStudy(), {.file = {}});
         // Brain (1) and bone (2), both grown, and a seed of each that waits in the air.
         for (const Edit& edit : {test::addSegment("Brain"), test::addSegment("Bone"),
                  test::seedInBrain(1), test::growBrain(), test::seedInBone(2), test::growBone(6),
@@ -38,28 +34,12 @@ struct Bench {
     {
         return test::smallStudy().volume.geometry.toWorld(voxel);
     }
-    void run(const Edit& edit)
-    {
-        const Result<void> applied = session->apply(edit);
-        QVERIFY2(applied, qPrintable(applied ? QString() : applied.error().arguments.join(u' ')));
-        QVERIFY(session->settle());
-    }
-    [[nodiscard]] std::vector<std::uint8_t> labels() { return *session->questions().labels(0); }
-    [[nodiscard]] std::int64_t voxels(int label)
-    {
-        const std::vector<std::uint8_t> all = labels();
-        return std::count(all.begin(), all.end(), label);
-    }
     [[nodiscard]] std::vector<std::uint32_t> words() const
     {
         reference::DenseFields fields = inner.fields();
         return fields.seedWords(0).values;
     }
     [[nodiscard]] const HistoryRow& lastRow() const { return session->history().rows().back(); }
-
-    reference::ReferenceEngine inner;
-    reference::DelayedEngine late;
-    std::unique_ptr<EditSession> session;
 };
 
 QString spaced(std::int64_t count)

@@ -4,12 +4,10 @@
 #include "core/brick/VoxelRuns.h"
 #include "core/edits/kinds/segments/ImportMask.h"
 #include "core/session/EditSession.h"
-#include "core/session/questions/VoxelQuestions.h"
-#include "tests/reference/DelayedEngine.h"
-#include "tests/reference/ReferenceEngine.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/PlainEdits.h"
+#include "tests/support/scenes/SessionBench.h"
 #include "tests/support/scenes/SmallStudy.h"
 
 #include <QTest>
@@ -27,30 +25,19 @@ using namespace core;
 namespace {
 
 using Labels = std::vector<std::uint8_t>;
-
-const VolumeGeometry& grid()
-{
-    static const VolumeGeometry its = test::smallStudy().volume.geometry;
-    return its;
-}
-
-std::size_t indexOf(const glm::ivec3& at)
-{
-    const glm::ivec3& size = grid().size;
-    return (std::size_t(at.z) * std::size_t(size.y) + std::size_t(at.y)) * std::size_t(size.x)
-        + std::size_t(at.x);
-}
+using test::smallGrid;
+using test::smallIndexOf;
 
 /// Specks and blocks of two segments.
 ImportMask anyMatter(std::mt19937& random)
 {
-    Labels labels(grid().voxelCount(), 0);
+    Labels labels(smallGrid().voxelCount(), 0);
     for (const int label : {1, 1, 2}) {
         const glm::ivec3 from{int(random() % 20), int(random() % 20), int(random() % 15)};
         for (int z = from.z; z < from.z + 6; ++z) {
             for (int y = from.y; y < from.y + 7; ++y) {
                 for (int x = from.x; x < from.x + 8; ++x)
-                    labels[indexOf({x, y, z})] = std::uint8_t(label);
+                    labels[smallIndexOf({x, y, z})] = std::uint8_t(label);
             }
         }
     }
@@ -62,7 +49,7 @@ ImportMask anyMatter(std::mt19937& random)
             runs.at(std::size_t(label) - 1).append(voxel, 1);
     }
     ImportMask import{.file = QStringLiteral("matter.nii")};
-    import.size = grid().size;
+    import.size = smallGrid().size;
     import.segments.emplace();
     for (const VoxelRuns& each : runs)
         import.segments->push_back(
@@ -73,51 +60,37 @@ ImportMask anyMatter(std::mt19937& random)
     return import;
 }
 
-struct Bench {
+struct Bench : test::SessionBench {
     Bench(bool delayed, const ImportMask& matter)
-        : late(inner, 7)
+        : SessionBench(delayed)
     {
-        EditEngine& engine = delayed ? static_cast<EditEngine&>(late) : inner;
-        session = *EditSession::create(engine, test::smallStudy(), {});
-        QCOMPARE(tried(matter), QString());
+        run(matter);
     }
-    [[nodiscard]] QString tried(const Edit& edit) const
-    {
-        Result<void> done = session->apply(edit);
-        if (done)
-            done = session->settle();
-        return done ? QString() : done.error().arguments.join(QStringLiteral(": "));
-    }
-    [[nodiscard]] Labels labels() const { return *session->questions().labels(0); }
-
-    reference::ReferenceEngine inner;
-    reference::DelayedEngine late;
-    std::unique_ptr<EditSession> session;
 };
 
 /// Each voxel of the segment is sent to its image first, and then it is looked who is there. The
 /// small study's axes are the patient's.
 Labels mirrored(const Labels& before, const MirrorSegment& edit)
 {
-    const glm::ivec3& size = grid().size;
+    const glm::ivec3& size = smallGrid().size;
     const auto axis = int(edit.sides);
     const double middle = edit.placeLps
-        ? std::floor(2.0 * grid().toIndex(*edit.placeLps)[axis] + 0.5) / 2.0
+        ? std::floor(2.0 * smallGrid().toIndex(*edit.placeLps)[axis] + 0.5) / 2.0
         : double(size[axis] - 1) / 2.0;
     Labels images(before.size(), 0);
     Labels after = before;
     for (int z = 0; z < size.z; ++z) {
         for (int y = 0; y < size.y; ++y) {
             for (int x = 0; x < size.x; ++x) {
-                if (before[indexOf({x, y, z})] != edit.segment)
+                if (before[smallIndexOf({x, y, z})] != edit.segment)
                     continue;
                 if (!edit.keep)
-                    after[indexOf({x, y, z})] = 0;
+                    after[smallIndexOf({x, y, z})] = 0;
                 glm::dvec3 image(x, y, z);
                 image[axis] += 2.0 * (middle - image[axis]);
                 const glm::ivec3 voxel(image + 0.25);
-                if (image[axis] > -0.5 && grid().contains(voxel))
-                    images[indexOf(voxel)] = 1;
+                if (image[axis] > -0.5 && smallGrid().contains(voxel))
+                    images[smallIndexOf(voxel)] = 1;
             }
         }
     }
@@ -157,7 +130,7 @@ private Q_SLOTS:
             if (step >= 3) {
                 const glm::dvec3 half{double(10 + random() % 30), double(10 + random() % 30),
                     double(6 + random() % 20)};
-                edit.placeLps = grid().toWorld(0.5 * half + 0.1);
+                edit.placeLps = smallGrid().toWorld(0.5 * half + 0.1);
             }
             const Labels before = bench.labels();
             const QByteArray hash = bench.session->stateHash();
@@ -185,8 +158,8 @@ private Q_SLOTS:
     {
         std::mt19937 random(1);
         Bench bench(false, anyMatter(random));
-        const QString outside =
-            bench.tried(MirrorSegment{.segment = 1, .placeLps = grid().toWorld({-3.0, 5.0, 5.0})});
+        const QString outside = bench.tried(
+            MirrorSegment{.segment = 1, .placeLps = smallGrid().toWorld({-3.0, 5.0, 5.0})});
         QVERIFY2(
             outside.startsWith(QStringLiteral("mirrorSegment.placeLps: ")), qPrintable(outside));
         QVERIFY(!bench.tried(MirrorSegment{.segment = 7}).isEmpty());

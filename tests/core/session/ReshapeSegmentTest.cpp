@@ -5,13 +5,11 @@
 #include "core/edits/kinds/segments/ImportMask.h"
 #include "core/session/EditSession.h"
 #include "core/session/SegmentWork.h"
-#include "core/session/questions/VoxelQuestions.h"
 #include "core/sessionfile/SessionSalvage.h"
-#include "tests/reference/DelayedEngine.h"
-#include "tests/reference/ReferenceEngine.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/PlainEdits.h"
+#include "tests/support/scenes/SessionBench.h"
 #include "tests/support/scenes/SmallStudy.h"
 
 #include <QTemporaryDir>
@@ -29,19 +27,8 @@ using namespace core;
 namespace {
 
 using Labels = std::vector<std::uint8_t>;
-
-const VolumeGeometry& grid()
-{
-    static const VolumeGeometry its = test::smallStudy().volume.geometry;
-    return its;
-}
-
-std::size_t indexOf(const glm::ivec3& at)
-{
-    const glm::ivec3& size = grid().size;
-    return (std::size_t(at.z) * std::size_t(size.y) + std::size_t(at.y)) * std::size_t(size.x)
-        + std::size_t(at.x);
-}
+using test::smallGrid;
+using test::smallIndexOf;
 
 /// A block of 12 × 12 × 8 voxels, 12 mm along each axis, beside which nothing is.
 const glm::ivec3 blockFrom(10, 10, 10);
@@ -51,7 +38,7 @@ constexpr std::int64_t blockVoxels = 12 * 12 * 8;
 ImportMask importOf(const std::vector<VoxelRuns>& segments)
 {
     ImportMask import{.file = QStringLiteral("matter.nii")};
-    import.size = grid().size;
+    import.size = smallGrid().size;
     import.segments.emplace();
     for (const VoxelRuns& each : segments)
         import.segments->push_back(
@@ -67,7 +54,7 @@ ImportMask block()
     VoxelRuns runs;
     for (int z = blockFrom.z; z < blockTo.z; ++z) {
         for (int y = blockFrom.y; y < blockTo.y; ++y)
-            runs.append(indexOf({blockFrom.x, y, z}), 12);
+            runs.append(smallIndexOf({blockFrom.x, y, z}), 12);
     }
     return importOf({runs});
 }
@@ -75,8 +62,8 @@ ImportMask block()
 /// Two segments of random blocks, and specks of both.
 ImportMask randomMatter(std::mt19937& random)
 {
-    const glm::ivec3& size = grid().size;
-    Labels labels(grid().voxelCount(), 0);
+    const glm::ivec3& size = smallGrid().size;
+    Labels labels(smallGrid().voxelCount(), 0);
     for (const int label : {1, 2, 1, 2, 1, 1}) {
         const glm::ivec3 from{int(random() % 26), int(random() % 24), int(random() % 24)};
         const glm::ivec3 sides{
@@ -85,7 +72,7 @@ ImportMask randomMatter(std::mt19937& random)
         for (int z = from.z; z < to.z; ++z) {
             for (int y = from.y; y < to.y; ++y) {
                 for (int x = from.x; x < to.x; ++x)
-                    labels[indexOf({x, y, z})] = std::uint8_t(label);
+                    labels[smallIndexOf({x, y, z})] = std::uint8_t(label);
             }
         }
     }
@@ -99,50 +86,30 @@ ImportMask randomMatter(std::mt19937& random)
     return importOf({runs[0], runs[1]});
 }
 
-struct Bench {
+struct Bench : test::SessionBench {
     explicit Bench(
         bool delayed = false, const ImportMask& matter = block(), const QString& file = {})
-        : late(inner, 11)
+        : SessionBench(delayed, test::smallStudy(), file)
     {
-        EditEngine& engine = delayed ? static_cast<EditEngine&>(late) : inner;
-        session = *EditSession::create(engine, test::smallStudy(), {.file = file});
-        QCOMPARE(tried(matter), QString());
+        run(matter);
     }
-    [[nodiscard]] QString tried(const Edit& edit) const
-    {
-        Result<void> done = session->apply(edit);
-        if (done)
-            done = session->settle();
-        return done ? QString() : done.error().arguments.join(QStringLiteral(": "));
-    }
-    [[nodiscard]] Labels labels() const { return *session->questions().labels(0); }
-    [[nodiscard]] std::int64_t voxels(int label = 1) const
-    {
-        const Labels all = labels();
-        return std::count(all.begin(), all.end(), label);
-    }
-    [[nodiscard]] const std::vector<HistoryRow>& rows() const { return session->history().rows(); }
-
-    reference::ReferenceEngine inner;
-    reference::DelayedEngine late;
-    std::unique_ptr<EditSession> session;
 };
 
 bool isNear(const glm::ivec3& one, const glm::ivec3& other, double mm)
 {
-    return glm::length(glm::dvec3(one - other) * grid().spacingMm()) <= mm + 1e-9;
+    return glm::length(glm::dvec3(one - other) * smallGrid().spacingMm()) <= mm + 1e-9;
 }
 
 /// Whether a voxel within so many millimetres is the label's, or is not.
 bool hasNear(const Labels& labels, const glm::ivec3& at, double mm, int label, bool own)
 {
-    const glm::ivec3 reach(glm::ceil(mm / grid().spacingMm()));
+    const glm::ivec3 reach(glm::ceil(mm / smallGrid().spacingMm()));
     const glm::ivec3 from = glm::max(at - reach, glm::ivec3(0));
-    const glm::ivec3 to = glm::min(at + reach, grid().size - 1);
+    const glm::ivec3 to = glm::min(at + reach, smallGrid().size - 1);
     for (int z = from.z; z <= to.z; ++z) {
         for (int y = from.y; y <= to.y; ++y) {
             for (int x = from.x; x <= to.x; ++x) {
-                if ((labels[indexOf({x, y, z})] == label) == own && isNear({x, y, z}, at, mm))
+                if ((labels[smallIndexOf({x, y, z})] == label) == own && isNear({x, y, z}, at, mm))
                     return true;
             }
         }
@@ -154,13 +121,13 @@ bool hasNear(const Labels& labels, const glm::ivec3& at, double mm, int label, b
 Labels expectedAfter(const ReshapeSegment& edit, const Labels& before)
 {
     Labels after = before;
-    const glm::ivec3& size = grid().size;
+    const glm::ivec3& size = smallGrid().size;
     const ShellPlace shell = edit.shell.value_or(ShellPlace::Inside);
     const double mm = shell == ShellPlace::Centred ? edit.mm / 2.0 : edit.mm;
     for (int z = 0; z < size.z; ++z) {
         for (int y = 0; y < size.y; ++y) {
             for (int x = 0; x < size.x; ++x) {
-                std::uint8_t& label = after[indexOf({x, y, z})];
+                std::uint8_t& label = after[smallIndexOf({x, y, z})];
                 const bool own = label == edit.segment;
                 if (!own && label != 0)
                     continue;
@@ -269,7 +236,7 @@ private Q_SLOTS:
     {
         Bench bench;
         const auto placeOf = [](const glm::ivec3& voxel) {
-            return grid().toWorld(glm::dvec3(voxel));
+            return smallGrid().toWorld(glm::dvec3(voxel));
         };
         QCOMPARE(bench.tried(test::eraseAt(1, {placeOf({15, 15, 14})}, 0.1)), QString());
         QCOMPARE(bench.tried(test::paintAt(1, {placeOf({30, 15, 14})}, 0.1)), QString());
@@ -287,7 +254,7 @@ private Q_SLOTS:
         QCOMPARE(bench.tried(
                      ReshapeSegment{.segment = 1, .operation = ShapeOperation::Median, .mm = 1.0}),
             QString());
-        QCOMPARE(int(bench.labels()[indexOf({30, 15, 14})]), 0);
+        QCOMPARE(int(bench.labels()[smallIndexOf({30, 15, 14})]), 0);
         QVERIFY(
             bench.rows().back().name.startsWith(QStringLiteral("Smooth 'Matter 1' by 1 mm, −")));
     }
@@ -348,8 +315,8 @@ private Q_SLOTS:
         VoxelRuns right;
         for (int z = 10; z < 18; ++z) {
             for (int y = 10; y < 22; ++y) {
-                left.append(indexOf({10, y, z}), y % 2 == 0 ? 6 : 7);
-                right.append(indexOf({y % 2 == 0 ? 16 : 17, y, z}), y % 2 == 0 ? 7 : 6);
+                left.append(smallIndexOf({10, y, z}), y % 2 == 0 ? 6 : 7);
+                right.append(smallIndexOf({y % 2 == 0 ? 16 : 17, y, z}), y % 2 == 0 ? 7 : 6);
             }
         }
         for (const bool delayed : {false, true}) {
@@ -368,13 +335,14 @@ private Q_SLOTS:
                 for (int y = 13; y < 19; ++y) {
                     // The teeth are one voxel long; none of their voxels is nobody's, and within
                     // one voxel of them no border has moved farther.
-                    QVERIFY(after[indexOf({16, y, z})] == 1 || after[indexOf({16, y, z})] == 2);
-                    QCOMPARE(int(after[indexOf({15, y, z})]), 1);
-                    QCOMPARE(int(after[indexOf({17, y, z})]), 2);
+                    QVERIFY(after[smallIndexOf({16, y, z})] == 1
+                        || after[smallIndexOf({16, y, z})] == 2);
+                    QCOMPARE(int(after[smallIndexOf({15, y, z})]), 1);
+                    QCOMPARE(int(after[smallIndexOf({17, y, z})]), 2);
                 }
             }
-            QCOMPARE(int(after[indexOf({10, 10, 10})]), 0);
-            QCOMPARE(int(after[indexOf({22, 10, 10})]), 0);
+            QCOMPARE(int(after[smallIndexOf({10, 10, 10})]), 0);
+            QCOMPARE(int(after[smallIndexOf({22, 10, 10})]), 0);
             QVERIFY(bench.session->undo() && bench.session->settle());
             QVERIFY(bench.labels() == before);
             QCOMPARE(bench.session->stateHash(), hash);
@@ -388,8 +356,8 @@ private Q_SLOTS:
     {
         Bench bench;
         QCOMPARE(bench.tried(test::addSegment("Other")), QString());
-        QCOMPARE(
-            bench.tried(test::paintAt(2, {grid().toWorld({23.0, 15.0, 14.0})}, 1.2)), QString());
+        QCOMPARE(bench.tried(test::paintAt(2, {smallGrid().toWorld({23.0, 15.0, 14.0})}, 1.2)),
+            QString());
         const std::int64_t others = bench.voxels(2);
         QVERIFY(others > 1);
         QCOMPARE(bench.tried(ReshapeSegment{.segment = 1, .mm = 4.0}), QString());

@@ -7,14 +7,13 @@
 #include "core/edits/kinds/segments/LayerToSegment.h"
 #include "core/session/EditSession.h"
 #include "core/session/past/RowDependencies.h"
-#include "core/session/questions/VoxelQuestions.h"
-#include "tests/reference/DelayedEngine.h"
 #include "tests/reference/ReferenceEngine.h"
 #include "tests/support/cases/RandomEdits.h"
 #include "tests/support/cases/strokes/StrokeScene.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/PlainEdits.h"
+#include "tests/support/scenes/SessionBench.h"
 
 #include <QTest>
 
@@ -32,12 +31,10 @@ namespace {
 constexpr int side = 24; // voxels of 1 mm
 
 /// A session with the segments One, Two and Three; voxels of 1 mm, or those of a document.
-struct Bench {
+struct Bench : test::SessionBench {
     explicit Bench(const Document& scene = plainScene())
-        : late(inner, 7)
-        , session(*EditSession::create(late,
-              test::loaded(scene, test::constantVolume(scene.volumes.front().geometry.size, 100)),
-              {.file = {}}))
+        : SessionBench(true,
+            test::loaded(scene, test::constantVolume(scene.volumes.front().geometry.size, 100)))
     {
         for (const char* name : {"One", "Two", "Three"})
             run(test::segmentNamed(name));
@@ -49,32 +46,6 @@ struct Bench {
         scene.volumes.front().geometry.size = glm::ivec3(side);
         return scene;
     }
-    void run(const Edit& edit)
-    {
-        const Result<void> applied = session->apply(edit);
-        QVERIFY2(applied, qPrintable(applied ? QString() : applied.error().arguments.join(u' ')));
-        QVERIFY(session->settle());
-    }
-    [[nodiscard]] ErrorCode refusal(const SegmentScissors& edit)
-    {
-        const Result<void> applied = session->apply(edit);
-        return applied ? ErrorCode::Internal : applied.error().code;
-    }
-    [[nodiscard]] std::vector<std::uint8_t> labels() { return *session->questions().labels(0); }
-    [[nodiscard]] std::int64_t voxels(int label)
-    {
-        const std::vector<std::uint8_t> all = labels();
-        return std::count(all.begin(), all.end(), label);
-    }
-    [[nodiscard]] const VolumeGeometry& geometry() const
-    {
-        return session->document().volumes.front().geometry;
-    }
-    [[nodiscard]] const std::vector<HistoryRow>& rows() const { return session->history().rows(); }
-
-    reference::ReferenceEngine inner;
-    reference::DelayedEngine late;
-    std::unique_ptr<EditSession> session;
 };
 
 template <class Visit> void forEachVoxel(const glm::ivec3& size, Visit visit)

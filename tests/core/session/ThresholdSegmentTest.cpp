@@ -4,13 +4,13 @@
 #include "core/growth/ProbedVoxel.h"
 #include "core/session/EditSession.h"
 #include "core/session/questions/VoxelQuestions.h"
-#include "tests/reference/DelayedEngine.h"
 #include "tests/reference/ReferenceEngine.h"
 #include "tests/support/cases/RandomEdits.h"
 #include "tests/support/cases/strokes/StrokeScene.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/PlainEdits.h"
+#include "tests/support/scenes/SessionBench.h"
 #include "tests/support/scenes/SmallStudy.h"
 
 #include <QTest>
@@ -28,37 +28,14 @@ using Labels = std::vector<std::uint8_t>;
 using Mode = ThresholdSegment::Mode;
 
 /// A session with three segments.
-struct Bench {
+struct Bench : test::SessionBench {
     explicit Bench(const LoadedVolume& volume = test::smallStudy())
-        : late(inner, 11)
-        , session(*EditSession::create(late, volume, {.file = {}}))
+        : SessionBench(true, volume)
     {
         for (const char* name : {"One", "Two", "Three"})
             run(test::addSegment(name));
     }
-    void run(const Edit& edit)
-    {
-        const Result<void> applied = session->apply(edit);
-        QVERIFY2(applied, qPrintable(applied ? QString() : applied.error().arguments.join(u' ')));
-        QVERIFY(session->settle());
-    }
-    [[nodiscard]] ErrorCode refusal(const ThresholdSegment& edit)
-    {
-        const Result<void> applied = session->apply(edit);
-        return applied ? ErrorCode::Internal : applied.error().code;
-    }
-    [[nodiscard]] Labels labels() { return *session->questions().labels(0); }
-    [[nodiscard]] std::int64_t voxels(int label)
-    {
-        const Labels all = labels();
-        return std::count(all.begin(), all.end(), label);
-    }
-    [[nodiscard]] const std::vector<HistoryRow>& rows() const { return session->history().rows(); }
     [[nodiscard]] QString lastName() const { return rows().back().name; }
-
-    reference::ReferenceEngine inner;
-    reference::DelayedEngine late;
-    std::unique_ptr<EditSession> session;
 };
 
 std::int64_t voxelsOfValue(double value)

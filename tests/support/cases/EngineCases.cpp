@@ -23,6 +23,27 @@ void appendSeeds(std::vector<EngineStep>& steps, core::SeedPlacement seeds, int 
     appendWhole(steps, std::move(seeds));
 }
 
+bool appendBetween(std::vector<EngineStep>& steps, int what, std::uint8_t plane,
+    const glm::ivec3& size, Random& random)
+{
+    switch (what) {
+    case 0: {
+        core::SeedPlacement seeds{
+            .plane = plane, .label = std::uint8_t(randomInt(random, 1, 4)), .voxels = {}};
+        appendSeeds(steps, seeds, randomInt(random, 0, 40), size, random);
+        return true;
+    }
+    case 1:
+        appendBurst(steps, {.plane = plane, .lowCode = 0, .highCode = 65535}, 3);
+        return true;
+    case 2:
+        steps.push_back(random() % 2 ? EngineStep(Undo{}) : EngineStep(Redo{}));
+        return true;
+    default:
+        return false;
+    }
+}
+
 std::vector<EngineCase> refusalCases()
 {
     using namespace core;

@@ -4,6 +4,7 @@
 #include "tests/support/cases/EngineConformance.h"
 #include "tests/support/scenes/TestVolumes.h"
 
+#include <cstdint>
 #include <vector>
 
 namespace test {
@@ -14,6 +15,11 @@ void appendBurst(std::vector<EngineStep>& steps, const core::GrowBurst& burst, i
 
 /// Steps for seeds at so many random places more.
 void appendSeeds(std::vector<EngineStep>& steps, core::SeedPlacement seeds, int count,
+    const glm::ivec3& size, Random& random);
+
+/// Steps that come between edits of labels: 0 seeds, 1 a growth, 2 undo or redo.
+/// @return whether it is one of these
+bool appendBetween(std::vector<EngineStep>& steps, int what, std::uint8_t plane,
     const glm::ivec3& size, Random& random);
 
 // The cases of the conformance suite: first named and adversarial ones, then random ones.

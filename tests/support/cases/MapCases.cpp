@@ -81,15 +81,8 @@ EngineCase randomMapping(int number)
             core::SwapBricks{bricksOf(labelBoxes(size, 6, random), core::Field::Labels, 0)}));
     for (int edit = randomInt(random, 4, 12); edit > 0; --edit) {
         const auto plane = std::uint8_t(random() % 6 ? 0 : 1);
-        switch (random() % 6) {
-        case 0: {
-            core::SeedPlacement seeds{
-                .plane = plane, .label = std::uint8_t(randomInt(random, 1, 4)), .voxels = {}};
-            for (int i = randomInt(random, 0, 40); i > 0; --i)
-                seeds.voxels.push_back(randomVoxel(random, size));
-            appendWhole(made.steps, seeds);
-            break;
-        }
+        const int what = int(random() % 6);
+        switch (what) {
         case 1: {
             core::GrowBurst burst{.plane = plane, .lowCode = 0, .highCode = 65535};
             for (std::size_t label = 1; label < 6; ++label)
@@ -97,9 +90,6 @@ EngineCase randomMapping(int number)
             appendGrowth(made.steps, burst, 3);
             break;
         }
-        case 2:
-            made.steps.push_back(random() % 2 ? EngineStep(Undo{}) : EngineStep(Redo{}));
-            break;
         case 3: {
             Shrink shrink;
             shrink.shrink.plane = plane;
@@ -108,8 +98,9 @@ EngineCase randomMapping(int number)
             break;
         }
         default:
-            appendWhole(made.steps, randomMap(plane, random), {},
-                random() % 5 ? core::Ending::Commit : core::Ending::Rollback);
+            if (!appendBetween(made.steps, what, plane, size, random))
+                appendWhole(made.steps, randomMap(plane, random), {},
+                    random() % 5 ? core::Ending::Commit : core::Ending::Rollback);
             break;
         }
     }

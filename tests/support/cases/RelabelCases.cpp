@@ -86,26 +86,15 @@ EngineCase randomRelabelling(int number)
             core::SwapBricks{bricksOf(labelBoxes(size, 6, random), core::Field::Labels, 0)}));
     for (int edit = randomInt(random, 4, 12); edit > 0; --edit) {
         const auto plane = std::uint8_t(random() % 6 ? 0 : 1);
-        switch (random() % 6) {
-        case 0: {
-            core::SeedPlacement seeds{
-                .plane = plane, .label = std::uint8_t(randomInt(random, 1, 4)), .voxels = {}};
-            appendSeeds(made.steps, seeds, randomInt(random, 0, 40), size, random);
-            break;
-        }
-        case 1:
+        const int what = int(random() % 6);
+        if (what == 1) {
             made.steps.push_back(BeginGrowth{{.plane = plane, .lowCode = 0, .highCode = 65535}});
             made.steps.push_back(command(core::ExtendEdit{core::GrowAdvance{3}}));
             made.steps.push_back(command(randomBox(size, random))); // while it is open
             made.steps.push_back(command(core::EndEdit{}));
-            break;
-        case 2:
-            made.steps.push_back(random() % 2 ? EngineStep(Undo{}) : EngineStep(Redo{}));
-            break;
-        default:
+        } else if (!appendBetween(made.steps, what, plane, size, random)) {
             appendWhole(made.steps, randomRelabelList(size, plane, random), {},
                 random() % 5 ? core::Ending::Commit : core::Ending::Rollback);
-            break;
         }
     }
     made.steps.push_back(command(randomBox(size, random)));

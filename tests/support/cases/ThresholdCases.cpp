@@ -92,29 +92,16 @@ EngineCase randomThresholds(int number)
             core::SwapBricks{bricksOf(labelBoxes(size, 6, random), core::Field::Labels, 0)}));
     for (int edit = randomInt(random, 4, 12); edit > 0; --edit) {
         const auto plane = std::uint8_t(random() % 6 ? 0 : 1);
-        switch (random() % 8) {
-        case 0: {
-            core::SeedPlacement seeds{
-                .plane = plane, .label = std::uint8_t(randomInt(random, 1, 4)), .voxels = {}};
-            appendSeeds(made.steps, seeds, randomInt(random, 0, 40), size, random);
-            break;
-        }
-        case 1:
-            appendBurst(made.steps, {.plane = plane, .lowCode = 0, .highCode = 65535}, 3);
-            break;
-        case 2:
-            made.steps.push_back(random() % 2 ? EngineStep(Undo{}) : EngineStep(Redo{}));
-            break;
-        case 3: {
+        const int what = int(random() % 8);
+        if (appendBetween(made.steps, what, plane, size, random))
+            continue;
+        if (what == 3) {
             core::MuteLayers mute;
             mute.muted[1] = random() % 2;
             made.steps.push_back(command(mute));
-            break;
-        }
-        default:
+        } else {
             appendWhole(made.steps, randomThreshold(size, plane, random), {},
                 random() % 5 ? core::Ending::Commit : core::Ending::Rollback);
-            break;
         }
     }
     return made;

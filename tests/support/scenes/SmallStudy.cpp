@@ -42,6 +42,19 @@ core::LoadedVolume smallStudy()
     return loaded;
 }
 
+const core::VolumeGeometry& smallGrid()
+{
+    static const core::VolumeGeometry grid = smallStudy().volume.geometry;
+    return grid;
+}
+
+std::size_t smallIndexOf(const glm::ivec3& voxel)
+{
+    const glm::ivec3& size = smallGrid().size;
+    return (std::size_t(voxel.z) * std::size_t(size.y) + std::size_t(voxel.y)) * std::size_t(size.x)
+        + std::size_t(voxel.x);
+}
+
 std::vector<glm::dvec3> pointsInBrain()
 {
     return {middle, middle + glm::dvec3(2, 0, 0)};

@@ -7,6 +7,7 @@
 
 #include <glm/glm.hpp>
 
+#include <cstddef>
 #include <optional>
 #include <vector>
 
@@ -15,6 +16,9 @@ namespace test {
 /// A study that is small enough for the oracle: 40 × 36 × 34 voxels of 1 × 1 × 1.5 mm, a hollow
 /// ball of "bone" (1000 HU) with "brain" (40 HU) inside, in air (−1000 HU); value = code − 1024.
 [[nodiscard]] core::LoadedVolume smallStudy();
+/// Its grid, and the place of a voxel in it, x fastest.
+[[nodiscard]] const core::VolumeGeometry& smallGrid();
+[[nodiscard]] std::size_t smallIndexOf(const glm::ivec3& voxel);
 
 /// Two points in the brain, and one in the bone; LPS.
 [[nodiscard]] std::vector<glm::dvec3> pointsInBrain();

@@ -59,7 +59,6 @@ struct Fixture : test::WindowFixture {
         if (!mask.open(QIODevice::WriteOnly) || mask.write(text + labels) <= 0)
             qFatal("cannot write %s", qPrintable(file));
     }
-    [[nodiscard]] core::EditSession& session() { return *workspace.session(); }
     [[nodiscard]] ui::MaskImporter& importer() { return window.importer(); }
     /// The dialog, once the file has been read.
     [[nodiscard]] ui::MaskOrderDialog* asked()

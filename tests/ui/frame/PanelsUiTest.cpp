@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/support/fixtures/WindowFixture.h"
+#include "tests/support/program/OwnSettings.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/PlainEdits.h"
 #include "ui/frame/PanelColumn.h"
@@ -21,8 +22,6 @@
 #include <QPushButton>
 #include <QScreen>
 #include <QScrollBar>
-#include <QSettings>
-#include <QTemporaryDir>
 #include <QTest>
 #include <QToolButton>
 
@@ -121,15 +120,10 @@ class PanelsUiTest : public QObject {
     Q_OBJECT
 
 private:
-    QTemporaryDir m_settings;
+    test::OwnSettings m_settings;
 
 private Q_SLOTS:
-    void initTestCase()
-    {
-        QCoreApplication::setOrganizationName(QStringLiteral("burin-test"));
-        QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, m_settings.path());
-    }
-    void init() { QSettings().clear(); }
+    void init() { m_settings.clear(); }
 
     void picturesTakeThreeQuarters()
     {

@@ -30,12 +30,6 @@ public:
         QObject::connect(
             &workspace, &ui::Workspace::viewsCentred, &listener, [this] { ++centred; });
     }
-    [[nodiscard]] core::EditSession& session() { return *workspace.session(); }
-    void apply(const core::Edit& edit)
-    {
-        QVERIFY(session().apply(edit));
-        QVERIFY(session().settle());
-    }
     [[nodiscard]] glm::dvec3 placeOf(const glm::dvec3& voxel) const
     {
         return workspace.volume()->geometry.toWorld(voxel);

@@ -48,14 +48,8 @@ struct Fixture : test::WindowFixture {
             ui::Workspace::Brush::Paint, {.radiusMm = 10.0, .overwriteUnlocked = true});
         workspace.setActiveTool(&paint);
     }
-    [[nodiscard]] core::EditSession& session() { return *workspace.session(); }
     [[nodiscard]] Labels labels() { return *session().questions().labels(0); }
     [[nodiscard]] const core::Edit& lastEdit() { return session().history().rows().back().edit; }
-    void apply(const core::Edit& edit)
-    {
-        QVERIFY(session().apply(edit));
-        QVERIFY(session().settle());
-    }
     void dab()
     {
         ui::SliceView& slice = window.views().axial();

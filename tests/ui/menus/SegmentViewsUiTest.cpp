@@ -5,6 +5,7 @@
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/fixtures/WindowFixture.h"
 #include "tests/support/fixtures/WorkspaceFixture.h"
+#include "tests/support/program/OwnSettings.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/PlainEdits.h"
 #include "tests/support/scenes/SmallStudy.h"
@@ -20,7 +21,6 @@
 #include <QMouseEvent>
 #include <QSettings>
 #include <QSignalSpy>
-#include <QTemporaryDir>
 #include <QTest>
 #include <QTimer>
 
@@ -45,16 +45,10 @@ public:
         workspace.setActiveSegment(1);
         axial().setFocus();
     }
-    [[nodiscard]] core::EditSession& session() { return *workspace.session(); }
     [[nodiscard]] ui::SliceView& axial() { return window.views().axial(); }
     [[nodiscard]] QAction& action(const char* id)
     {
         return window.actionTable()[QLatin1String(id)];
-    }
-    void apply(const core::Edit& edit)
-    {
-        QVERIFY(session().apply(edit));
-        QVERIFY(session().settle());
     }
     void settle()
     {
@@ -101,18 +95,13 @@ class SegmentViewsUiTest : public QObject {
     Q_OBJECT
 
 private:
-    QTemporaryDir m_settings;
+    test::OwnSettings m_settings;
 
 private Q_SLOTS:
-    void initTestCase()
-    {
-        QCoreApplication::setOrganizationName(QStringLiteral("burin-test"));
-        QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, m_settings.path());
-    }
     void init()
     {
         test::failOnUnexpectedMessages();
-        QSettings().clear();
+        m_settings.clear();
     }
 
     /// Q and W, round and round; the list follows, and the history has nothing of it.

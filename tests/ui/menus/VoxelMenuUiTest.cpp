@@ -29,12 +29,6 @@ public:
         : WindowFixture(std::move(volume))
     {
     }
-    [[nodiscard]] core::EditSession& session() { return *workspace.session(); }
-    void apply(const core::Edit& edit)
-    {
-        QVERIFY(session().apply(edit));
-        QVERIFY(session().settle());
-    }
     /// Until every question is answered that an answer led to.
     void settle()
     {

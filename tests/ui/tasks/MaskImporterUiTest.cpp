@@ -26,7 +26,6 @@ public:
         : test::WindowFixture(test::headFirstSupine())
     {
     }
-    [[nodiscard]] core::EditSession& session() { return *workspace.session(); }
     [[nodiscard]] QString path(const char* name) const
     {
         return folder.filePath(QLatin1String(name));

@@ -74,8 +74,6 @@ public:
         workspace.setActiveTool(&drill);
         view.lookFrom({0.0, -1.0, 0.0});
     }
-    [[nodiscard]] core::EditSession& session() { return *workspace.session(); }
-    [[nodiscard]] std::size_t rows() { return session().history().rows().size(); }
     [[nodiscard]] const ui::Workspace::DrillSettings& settings() const
     {
         return workspace.drillSettings();

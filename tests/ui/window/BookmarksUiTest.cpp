@@ -23,7 +23,6 @@ struct Fixture : test::WindowFixture {
     {
         window.bookmarks().fill(menu);
     }
-    [[nodiscard]] core::EditSession& session() { return *workspace.session(); }
     /// What the menu offers when it opens.
     [[nodiscard]] QStringList offered()
     {

@@ -13,7 +13,6 @@
 #include "ui/workspace/Workspace.h"
 
 #include <QComboBox>
-#include <QHideEvent>
 #include <QLabel>
 #include <QStringList>
 #include <QVBoxLayout>
@@ -66,21 +65,12 @@ QString rangesText(std::vector<int> numbers)
 } // namespace
 
 BetweenSlicesDialog::BetweenSlicesDialog(Workspace& workspace, QWidget* parent)
-    : QDialog(parent, Qt::Tool) // so that the window's keys, undo above all, work in it, too
-    , m_workspace(workspace)
-    , m_whose(new FittingLabel(Qt::AlignLeft, this))
+    : LabelLookDialog(workspace, tr("Fill between slices"), QStringLiteral("between"), parent)
     , m_axis(new QComboBox(this))
     , m_drawn(new FittingLabel(Qt::AlignLeft, this))
     , m_result(new QLabel(this))
     , m_work(new SegmentWorkRow(workspace, QStringLiteral("Between"), tr("Fill"), this))
 {
-    setWindowTitle(tr("Fill between slices"));
-    auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(24, 20, 24, 16);
-    layout->setSpacing(theme::smallPadding);
-    layout->setSizeConstraint(QLayout::SetFixedSize);
-    m_whose->setObjectName(QStringLiteral("betweenWhose"));
-    m_whose->setFont(theme::headingFont());
     m_axis->setObjectName(QStringLiteral("betweenAxis"));
     m_axis->setAccessibleName(tr("Which slices"));
     m_axis->addItem(tr("The slices on which it was drawn"));
@@ -93,20 +83,12 @@ BetweenSlicesDialog::BetweenSlicesDialog(Workspace& workspace, QWidget* parent)
     m_result->setObjectName(QStringLiteral("betweenResult"));
     m_result->setFont(theme::smallFont());
     m_result->setProperty("role", QStringLiteral("secondary"));
-    layout->addWidget(m_whose);
-    layout->addWidget(m_axis);
-    layout->addWidget(m_drawn);
-    layout->addWidget(m_result);
-    layout->addWidget(new EditableNote(workspace, this));
-    layout->addSpacing(theme::smallPadding);
-    layout->addWidget(m_work);
-    m_lookSoon.setSingleShot(true);
-    connect(&m_lookSoon, &QTimer::timeout, this, &BetweenSlicesDialog::look);
-    connect(&m_fetch, &LabelFetch::finished, this, &BetweenSlicesDialog::count);
-    connect(&m_fetch, &LabelFetch::failed, this, [this] {
-        forget();
-        showState();
-    });
+    column().addWidget(m_axis);
+    column().addWidget(m_drawn);
+    column().addWidget(m_result);
+    column().addWidget(new EditableNote(workspace, this));
+    column().addSpacing(theme::smallPadding);
+    column().addWidget(m_work);
     connect(m_axis, &QComboBox::currentIndexChanged, this, [this] {
         if (m_planes)
             count(m_planes);
@@ -114,72 +96,29 @@ BetweenSlicesDialog::BetweenSlicesDialog(Workspace& workspace, QWidget* parent)
     connect(m_work, &SegmentWorkRow::asked, this, &BetweenSlicesDialog::carryOut);
     connect(m_work, &SegmentWorkRow::looked, this, &BetweenSlicesDialog::showState);
     connect(m_work, &SegmentWorkRow::closed, this, &QDialog::reject);
-    connect(
-        &workspace, &Workspace::documentChanged, this, [this](const core::DocumentChange& change) {
-            if (!isVisible())
-                return;
-            // The history also tells when a step is on the disk.
-            if (change.what == core::DocumentChange::What::History
-                && m_position != m_workspace.session()->history().position())
-                m_lookSoon.start();
-            showState();
-        });
-    connect(&workspace, &Workspace::sessionClosing, this, &BetweenSlicesDialog::forget);
-    connect(&workspace, &Workspace::sessionChanged, this, &QDialog::reject);
 }
 
 void BetweenSlicesDialog::ask(int label)
 {
-    m_label = label;
+    setLabel(label);
     m_axis->setCurrentIndex(0);
-    show();
-    raise();
-    activateWindow();
+    bringUp();
     m_work->focusApply();
     look();
 }
 
-void BetweenSlicesDialog::hideEvent(QHideEvent* event)
+void BetweenSlicesDialog::forgetFound()
 {
-    if (!event->spontaneous())
-        forget();
-    QDialog::hideEvent(event);
-}
-
-/// The labels are as large as the volume: nobody keeps them who does not look at them.
-void BetweenSlicesDialog::forget()
-{
-    m_lookSoon.stop();
-    m_fetch.cancel();
-    m_counting.cancel();
     m_planes.reset();
     m_found.reset();
-    m_looking = false;
-    m_position.reset();
-}
-
-void BetweenSlicesDialog::look()
-{
-    forget();
-    core::EditSession* session = m_workspace.session();
-    const core::Segment* segment = session ? session->document().segment(m_label) : nullptr;
-    // What is open ends with a step, after which it is looked again.
-    m_looking = segment && !session->transactionOpen();
-    if (m_looking) {
-        m_position = session->history().position();
-        m_fetch.start(*session, {segment->plane});
-    }
-    showState();
 }
 
 void BetweenSlicesDialog::count(const LabelFetch::Planes& planes)
 {
     m_planes = planes;
     m_found.reset();
-    m_looking = true;
-    m_counting.replace(
-        this,
-        [planes, geometry = m_workspace.volume()->geometry, label = std::uint8_t(m_label),
+    lookThrough(
+        [planes, geometry = workspace().volume()->geometry, label = std::uint8_t(label()),
             axis = chosenAxis()](const core::Progress& progress) -> core::Result<Found> {
             const std::vector<std::uint8_t>& labels = planes->front().labels;
             Found found{.drawn = core::drawnSlices(labels, geometry.size, label), .axis = axis};
@@ -194,12 +133,7 @@ void BetweenSlicesDialog::count(const LabelFetch::Planes& planes)
             found.voxels = std::int64_t(between->voxelCount());
             return found;
         },
-        [this](const core::Result<Found>& found) {
-            m_looking = false;
-            if (found)
-                m_found = *found;
-            showState();
-        });
+        [this](const Found& found) { m_found = found; });
     showState();
 }
 
@@ -208,15 +142,13 @@ std::optional<core::SliceAxis> BetweenSlicesDialog::chosenAxis() const
     const int chosen = m_axis->currentIndex();
     if (chosen <= 0)
         return std::nullopt;
-    return axisOf(m_workspace.volume()->geometry, orientations.at(std::size_t(chosen) - 1));
+    return axisOf(workspace().volume()->geometry, orientations.at(std::size_t(chosen) - 1));
 }
 
 void BetweenSlicesDialog::showState()
 {
-    const core::EditSession* session = m_workspace.session();
-    const core::Segment* segment = session ? session->document().segment(m_label) : nullptr;
-    m_whose->setText(segment ? segment->name : QString());
-    QString why = whyUnchangeable(segment);
+    LabelLookDialog::showState();
+    QString why = whyUnchangeable(segment());
     if (why.isEmpty() && m_found && m_found->voxels == 0)
         why = tr("there is nothing to fill");
     m_work->showWhyNot(why);
@@ -227,7 +159,7 @@ void BetweenSlicesDialog::showFound()
 {
     if (!m_found) {
         m_drawn->setText(QString());
-        m_result->setText(m_looking ? tr("Looking …") : QString());
+        m_result->setText(isLooking() ? tr("Looking …") : QString());
         return;
     }
     if (!m_found->axis) {
@@ -239,7 +171,7 @@ void BetweenSlicesDialog::showFound()
     const core::DrawnSlices& drawn = m_found->drawn.at(std::size_t(alongOf(*m_found->axis)));
     m_drawn->setText(drawnText(drawn));
     const double millilitres =
-        double(m_found->voxels) * m_workspace.volume()->geometry.voxelVolumeMm3() / 1000.0;
+        double(m_found->voxels) * workspace().volume()->geometry.voxelVolumeMm3() / 1000.0;
     m_result->setText(tr("Fills %1 empty slices: %2 voxels, %3")
                           .arg(countText(drawn.emptySlices()), countText(m_found->voxels),
                               volumeText(millilitres)));
@@ -247,7 +179,7 @@ void BetweenSlicesDialog::showFound()
 
 QString BetweenSlicesDialog::drawnText(const core::DrawnSlices& drawn) const
 {
-    const core::VolumeGeometry& geometry = m_workspace.volume()->geometry;
+    const core::VolumeGeometry& geometry = workspace().volume()->geometry;
     for (const SliceOrientation each : orientations) {
         if (axisOf(geometry, each) != drawn.axis)
             continue;
@@ -265,7 +197,7 @@ QString BetweenSlicesDialog::drawnText(const core::DrawnSlices& drawn) const
 
 void BetweenSlicesDialog::carryOut()
 {
-    fillBetweenSlices(m_workspace, {.segment = m_label, .axis = chosenAxis()});
+    fillBetweenSlices(workspace(), {.segment = label(), .axis = chosenAxis()});
     m_work->follow();
     showState();
 }

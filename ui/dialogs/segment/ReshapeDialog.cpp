@@ -6,7 +6,6 @@
 #include "ui/dialogs/segment/SegmentWorkRow.h"
 #include "ui/menus/EditableButton.h"
 #include "ui/menus/SegmentMenus.h"
-#include "ui/widgets/FittingLabel.h"
 #include "ui/workspace/SegmentActions.h"
 #include "ui/workspace/Workspace.h"
 
@@ -130,22 +129,13 @@ QString settingOf(const Reshaping& reshaping)
 } // namespace
 
 ReshapeDialog::ReshapeDialog(Workspace& workspace, QWidget* parent)
-    : QDialog(parent, Qt::Tool) // so that the window's keys, undo above all, work in it, too
-    , m_workspace(workspace)
-    , m_whose(new FittingLabel(Qt::AlignLeft, this))
+    : SegmentDialog(workspace, tr("Reshape a segment"), QStringLiteral("reshape"), parent)
     , m_operation(new QComboBox(this))
     , m_mm(new QDoubleSpinBox(this))
     , m_bySides(new QCheckBox(tr("not the same on all sides"), this))
     , m_hint(new QLabel(this))
     , m_work(new SegmentWorkRow(workspace, QStringLiteral("Reshape"), tr("Apply"), this))
 {
-    setWindowTitle(tr("Reshape a segment"));
-    auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(24, 20, 24, 16);
-    layout->setSpacing(theme::smallPadding);
-    layout->setSizeConstraint(QLayout::SetFixedSize);
-    m_whose->setObjectName(QStringLiteral("reshapeWhose"));
-    m_whose->setFont(theme::headingFont());
     m_operation->setObjectName(QStringLiteral("reshapeOperation"));
     m_operation->setAccessibleName(tr("What is done"));
     m_operation->setMinimumWidth(250);
@@ -171,37 +161,33 @@ ReshapeDialog::ReshapeDialog(Workspace& workspace, QWidget* parent)
     for (const Reshaping& each : reshapings())
         widest = std::max(widest, m_hint->fontMetrics().horizontalAdvance(each.hint));
     m_hint->setMinimumWidth(widest);
-    layout->addWidget(m_whose);
-    layout->addLayout(row);
-    layout->addWidget(m_hint);
+    column().addLayout(row);
+    column().addWidget(m_hint);
     m_bySides->setObjectName(QStringLiteral("reshapeBySides"));
-    layout->addWidget(m_bySides);
+    column().addWidget(m_bySides);
     QWidget* sides = sideFields();
-    layout->addWidget(sides);
+    column().addWidget(sides);
     connect(m_bySides, &QCheckBox::toggled, this, &ReshapeDialog::showSides);
-    layout->addWidget(new EditableNote(workspace, this));
-    layout->addSpacing(theme::smallPadding);
-    layout->addWidget(m_work);
+    column().addWidget(new EditableNote(workspace, this));
+    column().addSpacing(theme::smallPadding);
+    column().addWidget(m_work);
     connect(m_operation, &QComboBox::currentIndexChanged, this, &ReshapeDialog::chooseOperation);
     connect(m_work, &SegmentWorkRow::asked, this, &ReshapeDialog::carryOut);
     connect(m_work, &SegmentWorkRow::looked, this, &ReshapeDialog::showState);
     connect(m_work, &SegmentWorkRow::closed, this, &QDialog::reject);
     connect(&workspace, &Workspace::documentChanged, this, &ReshapeDialog::showState);
-    connect(&workspace, &Workspace::sessionChanged, this, &QDialog::reject);
     chooseOperation();
 }
 
 void ReshapeDialog::ask(int label, core::ShapeOperation first)
 {
-    m_label = label;
+    setLabel(label);
     const std::vector<Reshaping>& all = reshapings();
     const auto found = std::find_if(
         all.begin(), all.end(), [first](const Reshaping& each) { return each.operation == first; });
     m_operation->setCurrentIndex(int(found - all.begin()));
     showState();
-    show();
-    raise();
-    activateWindow();
+    bringUp();
     m_mm->setFocus();
     m_mm->selectAll();
 }
@@ -263,21 +249,19 @@ void ReshapeDialog::chooseOperation()
 
 void ReshapeDialog::showState()
 {
-    const core::EditSession* session = m_workspace.session();
-    const core::Segment* segment = session ? session->document().segment(m_label) : nullptr;
-    m_whose->setText(segment ? segment->name : QString());
-    m_work->showWhyNot(whyUnchangeable(segment));
+    SegmentDialog::showState();
+    m_work->showWhyNot(whyUnchangeable(segment()));
 }
 
 core::ReshapeSegment ReshapeDialog::chosen() const
 {
     const Reshaping& reshaping = reshapings()[std::size_t(m_operation->currentIndex())];
-    core::ReshapeSegment edit{.segment = m_label,
+    core::ReshapeSegment edit{.segment = label(),
         .operation = reshaping.operation,
         .mm = m_mm->value(),
         .shell = reshaping.shell};
     if (reshaping.isJoint)
-        edit.with = segmentsBeside(m_workspace, m_label);
+        edit.with = segmentsBeside(workspace(), label());
     if (m_bySides->isVisibleTo(this) && m_bySides->isChecked())
         edit.sides = {.rightMm = m_sides[0]->value(),
             .leftMm = m_sides[1]->value(),
@@ -292,7 +276,7 @@ void ReshapeDialog::carryOut()
 {
     QSettings().setValue(
         settingOf(reshapings()[std::size_t(m_operation->currentIndex())]), m_mm->value());
-    reshapeSegment(m_workspace, chosen());
+    reshapeSegment(workspace(), chosen());
     m_work->follow();
     showState();
 }

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "core/edits/kinds/segments/ReshapeSegment.h"
+#include "ui/dialogs/segment/SegmentDialog.h"
 
-#include <QDialog>
 #include <QList>
 
 class QCheckBox;
@@ -13,15 +13,13 @@ class QLabel;
 
 namespace ui {
 
-class FittingLabel;
 class SegmentWorkRow;
-class Workspace;
 
 /// Asks how far a segment is grown, shrunk, hollowed out or smoothed, and has it done. It stays
 /// open beside the window, so that one looks at the result, takes it back and tries another size.
 /// Of each operation the last size is remembered. Margins may be others on each of the patient's
 /// sides; these begin with the one margin and are not remembered.
-class ReshapeDialog : public QDialog {
+class ReshapeDialog : public SegmentDialog {
     Q_OBJECT
 
 public:
@@ -35,13 +33,10 @@ private:
     [[nodiscard]] QWidget* sideFields();
     void chooseOperation();
     void showSides();
-    void showState();
+    void showState() override;
     void carryOut();
     [[nodiscard]] core::ReshapeSegment chosen() const;
 
-    Workspace& m_workspace;
-    int m_label = 0;
-    FittingLabel* m_whose;
     QComboBox* m_operation;
     QDoubleSpinBox* m_mm;
     QCheckBox* m_bySides;

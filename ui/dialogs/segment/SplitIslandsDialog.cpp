@@ -6,13 +6,11 @@
 #include "ui/base/CountText.h"
 #include "ui/base/Theme.h"
 #include "ui/menus/SegmentMenus.h"
-#include "ui/widgets/FittingLabel.h"
 #include "ui/workspace/SegmentActions.h"
 #include "ui/workspace/Workspace.h"
 
 #include <QDoubleSpinBox>
 #include <QHBoxLayout>
-#include <QHideEvent>
 #include <QLabel>
 #include <QPushButton>
 #include <QVBoxLayout>
@@ -22,20 +20,11 @@
 namespace ui {
 
 SplitIslandsDialog::SplitIslandsDialog(Workspace& workspace, QWidget* parent)
-    : QDialog(parent, Qt::Tool) // so that the window's keys, undo above all, work in it, too
-    , m_workspace(workspace)
-    , m_whose(new FittingLabel(Qt::AlignLeft, this))
+    : LabelLookDialog(workspace, tr("Split islands into segments"), QStringLiteral("split"), parent)
     , m_mm3(new QDoubleSpinBox(this))
     , m_result(new QLabel(this))
     , m_apply(new QPushButton(tr("Split"), this))
 {
-    setWindowTitle(tr("Split islands into segments"));
-    auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(24, 20, 24, 16);
-    layout->setSpacing(theme::smallPadding);
-    layout->setSizeConstraint(QLayout::SetFixedSize);
-    m_whose->setObjectName(QStringLiteral("splitWhose"));
-    m_whose->setFont(theme::headingFont());
     constexpr double mostMm3 = 1e7; // ten litres
     m_mm3->setObjectName(QStringLiteral("splitMm3"));
     m_mm3->setAccessibleName(tr("The smallest island that becomes a segment"));
@@ -66,102 +55,43 @@ SplitIslandsDialog::SplitIslandsDialog(Workspace& workspace, QWidget* parent)
     buttons->addStretch(1);
     buttons->addWidget(m_apply);
     buttons->addWidget(close);
-    layout->addWidget(m_whose);
-    layout->addLayout(size);
-    layout->addWidget(hint);
-    layout->addWidget(m_result);
-    layout->addSpacing(theme::smallPadding);
-    layout->addLayout(buttons);
-    m_lookSoon.setSingleShot(true);
-    connect(&m_lookSoon, &QTimer::timeout, this, &SplitIslandsDialog::look);
-    connect(&m_fetch, &LabelFetch::finished, this, &SplitIslandsDialog::count);
-    connect(&m_fetch, &LabelFetch::failed, this, [this] {
-        forget();
-        showState();
-    });
+    column().addLayout(size);
+    column().addWidget(hint);
+    column().addWidget(m_result);
+    column().addSpacing(theme::smallPadding);
+    column().addLayout(buttons);
     connect(m_mm3, &QDoubleSpinBox::valueChanged, this, &SplitIslandsDialog::showState);
     connect(m_apply, &QPushButton::clicked, this, &SplitIslandsDialog::carryOut);
     connect(close, &QPushButton::clicked, this, &QDialog::reject);
-    connect(
-        &workspace, &Workspace::documentChanged, this, [this](const core::DocumentChange& change) {
-            if (!isVisible())
-                return;
-            // The history also tells when a step is on the disk.
-            if (change.what == core::DocumentChange::What::History
-                && m_position != m_workspace.session()->history().position())
-                m_lookSoon.start();
-            showState();
-        });
-    connect(&workspace, &Workspace::sessionClosing, this, &SplitIslandsDialog::forget);
-    connect(&workspace, &Workspace::sessionChanged, this, &QDialog::reject);
 }
 
 void SplitIslandsDialog::ask(int label)
 {
-    const core::EditSession* session = m_workspace.session();
-    const core::Segment* segment = session ? session->document().segment(label) : nullptr;
-    if (!segment)
+    const core::EditSession* session = workspace().session();
+    const core::Segment* about = session ? session->document().segment(label) : nullptr;
+    if (!about)
         return;
-    m_label = label;
-    m_mm3->setValue(smallIslandMm3(m_workspace, *segment));
-    show();
-    raise();
-    activateWindow();
+    setLabel(label);
+    m_mm3->setValue(smallIslandMm3(workspace(), *about));
+    bringUp();
     m_mm3->setFocus();
     m_mm3->selectAll();
     look();
 }
 
-void SplitIslandsDialog::hideEvent(QHideEvent* event)
-{
-    if (!event->spontaneous())
-        forget();
-    QDialog::hideEvent(event);
-}
-
-void SplitIslandsDialog::forget()
-{
-    m_lookSoon.stop();
-    m_fetch.cancel();
-    m_counting.cancel();
-    m_sizes.reset();
-    m_looking = false;
-    m_position.reset();
-}
-
-void SplitIslandsDialog::look()
-{
-    forget();
-    core::EditSession* session = m_workspace.session();
-    const core::Segment* segment = session ? session->document().segment(m_label) : nullptr;
-    // What is open ends with a step, after which it is looked again.
-    m_looking = segment && !session->transactionOpen();
-    if (m_looking) {
-        m_position = session->history().position();
-        m_fetch.start(*session, {segment->plane});
-    }
-    showState();
-}
-
 void SplitIslandsDialog::count(const LabelFetch::Planes& planes)
 {
-    m_counting.replace(
-        this,
-        [planes, size = m_workspace.volume()->geometry.size, label = std::uint8_t(m_label)](
+    lookThrough(
+        [planes, size = workspace().volume()->geometry.size, label = std::uint8_t(label())](
             const core::Progress& progress) {
             return core::islandSizes(planes->front().labels, size, label, progress);
         },
-        [this](const core::Result<std::vector<std::int64_t>>& sizes) {
-            m_looking = false;
-            if (sizes)
-                m_sizes = *sizes;
-            showState();
-        });
+        [this](const std::vector<std::int64_t>& sizes) { m_sizes = sizes; });
 }
 
 core::SplitIslands SplitIslandsDialog::chosen() const
 {
-    core::SplitIslands edit{.segment = m_label};
+    core::SplitIslands edit{.segment = label()};
     if (const double mm3 = m_mm3->value(); mm3 > 0.0)
         edit.mm3 = mm3;
     return edit;
@@ -169,18 +99,17 @@ core::SplitIslands SplitIslandsDialog::chosen() const
 
 void SplitIslandsDialog::showState()
 {
-    const core::EditSession* session = m_workspace.session();
-    const core::Segment* segment = session ? session->document().segment(m_label) : nullptr;
-    m_whose->setText(segment ? segment->name : QString());
-    QString why = whyUnchangeable(segment);
-    QString result = m_looking ? tr("Looking …") : QString();
-    if (segment && m_sizes) {
-        const std::int64_t least = core::leastVoxels(chosen(), m_workspace.volume()->geometry);
+    LabelLookDialog::showState();
+    const core::Segment* about = segment();
+    QString why = whyUnchangeable(about);
+    QString result = isLooking() ? tr("Looking …") : QString();
+    if (about && m_sizes) {
+        const std::int64_t least = core::leastVoxels(chosen(), workspace().volume()->geometry);
         const auto large = std::count_if(m_sizes->begin(), m_sizes->end(),
             [least](std::int64_t voxels) { return voxels >= least; });
         // The largest stays, however small it is.
         const auto others = std::max<std::int64_t>(0, large - 1);
-        const auto room = std::int64_t(core::roomForSegments(session->document()));
+        const auto room = std::int64_t(core::roomForSegments(workspace().session()->document()));
         if (others == 0)
             result = tr("No island beside the largest is so large");
         else if (others > room)
@@ -201,7 +130,7 @@ void SplitIslandsDialog::showState()
 
 void SplitIslandsDialog::carryOut()
 {
-    splitIslands(m_workspace, chosen());
+    splitIslands(workspace(), chosen());
 }
 
 } // namespace ui

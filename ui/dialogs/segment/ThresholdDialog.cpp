@@ -10,7 +10,6 @@
 #include "ui/menus/EditableButton.h"
 #include "ui/menus/SegmentMenus.h"
 #include "ui/settings/GrowSettings.h"
-#include "ui/widgets/FittingLabel.h"
 #include "ui/widgets/HistogramRange.h"
 #include "ui/workspace/SegmentActions.h"
 #include "ui/workspace/Workspace.h"
@@ -39,11 +38,9 @@ QCheckBox* box(const char* name, const QString& text, const QString& tip, QWidge
 } // namespace
 
 ThresholdDialog::ThresholdDialog(Workspace& workspace, QWidget* parent)
-    : QDialog(parent, Qt::Tool) // so that the window's keys, undo above all, work in it, too
-    , m_workspace(workspace)
+    : SegmentDialog(workspace, tr("Threshold"), QStringLiteral("threshold"), parent)
     , m_trial(new ThresholdTrial(workspace, this))
 {
-    setWindowTitle(tr("Threshold"));
     build();
     connect(m_range, &HistogramRange::rangeEdited, this, &ThresholdDialog::follow);
     connect(m_range, &HistogramRange::rangeCancelled, this, &ThresholdDialog::follow);
@@ -66,17 +63,11 @@ ThresholdDialog::ThresholdDialog(Workspace& workspace, QWidget* parent)
     });
     connect(&workspace, &Workspace::editableChanged, this, &ThresholdDialog::follow);
     connect(m_limit, &QPushButton::clicked, this, &ThresholdDialog::limitEditing);
-    connect(&workspace, &Workspace::sessionChanged, this, [this] {
-        m_isFresh = true;
-        reject();
-    });
+    connect(&workspace, &Workspace::sessionChanged, this, [this] { m_isFresh = true; });
 }
 
 void ThresholdDialog::build()
 {
-    m_whose = new FittingLabel(Qt::AlignLeft, this);
-    m_whose->setObjectName(QStringLiteral("thresholdWhose"));
-    m_whose->setFont(theme::headingFont());
     m_follows =
         new QLabel(tr("This segment follows its interval: moving it works it out anew"), this);
     m_follows->setObjectName(QStringLiteral("thresholdFollows"));
@@ -85,7 +76,7 @@ void ThresholdDialog::build()
     m_range = new HistogramRange(this);
     m_range->setObjectName(QStringLiteral("thresholdInterval"));
     m_range->setMinimumWidth(380);
-    m_suggestions = new IntervalSuggestions(m_workspace, this);
+    m_suggestions = new IntervalSuggestions(workspace(), this);
     m_mode = new QComboBox(this);
     m_mode->setObjectName(QStringLiteral("thresholdMode"));
     m_mode->setAccessibleName(tr("What is done with these voxels"));
@@ -132,25 +123,20 @@ void ThresholdDialog::build()
     buttons->addWidget(m_limit);
     buttons->addWidget(m_apply);
     buttons->addWidget(close);
-    auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(24, 20, 24, 16);
-    layout->setSpacing(theme::smallPadding);
-    layout->setSizeConstraint(QLayout::SetFixedSize);
-    layout->addWidget(m_whose);
-    layout->addWidget(m_follows);
-    layout->addWidget(m_range);
-    layout->addWidget(m_suggestions);
-    layout->addLayout(mode);
-    layout->addLayout(limits);
-    layout->addWidget(new EditableNote(m_workspace, this));
-    layout->addSpacing(theme::smallPadding);
-    layout->addLayout(buttons);
+    column().addWidget(m_follows);
+    column().addWidget(m_range);
+    column().addWidget(m_suggestions);
+    column().addLayout(mode);
+    column().addLayout(limits);
+    column().addWidget(new EditableNote(workspace(), this));
+    column().addSpacing(theme::smallPadding);
+    column().addLayout(buttons);
 }
 
 void ThresholdDialog::ask(int label)
 {
-    m_label = label;
-    const core::Volume* volume = m_workspace.volume();
+    setLabel(label);
+    const core::Volume* volume = workspace().volume();
     if (m_isFresh && volume) {
         m_range->setHistogram(volume->histogram, volume->unit);
         const auto [lower, upper] = m_suggestions->first();
@@ -159,17 +145,14 @@ void ThresholdDialog::ask(int label)
     }
     takeFollowed();
     showState();
-    show();
-    raise();
-    activateWindow();
+    bringUp();
     follow();
 }
 
 std::optional<core::ThresholdSegment> ThresholdDialog::followed() const
 {
-    const core::EditSession* session = m_workspace.session();
-    const core::Segment* segment = session ? session->document().segment(m_label) : nullptr;
-    return segment ? core::followedInterval(*segment, session->history()) : std::nullopt;
+    const core::Segment* about = segment();
+    return about ? core::followedInterval(*about, workspace().session()->history()) : std::nullopt;
 }
 
 void ThresholdDialog::takeFollowed()
@@ -179,7 +162,7 @@ void ThresholdDialog::takeFollowed()
     const std::optional<core::ThresholdSegment> interval = followed();
     if (!interval)
         return;
-    const core::Volume& volume = *m_workspace.volume();
+    const core::Volume& volume = *workspace().volume();
     const double lower = interval->lower.value_or(volume.minimum);
     m_range->setRange(lower, std::max(lower, interval->upper.value_or(volume.maximum)));
     m_range->showRange();
@@ -201,44 +184,43 @@ void ThresholdDialog::setVisible(bool visible)
 
 void ThresholdDialog::showState()
 {
-    const core::EditSession* session = m_workspace.session();
-    const core::Segment* segment = session ? session->document().segment(m_label) : nullptr;
-    m_whose->setText(segment ? segment->name : QString());
-    if (segment) {
+    SegmentDialog::showState();
+    const core::Segment* about = segment();
+    if (about) {
         constexpr double mm3PerMl = 1000.0;
         const double ml =
-            double(segment->voxels) * m_workspace.volume()->geometry.voxelVolumeMm3() / mm3PerMl;
-        m_now->setText(tr("Now: %1 voxels, %2").arg(countText(segment->voxels), volumeText(ml)));
+            double(about->voxels) * workspace().volume()->geometry.voxelVolumeMm3() / mm3PerMl;
+        m_now->setText(tr("Now: %1 voxels, %2").arg(countText(about->voxels), volumeText(ml)));
     } else {
         m_now->clear();
     }
     m_follows->setVisible(followed().has_value());
-    const QString why = whyUnchangeable(segment);
+    const QString why = whyUnchangeable(about);
     m_apply->setEnabled(why.isEmpty());
     m_apply->setToolTip(why);
-    m_boxed->setEnabled(m_boxed->isChecked() || m_workspace.clip().box.on);
+    m_boxed->setEnabled(m_boxed->isChecked() || workspace().clip().box.on);
 }
 
 core::ThresholdSegment ThresholdDialog::chosen() const
 {
-    core::ThresholdSegment edit{.segment = m_label,
+    core::ThresholdSegment edit{.segment = label(),
         .lower = m_range->lower(),
         .upper = m_range->upper(),
         .mode = core::ThresholdSegment::Mode(m_mode->currentIndex()),
         .onlyVisible = m_onlyVisible->isChecked(),
         .overwriteUnlocked = m_overwrite->isChecked()};
-    const core::ClipRegion::Box& clip = m_workspace.clip().box;
+    const core::ClipRegion::Box& clip = workspace().clip().box;
     if (m_boxed->isChecked() && m_itsBox)
         edit.box = m_itsBox;
     else if (m_boxed->isChecked() && clip.on)
-        edit.box = growBoxFrom(clip, m_workspace.volume()->geometry);
-    edit.editable = m_workspace.editableRange();
+        edit.box = growBoxFrom(clip, workspace().volume()->geometry);
+    edit.editable = workspace().editableRange();
     return edit;
 }
 
 void ThresholdDialog::follow()
 {
-    if (isVisible() && m_preview->isChecked() && m_workspace.session())
+    if (isVisible() && m_preview->isChecked() && workspace().session())
         m_trial->show(chosen());
     else
         m_trial->drop();
@@ -246,19 +228,19 @@ void ThresholdDialog::follow()
 
 void ThresholdDialog::limitEditing()
 {
-    EditableSettings settings = m_workspace.editableSettings();
+    EditableSettings settings = workspace().editableSettings();
     settings.on = true;
     settings.byValue = true;
     settings.lower = m_range->lower();
     settings.upper = m_range->upper();
     reject(); // seen through the range that it has chosen, it would show no difference
-    m_workspace.setEditableSettings(settings);
-    m_workspace.say(tr("%1; it is switched off beside the tool").arg(m_workspace.editableText()));
+    workspace().setEditableSettings(settings);
+    workspace().say(tr("%1; it is switched off beside the tool").arg(workspace().editableText()));
 }
 
 void ThresholdDialog::carryOut()
 {
-    if (m_workspace.session())
+    if (workspace().session())
         m_trial->take(chosen());
 }
 

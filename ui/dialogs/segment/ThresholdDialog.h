@@ -2,8 +2,7 @@
 #pragma once
 
 #include "core/edits/kinds/values/ThresholdSegment.h"
-
-#include <QDialog>
+#include "ui/dialogs/segment/SegmentDialog.h"
 
 #include <optional>
 
@@ -14,16 +13,14 @@ class QPushButton;
 
 namespace ui {
 
-class FittingLabel;
 class HistogramRange;
 class IntervalSuggestions;
 class ThresholdTrial;
-class Workspace;
 
 /// Asks for the interval of values that a segment is made of, and shows in all views what becomes
 /// of it meanwhile. It stays open beside the window, so that one looks at the result and tries
 /// another interval.
-class ThresholdDialog : public QDialog {
+class ThresholdDialog : public SegmentDialog {
     Q_OBJECT
 
 public:
@@ -37,7 +34,7 @@ public:
 
 private:
     void build();
-    void showState();
+    void showState() override;
     void takeFollowed(); ///< what the segment follows, if it does
     void follow(); ///< the trial shows what is chosen
     void carryOut();
@@ -45,13 +42,10 @@ private:
     [[nodiscard]] std::optional<core::ThresholdSegment> followed() const;
     [[nodiscard]] core::ThresholdSegment chosen() const;
 
-    Workspace& m_workspace;
     ThresholdTrial* m_trial;
-    int m_label = 0;
     bool m_isFresh = true; ///< no interval was chosen in this study
     /// That of the interval which is followed; none: the clip box.
     std::optional<core::GrowBox> m_itsBox;
-    FittingLabel* m_whose = nullptr;
     QLabel* m_follows = nullptr; ///< says that it does
     HistogramRange* m_range = nullptr;
     IntervalSuggestions* m_suggestions = nullptr;

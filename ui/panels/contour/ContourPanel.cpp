@@ -7,6 +7,7 @@
 #include "ui/panels/growth/GrowthButtons.h"
 #include "ui/tools/contour/ContourTool.h"
 #include "ui/widgets/StepSlider.h"
+#include "ui/widgets/ValueField.h"
 #include "ui/workspace/Workspace.h"
 
 #include <QCheckBox>
@@ -26,17 +27,10 @@ namespace ui {
 
 namespace {
 
-constexpr double farthestValue = 1e6;
-
 /// A number of the volume's values.
-QDoubleSpinBox* valueField(QWidget* parent, const char* name, const QString& tip)
+QDoubleSpinBox* contourField(QWidget* parent, const char* name, const QString& tip)
 {
-    auto* box = new QDoubleSpinBox(parent);
-    box->setObjectName(QLatin1String(name));
-    box->setFixedHeight(theme::controlHeight);
-    box->setKeyboardTracking(false);
-    box->setButtonSymbols(QAbstractSpinBox::NoButtons);
-    box->setRange(-farthestValue, farthestValue);
+    QDoubleSpinBox* box = valueField(parent, name);
     box->setMinimumWidth(60);
     box->setToolTip(tip);
     return box;
@@ -122,10 +116,10 @@ QSlider* ContourPanel::share(
 
 void ContourPanel::buildRule(QFormLayout& form)
 {
-    m_lower = valueField(this, "contourLower",
+    m_lower = contourField(this, "contourLower",
         tr("The contour moves outwards from this value on, and inwards below "
            "it; growth has the same interval"));
-    m_upper = valueField(this, "contourUpper",
+    m_upper = contourField(this, "contourUpper",
         tr("The contour moves outwards up to this value, and inwards above "
            "it; growth has the same interval"));
     auto* interval = new QHBoxLayout;
@@ -148,7 +142,7 @@ void ContourPanel::buildRule(QFormLayout& form)
            "narrow places"));
     m_edge = share(
         form, "contourEdge", tr("Edges"), tr("How much edges hold the contour; 0: not at all"));
-    m_gradient = valueField(
+    m_gradient = contourField(
         this, "contourGradient", tr("The gradient of an edge that counts half, per millimetre"));
     m_gradient->setRange(0.001, ContourTool::maximumGradient);
     form.addRow(tr("Edge from"), m_gradient);

@@ -4,9 +4,9 @@
 #include "core/session/EditSession.h"
 #include "ui/base/MenuText.h"
 #include "ui/base/Theme.h"
+#include "ui/menus/SegmentEntries.h"
 #include "ui/menus/SegmentMenus.h"
 #include "ui/workspace/CuttingPlane.h"
-#include "ui/workspace/SegmentActions.h"
 #include "ui/workspace/Workspace.h"
 
 #include <QCoreApplication>

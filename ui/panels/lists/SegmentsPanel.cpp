@@ -6,6 +6,7 @@
 #include "ui/base/Theme.h"
 #include "ui/dialogs/CodeDialog.h"
 #include "ui/measure/CentreOnSegment.h"
+#include "ui/menus/SegmentEntries.h"
 #include "ui/menus/SegmentMenus.h"
 #include "ui/menus/SegmentOpacity.h"
 #include "ui/menus/SegmentViews.h"
@@ -191,8 +192,7 @@ void SegmentsPanel::showMenu(const QPoint& position)
     menu.addAction(tr("Paste as a piece"), this, [this, index] {
         m_workspace.pieces().paste(index.data(SegmentListModel::LabelRole).toInt());
     });
-    menu.addSeparator();
-    addPassages(menu, index);
+    addPassages(*menu.addMenu(tr("Sculpt")), index);
     menu.addSeparator();
     menu.addAction(tr("Undo its last step only"), this, [this, index] {
         undoOnlyLast(m_workspace, {.segment = index.data(SegmentListModel::LabelRole).toInt()},

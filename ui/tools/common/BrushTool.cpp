@@ -48,7 +48,7 @@ struct BrushTool::Stroke {
 };
 
 BrushTool::BrushTool(Workspace& workspace, Workspace::Brush brush, QObject* parent)
-    : Tool(parent)
+    : CursorTool(parent)
     , m_workspace(workspace)
     , m_brush(brush)
 {
@@ -266,21 +266,13 @@ void BrushTool::hover(const PointerSample& sample, const ViewContext& view)
     showCursor(sample, view.view);
 }
 
-void BrushTool::leave()
-{
-    m_cursorView.reset();
-    Q_EMIT overlayChanged();
-}
-
 void BrushTool::showCursor(const PointerSample& sample, gpu::ViewId view)
 {
-    m_cursor = sample.position;
-    m_cursorView = view;
     m_pressure =
         m_stroke && m_stroke->isPressed && !m_stroke->keepsRadius ? pressedShare(sample) : 1.0;
     m_inverted = m_stroke ? m_stroke->inverted
                           : sample.eraserEnd || (sample.modifiers & Qt::ControlModifier);
-    Q_EMIT overlayChanged();
+    CursorTool::showCursor(sample.position, view);
 }
 
 double BrushTool::radiusAfter(double radiusMm, int steps)
@@ -314,14 +306,14 @@ QString BrushTool::shapeText(core::BrushPath::Shape shape)
 
 void BrushTool::paintOverlay(QPainter& painter, const ViewContext& view) const
 {
-    if (!m_workspace.session() || m_cursorView != view.view || !worksIn(view))
+    if (!m_workspace.session() || !isUnderPointer(view) || !worksIn(view))
         return;
     const double radius =
         m_pressure * (m_stroke ? m_stroke->path.radiusMm : settings().radiusMm) / view.mmPerPixel();
     // A stroke keeps the shape that it began with.
     const core::BrushPath::Shape shape = m_stroke ? m_stroke->path.shape : pathIn(view).shape;
     const auto draw = core::isSquare(shape) ? drawCursorSquare : drawCursorRing;
-    draw(painter, m_cursor, radius, colour(), m_inverted);
+    draw(painter, cursor(), radius, colour(), m_inverted);
 
     QString size = tr("radius %1 mm").arg(QLocale().toString(settings().radiusMm, 'f', 1));
     if (view.isSlice())
@@ -330,12 +322,12 @@ void BrushTool::paintOverlay(QPainter& painter, const ViewContext& view) const
     const QString followed = view.isSlice() ? edges() : QString();
     if (!followed.isEmpty()) {
         // What lies under it decides.
-        drawCursorCross(painter, m_cursor, colour());
+        drawCursorCross(painter, cursor(), colour());
         lines += followed;
     }
     if (const QString text = limits(); !text.isEmpty())
         lines += text;
-    drawCursorLabel(painter, view.sizePixels, m_cursor, radius, lines);
+    drawCursorLabel(painter, view.sizePixels, cursor(), radius, lines);
 }
 
 } // namespace ui

@@ -4,11 +4,10 @@
 #include "core/base/Result.h"
 #include "core/edits/kinds/Edit.h"
 #include "core/edits/kinds/parts/BrushPath.h"
-#include "ui/input/Tool.h"
+#include "ui/tools/common/CursorTool.h"
 #include "ui/workspace/Workspace.h"
 
 #include <memory>
-#include <optional>
 
 namespace ui {
 
@@ -19,7 +18,7 @@ class SeenSurface;
 /// surface. Ctrl or the pen's eraser end inverts
 /// it; its radius may follow the pressure of a pen. Each stroke is one edit; its effect is visible
 /// while the pen is down, and cancel() takes it back.
-class BrushTool : public Tool {
+class BrushTool : public CursorTool {
     Q_OBJECT
 
 public:
@@ -39,7 +38,6 @@ public:
     void release(const PointerSample& sample, const ViewContext& view) override;
     void cancel() override;
     void hover(const PointerSample& sample, const ViewContext& view) override;
-    void leave() override;
     void changeRadius(int steps) override;
 
     void paintOverlay(QPainter& painter, const ViewContext& view) const override;
@@ -85,8 +83,6 @@ private:
     Workspace& m_workspace;
     Workspace::Brush m_brush;
     std::shared_ptr<Stroke> m_stroke; ///< set until the whole stroke was sent to the session
-    QPointF m_cursor;
-    std::optional<gpu::ViewId> m_cursorView;
     bool m_inverted = false;
     double m_pressure = 1.0; ///< the share of the radius at the cursor
 };

@@ -25,7 +25,7 @@ constexpr int sketchAcross = 32;
 } // namespace
 
 OutlineTool::OutlineTool(Workspace& workspace, QObject* parent)
-    : Tool(parent)
+    : CursorTool(parent)
     , m_workspace(workspace)
     , m_preview(workspace, [this] { Q_EMIT overlayChanged(); })
 {
@@ -61,7 +61,7 @@ void OutlineTool::press(const PointerSample& sample, const ViewContext& view)
     begin();
     m_sketch.begin(sample.position, view);
     m_restores = sample.eraserEnd || sample.modifiers.testFlag(Qt::ControlModifier);
-    showCursor(sample, view.view);
+    showCursor(sample.position, view.view);
 }
 
 void OutlineTool::drag(const PointerSample& sample, const ViewContext& view)
@@ -73,7 +73,7 @@ void OutlineTool::drag(const PointerSample& sample, const ViewContext& view)
         if (std::vector<glm::dvec2> outline = m_sketch.curveMm(); outline.size() >= 3)
             m_preview.lookAt(m_sketch.view(), std::move(outline), sketchAcross);
     }
-    showCursor(sample, view.view);
+    showCursor(sample.position, view.view);
 }
 
 void OutlineTool::release(const PointerSample& sample, const ViewContext& view)
@@ -95,7 +95,7 @@ void OutlineTool::release(const PointerSample& sample, const ViewContext& view)
         sketch.polygonMm = std::move(curve);
         cut(sketch);
     }
-    showCursor(sample, view.view);
+    showCursor(sample.position, view.view);
 }
 
 void OutlineTool::cancel()
@@ -116,26 +116,18 @@ void OutlineTool::hover(const PointerSample& sample, const ViewContext& view)
             point += middle;
         m_preview.lookAt(view, std::move(outline), hoverAcross);
     }
-    showCursor(sample, view.view);
+    showCursor(sample.position, view.view);
 }
 
 void OutlineTool::leave()
 {
     m_preview.forget();
-    m_cursorView.reset();
-    Q_EMIT overlayChanged();
-}
-
-void OutlineTool::showCursor(const PointerSample& sample, gpu::ViewId view)
-{
-    m_cursor = sample.position;
-    m_cursorView = view;
-    Q_EMIT overlayChanged();
+    CursorTool::leave();
 }
 
 void OutlineTool::paintOverlay(QPainter& painter, const ViewContext& view) const
 {
-    if (!m_workspace.session() || m_cursorView != view.view || !worksIn(view))
+    if (!m_workspace.session() || !isUnderPointer(view) || !worksIn(view))
         return;
     if (const SurfacePatch* surface = m_preview.patch())
         paintPatch(painter, taken(*surface), view);
@@ -143,8 +135,8 @@ void OutlineTool::paintOverlay(QPainter& painter, const ViewContext& view) const
         m_sketch.paint(painter);
     painter.setBrush(toolColour());
     painter.setPen(Qt::NoPen);
-    painter.drawEllipse(m_cursor, 2.0, 2.0);
-    drawCursorLabel(painter, view.sizePixels, m_cursor, 6.0, lines() << target());
+    painter.drawEllipse(cursor(), 2.0, 2.0);
+    drawCursorLabel(painter, view.sizePixels, cursor(), 6.0, lines() << target());
 }
 
 } // namespace ui

@@ -2,11 +2,10 @@
 #pragma once
 
 #include "core/edits/kinds/parts/ClipHalfSpaces.h"
-#include "ui/input/Tool.h"
 #include "ui/tools/aim/SurfacePreview.h"
+#include "ui/tools/common/CursorTool.h"
 #include "ui/tools/common/CurveSketch.h"
 
-#include <optional>
 #include <vector>
 
 namespace ui {
@@ -14,7 +13,7 @@ namespace ui {
 /// Base of the tools that cut inside a curve sketched on the 3D view (seed A §4.1): peel and
 /// scissors. The curve is closed implicitly; with Ctrl, or the pen's eraser end, the tool restores.
 /// Points are millimetres in the view plane, right of and above the target.
-class OutlineTool : public Tool {
+class OutlineTool : public CursorTool {
     Q_OBJECT
 
 public:
@@ -52,15 +51,12 @@ protected:
     [[nodiscard]] Workspace& workspace() const { return m_workspace; }
     [[nodiscard]] double surfaceThreshold() const;
     /// Shows the cursor's text there.
-    void showCursor(const PointerSample& sample, gpu::ViewId view);
 
 private:
     Workspace& m_workspace;
     SurfacePreview m_preview;
     CurveSketch m_sketch;
     bool m_restores = false;
-    QPointF m_cursor;
-    std::optional<gpu::ViewId> m_cursorView;
 };
 
 } // namespace ui

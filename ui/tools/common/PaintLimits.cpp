@@ -4,6 +4,7 @@
 #include "ui/base/StudyTexts.h"
 #include "ui/base/Theme.h"
 #include "ui/menus/EditableSection.h"
+#include "ui/widgets/ValueField.h"
 
 #include <QCheckBox>
 #include <QDoubleSpinBox>
@@ -22,18 +23,6 @@ namespace {
 
 constexpr auto paintBrush = Workspace::Brush::Paint;
 constexpr int longestLimitsPixels = 72; ///< so that the bar fits into 1280 pixels
-
-QDoubleSpinBox* boundBox(QWidget* parent, const char* name)
-{
-    auto* box = new QDoubleSpinBox(parent);
-    box->setObjectName(QLatin1String(name));
-    box->setFixedHeight(theme::controlHeight);
-    box->setKeyboardTracking(false);
-    box->setButtonSymbols(QAbstractSpinBox::NoButtons);
-    box->setRange(-1e6, 1e6);
-    box->setFixedWidth(96);
-    return box;
-}
 
 } // namespace
 
@@ -68,8 +57,8 @@ PaintLimits::PaintLimits(Workspace& workspace, QWidget* parent)
     auto* content = new QWidget(menu);
     m_onlyBetween = new QCheckBox(tr("only values from"), content);
     m_onlyBetween->setObjectName(QStringLiteral("brushOnlyBetween"));
-    m_lower = boundBox(content, "brushLower");
-    m_upper = boundBox(content, "brushUpper");
+    m_lower = valueField(content, "brushLower");
+    m_upper = valueField(content, "brushUpper");
     m_overwrite = new QCheckBox(tr("over other segments that are not locked"), content);
     m_overwrite->setObjectName(QStringLiteral("brushOverwrite"));
     auto* interval = new QHBoxLayout;
@@ -95,8 +84,10 @@ PaintLimits::PaintLimits(Workspace& workspace, QWidget* parent)
     showSettings();
     connect(&m_workspace, &Workspace::brushSettingsChanged, this, &PaintLimits::showSettings);
     connect(&m_workspace, &Workspace::editableChanged, this, &PaintLimits::showSettings);
-    for (QDoubleSpinBox* box : {m_lower, m_upper})
+    for (QDoubleSpinBox* box : {m_lower, m_upper}) {
+        box->setFixedWidth(valueFieldWidth);
         connect(box, &QDoubleSpinBox::valueChanged, this, &PaintLimits::takeSettings);
+    }
     connect(m_onlyBetween, &QCheckBox::clicked, this, &PaintLimits::takeInterval);
     connect(m_overwrite, &QCheckBox::toggled, this, &PaintLimits::takeSettings);
 }

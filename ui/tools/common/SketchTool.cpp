@@ -26,7 +26,7 @@ glm::dvec2 pixelOf(const PointerSample& sample)
 } // namespace
 
 SketchTool::SketchTool(Workspace& workspace, QObject* parent)
-    : Tool(parent)
+    : CursorTool(parent)
     , m_workspace(workspace)
 {
     connect(&workspace, &Workspace::sessionChanged, this, [this] {
@@ -117,19 +117,6 @@ void SketchTool::cancel()
     m_radii.clear();
     sketchOver();
     m_workspace.say(tr("The sketch was dropped"));
-    Q_EMIT overlayChanged();
-}
-
-void SketchTool::hover(const PointerSample& sample, const ViewContext& view)
-{
-    m_cursor = sample.position;
-    m_cursorView = view.view;
-    Q_EMIT overlayChanged();
-}
-
-void SketchTool::leave()
-{
-    m_cursorView.reset();
     Q_EMIT overlayChanged();
 }
 
@@ -225,12 +212,12 @@ void SketchTool::paintOverlay(QPainter& painter, const ViewContext& view) const
     painter.setRenderHint(QPainter::Antialiasing);
     if (m_strokeView && m_strokeView->view == view.view)
         paintSketch(painter);
-    if (m_cursorView != view.view)
+    if (!isUnderPointer(view))
         return;
     painter.setPen(QPen(QColor(0, 0, 0, 180), 1.0));
     painter.setBrush(colour());
-    painter.drawEllipse(m_cursor, 4.0, 4.0);
-    drawCursorLabel(painter, view.sizePixels, m_cursor, 4.0, cursorLines());
+    painter.drawEllipse(cursor(), 4.0, 4.0);
+    drawCursorLabel(painter, view.sizePixels, cursor(), 4.0, cursorLines());
 }
 
 } // namespace ui

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "ui/input/Tool.h"
 #include "ui/tools/aim/SeenVoxels.h"
+#include "ui/tools/common/CursorTool.h"
 
 #include <QColor>
 #include <QStringList>
@@ -17,7 +17,7 @@ class Workspace;
 /// Base of the tools that sketch voxels: on a slice those under the path, on the 3D view those that
 /// are seen under it (seed A §5.1). Where a tool wants it, the path of a pen is as wide as the pen
 /// is pressed. Each tool decides what to do with them at pen-up.
-class SketchTool : public Tool {
+class SketchTool : public CursorTool {
     Q_OBJECT
 
 public:
@@ -30,8 +30,6 @@ public:
     void drag(const PointerSample& sample, const ViewContext& view) override;
     void release(const PointerSample& sample, const ViewContext& view) override;
     void cancel() override;
-    void hover(const PointerSample& sample, const ViewContext& view) override;
-    void leave() override;
 
     void paintOverlay(QPainter& painter, const ViewContext& view) const override;
 
@@ -91,8 +89,6 @@ private:
     Qt::KeyboardModifiers m_modifiers;
     bool m_withEraser = false;
     SeenAlong m_seenAlong;
-    QPointF m_cursor;
-    std::optional<gpu::ViewId> m_cursorView;
 };
 
 } // namespace ui

@@ -40,7 +40,7 @@ void readNumber(
 } // namespace
 
 ContourTool::ContourTool(Workspace& workspace, QObject* parent)
-    : Tool(parent)
+    : CursorTool(parent)
     , m_workspace(workspace)
     , m_run(workspace)
     , m_look(workspace)
@@ -63,7 +63,7 @@ ContourTool::ContourTool(Workspace& workspace, QObject* parent)
     connect(&workspace, &Workspace::editableChanged, this, &ContourTool::follow);
     connect(&workspace, &Workspace::activeSegmentChanged, this, [this] {
         if (m_workspace.activeSegment() != m_segment)
-            drop();
+            putAway();
         Q_EMIT overlayChanged();
     });
 }
@@ -273,6 +273,15 @@ void ContourTool::cancel()
         session->segmentWork().abort();
 }
 
+/// A peel is kept here; a step made of a contour would take away what a redo leads to.
+void ContourTool::putAway()
+{
+    if (!m_run.isOpen() && !m_awaitsValues)
+        return;
+    drop();
+    m_workspace.say(tr("The contour was dropped, as nobody had accepted it; nothing has changed"));
+}
+
 bool ContourTool::pressKey(int key)
 {
     if (!m_run.isOpen())
@@ -295,19 +304,6 @@ void ContourTool::changeRadius(int steps)
     const double step = now.bubbleMm < 10.0 ? 0.5 : 1.0;
     now.bubbleMm = std::clamp(now.bubbleMm + steps * step, minimumBubbleMm, maximumBubbleMm);
     setSettings(now);
-}
-
-void ContourTool::hover(const PointerSample& sample, const ViewContext& view)
-{
-    m_cursor = sample.position;
-    m_cursorView = view.view;
-    Q_EMIT overlayChanged();
-}
-
-void ContourTool::leave()
-{
-    m_cursorView.reset();
-    Q_EMIT overlayChanged();
 }
 
 void ContourTool::showRun()
@@ -358,18 +354,18 @@ void ContourTool::paintOverlay(QPainter& painter, const ViewContext& view) const
         else
             m_ghost.paint(painter, view, state, geometry, colour);
     }
-    if (m_cursorView != view.view || !view.isSlice())
+    if (!isUnderPointer(view) || !view.isSlice())
         return;
     if (!m_settings.fromSegment && !m_run.isOpen())
         drawCursorRing(
-            painter, m_cursor, m_settings.bubbleMm / view.mmPerPixel(), toolColour(), true);
+            painter, cursor(), m_settings.bubbleMm / view.mmPerPixel(), toolColour(), true);
     QStringList lines{m_run.track() ? shownText() : target()};
     lines += intervalText();
     if (const QString editable = m_workspace.editableText(); !editable.isEmpty())
         lines += editable;
     const double radius =
         m_settings.fromSegment || m_run.isOpen() ? 6.0 : m_settings.bubbleMm / view.mmPerPixel();
-    drawCursorLabel(painter, view.sizePixels, m_cursor, radius, lines);
+    drawCursorLabel(painter, view.sizePixels, cursor(), radius, lines);
 }
 
 } // namespace ui

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "ui/input/Tool.h"
 #include "ui/tasks/SketchLook.h"
+#include "ui/tools/common/CursorTool.h"
 #include "ui/tools/contour/ContourDrawing.h"
 #include "ui/tools/contour/ContourGhost.h"
 #include "ui/tools/contour/ContourRun.h"
@@ -18,7 +18,7 @@ class Workspace;
 /// settings, until it is accepted, as one step at the generation that is shown, or aborted, which
 /// leaves nothing. The interval is that of growth, which a bubble may set like a sketch does; which
 /// voxels may change is set as for painting. ContourPanel has its controls.
-class ContourTool : public Tool {
+class ContourTool : public CursorTool {
     Q_OBJECT
 
 public:
@@ -60,14 +60,12 @@ public:
     void press(const PointerSample& sample, const ViewContext& view) override;
     /// Drops what is watched; else abandons one that was accepted and takes long.
     void cancel() override;
-    /// What was accepted goes on when another tool is chosen.
-    void putAway() override { drop(); }
+    /// What is watched is dropped, and the user hears of it. What was accepted goes on.
+    void putAway() override;
     /// Undo drops what is watched.
     [[nodiscard]] bool canTakeStepBack() const override { return m_run.isOpen(); }
     void takeStepBack() override { drop(); }
     [[nodiscard]] QString stepText() const override { return tr("the contour that is watched"); }
-    void hover(const PointerSample& sample, const ViewContext& view) override;
-    void leave() override;
     /// Enter accepts; the arrow keys go to the generation before and after.
     bool pressKey(int key) override;
     /// The bubble's.
@@ -111,8 +109,6 @@ private:
     int m_segment = 0; ///< label, of what is watched; 0: it has none before it is accepted
     std::optional<glm::dvec3> m_bubbleLps; ///< of the same
     bool m_wasOpen = false;
-    QPointF m_cursor;
-    std::optional<gpu::ViewId> m_cursorView;
 };
 
 } // namespace ui

@@ -71,7 +71,7 @@ FloodOptions floodOptions(QWidget* parent)
 } // namespace
 
 FloodFillTool::FloodFillTool(Workspace& workspace, QObject* parent)
-    : Tool(parent)
+    : CursorTool(parent)
     , m_workspace(workspace)
 {
     connect(&workspace, &Workspace::activeSegmentChanged, this, &Tool::overlayChanged);
@@ -237,20 +237,7 @@ void FloodFillTool::cancel()
 void FloodFillTool::hover(const PointerSample& sample, const ViewContext& view)
 {
     m_erases = sample.eraserEnd || sample.modifiers.testFlag(Qt::ControlModifier);
-    showCursor(sample, view);
-}
-
-void FloodFillTool::leave()
-{
-    m_cursorView.reset();
-    Q_EMIT overlayChanged();
-}
-
-void FloodFillTool::showCursor(const PointerSample& sample, const ViewContext& view)
-{
-    m_cursor = sample.position;
-    m_cursorView = view.view;
-    Q_EMIT overlayChanged();
+    showCursor(sample.position, view.view);
 }
 
 QString FloodFillTool::action(bool erases) const
@@ -268,12 +255,12 @@ QString FloodFillTool::action(bool erases) const
 
 void FloodFillTool::paintOverlay(QPainter& painter, const ViewContext& view) const
 {
-    if (!m_workspace.session() || !worksIn(view) || m_cursorView != view.view)
+    if (!m_workspace.session() || !worksIn(view) || !isUnderPointer(view))
         return;
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setBrush(toolColour());
     painter.setPen(Qt::NoPen);
-    painter.drawEllipse(m_cursor, 2.0, 2.0);
+    painter.drawEllipse(cursor(), 2.0, 2.0);
     QStringList lines{action(m_erases)};
     const QString reach = m_settings.in3D ? tr("in 3D") : tr("in the slice");
     if (m_erases) {
@@ -287,7 +274,7 @@ void FloodFillTool::paintOverlay(QPainter& painter, const ViewContext& view) con
     }
     if (const QString editable = m_workspace.editableText(); !editable.isEmpty())
         lines += editable;
-    drawCursorLabel(painter, view.sizePixels, m_cursor, 6.0, lines);
+    drawCursorLabel(painter, view.sizePixels, cursor(), 6.0, lines);
 }
 
 } // namespace ui

@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "ui/input/Tool.h"
-
-#include <QPointF>
-
-#include <optional>
+#include "ui/tools/common/CursorTool.h"
 
 namespace ui {
 
@@ -15,7 +11,7 @@ class Workspace;
 /// value; with Ctrl or the pen's eraser end it takes away what hangs together of the segment there.
 /// In the slice alone or in all directions. Each click is one step. The first one of a session
 /// makes a segment, as a step of its own.
-class FloodFillTool : public Tool {
+class FloodFillTool : public CursorTool {
     Q_OBJECT
 
 public:
@@ -45,7 +41,6 @@ public:
     /// A fill goes on when another tool is chosen.
     void putAway() override { }
     void hover(const PointerSample& sample, const ViewContext& view) override;
-    void leave() override;
     /// The tolerance.
     void changeRadius(int steps) override;
 
@@ -60,13 +55,10 @@ Q_SIGNALS:
 private:
     [[nodiscard]] QString action(bool erases) const;
     [[nodiscard]] double step() const;
-    void showCursor(const PointerSample& sample, const ViewContext& view);
 
     Workspace& m_workspace;
     Settings m_settings;
     bool m_erases = false;
-    QPointF m_cursor;
-    std::optional<int> m_cursorView; ///< gpu::ViewId
 };
 
 } // namespace ui

@@ -26,7 +26,7 @@ bool removesOnly(const PointerSample& sample)
 } // namespace
 
 ChunkTool::ChunkTool(Workspace& workspace, QObject* parent)
-    : Tool(parent)
+    : CursorTool(parent)
     , m_workspace(workspace)
 {
     // A stroke ends with the chunks it was begun on.
@@ -229,8 +229,6 @@ void ChunkTool::hover(const PointerSample& sample, const ViewContext& view)
 
 void ChunkTool::point(const QPointF& pixel, const ViewContext& view, bool removes)
 {
-    m_cursor = pixel;
-    m_cursorView = view.view;
     m_removes = removes;
     const Chunks& chunks = m_workspace.chunks();
     const auto voxel = chunks.map() && worksIn(view)
@@ -243,16 +241,15 @@ void ChunkTool::point(const QPointF& pixel, const ViewContext& view, bool remove
     if (!m_stroke)
         m_workspace.chunks().setLit(
             m_pointed ? std::vector<Chunk>{*m_pointed} : std::vector<Chunk>{});
-    Q_EMIT overlayChanged();
+    showCursor(pixel, view.view);
 }
 
 void ChunkTool::leave()
 {
-    m_cursorView.reset();
     m_pointed.reset();
     if (!m_stroke)
         m_workspace.chunks().setLit({});
-    Q_EMIT overlayChanged();
+    CursorTool::leave();
 }
 
 void ChunkTool::changeRadius(int steps)
@@ -265,7 +262,7 @@ void ChunkTool::changeRadius(int steps)
 
 void ChunkTool::paintOverlay(QPainter& painter, const ViewContext& view) const
 {
-    if (!m_workspace.session() || m_cursorView != view.view || !worksIn(view))
+    if (!m_workspace.session() || !isUnderPointer(view) || !worksIn(view))
         return;
     painter.setRenderHint(QPainter::Antialiasing);
     QStringList lines;
@@ -282,7 +279,7 @@ void ChunkTool::paintOverlay(QPainter& painter, const ViewContext& view) const
     }
     if (m_pointed)
         lines << chunkText(*m_pointed);
-    drawCursorLabel(painter, view.sizePixels, m_cursor, 6.0, lines);
+    drawCursorLabel(painter, view.sizePixels, cursor(), 6.0, lines);
 }
 
 } // namespace ui

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/edits/kinds/chunks/ChunkToggle.h"
-#include "ui/input/Tool.h"
+#include "ui/tools/common/CursorTool.h"
 #include "ui/workspace/Chunks.h"
 #include "ui/workspace/Workspace.h"
 
@@ -15,7 +15,7 @@ namespace ui {
 /// view. A click removes a chunk that the segment contains and adds any other. A drag does to all
 /// chunks on its way what it did to the first. With Ctrl, or the pen's eraser end, chunks are only
 /// removed. Each stroke is one edit, made when the pen is lifted.
-class ChunkTool : public Tool {
+class ChunkTool : public CursorTool {
     Q_OBJECT
 
 public:
@@ -62,8 +62,6 @@ private:
     Workspace& m_workspace;
     std::optional<Stroke> m_stroke;
     std::optional<Chunk> m_pointed; ///< chunk under the pointer
-    QPointF m_cursor;
-    std::optional<gpu::ViewId> m_cursorView;
     bool m_removes = false;
 };
 

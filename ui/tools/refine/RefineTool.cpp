@@ -36,7 +36,7 @@ glm::dvec3 forwardOf(const ViewContext& view)
 } // namespace
 
 RefineTool::RefineTool(Workspace& workspace, QObject* parent)
-    : Tool(parent)
+    : CursorTool(parent)
     , m_workspace(workspace)
 {
     connect(&workspace.refinement(), &Refinement::settingsChanged, this, &Tool::overlayChanged);
@@ -305,18 +305,10 @@ void RefineTool::cancel()
 
 void RefineTool::hover(const PointerSample& sample, const ViewContext& view)
 {
-    m_cursor = sample.position;
-    m_cursorView = view.view;
     m_pressure = m_stroke && m_stroke->isPressed ? pressedShare(sample) : 1.0;
     m_inverted = m_stroke ? m_stroke->inverted
                           : sample.eraserEnd || (sample.modifiers & Qt::ControlModifier);
-    Q_EMIT overlayChanged();
-}
-
-void RefineTool::leave()
-{
-    m_cursorView.reset();
-    Q_EMIT overlayChanged();
+    showCursor(sample.position, view.view);
 }
 
 void RefineTool::changeRadius(int steps)
@@ -374,12 +366,12 @@ void RefineTool::paintOverlay(QPainter& painter, const ViewContext& view) const
         paintContours(painter, view);
     if (m_workspace.refinement().settings().mode == Refinement::Mode::Template)
         return;
-    if (!m_workspace.session() || m_cursorView != view.view || !worksIn(view))
+    if (!m_workspace.session() || !isUnderPointer(view) || !worksIn(view))
         return;
     const double radiusMm = m_workspace.refinement().settings().radiusMm;
     const double radius = m_pressure * radiusMm / view.mmPerPixel();
-    drawCursorRing(painter, m_cursor, radius, colour(), m_inverted);
-    drawCursorLabel(painter, view.sizePixels, m_cursor, radius,
+    drawCursorRing(painter, cursor(), radius, colour(), m_inverted);
+    drawCursorLabel(painter, view.sizePixels, cursor(), radius,
         {target(), tr("radius %1 mm").arg(QLocale().toString(radiusMm, 'f', 1))});
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "ui/input/Tool.h"
+#include "ui/tools/common/CursorTool.h"
 #include "ui/workspace/Refinement.h"
 #include "ui/workspace/Workspace.h"
 
@@ -18,7 +18,7 @@ namespace ui {
 /// On a slice the tool is at the pen. In the 3D view it follows the surface as it was at pen-down.
 /// The centre of the sphere then lies half its radius outside of the surface and pushes inwards;
 /// with Ctrl it lies inside and pushes outwards.
-class RefineTool : public Tool {
+class RefineTool : public CursorTool {
     Q_OBJECT
 
 public:
@@ -43,7 +43,6 @@ public:
     void cancel() override;
     void putAway() override;
     void hover(const PointerSample& sample, const ViewContext& view) override;
-    void leave() override;
     void changeRadius(int steps) override;
     void paintOverlay(QPainter& painter, const ViewContext& view) const override;
 
@@ -77,8 +76,6 @@ private:
         std::vector<glm::dvec3> pointsLps;
     };
     std::optional<Contour> m_contour;
-    QPointF m_cursor;
-    std::optional<gpu::ViewId> m_cursorView;
     bool m_inverted = false;
     double m_pressure = 1.0; ///< the share of the radius at the cursor
 };

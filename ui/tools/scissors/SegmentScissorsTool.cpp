@@ -28,7 +28,7 @@ using Does = SegmentScissorsTool::Does;
 } // namespace
 
 SegmentScissorsTool::SegmentScissorsTool(Workspace& workspace, QObject* parent)
-    : Tool(parent)
+    : CursorTool(parent)
     , m_workspace(workspace)
 {
     connect(&workspace, &Workspace::activeSegmentChanged, this, &Tool::overlayChanged);
@@ -204,7 +204,7 @@ void SegmentScissorsTool::press(const PointerSample& sample, const ViewContext& 
         return;
     m_inverts = sample.eraserEnd || sample.modifiers.testFlag(Qt::ControlModifier);
     m_sketch.begin(sample.position, view, m_settings.shape);
-    showCursor(sample, view.view);
+    showCursor(sample.position, view.view);
 }
 
 void SegmentScissorsTool::drag(const PointerSample& sample, const ViewContext& view)
@@ -212,7 +212,7 @@ void SegmentScissorsTool::drag(const PointerSample& sample, const ViewContext& v
     if (!m_sketch.drawing() || view.view != m_sketch.view().view)
         return;
     m_sketch.extend(sample.position);
-    showCursor(sample, view.view);
+    showCursor(sample.position, view.view);
 }
 
 void SegmentScissorsTool::release(const PointerSample& sample, const ViewContext& view)
@@ -226,7 +226,7 @@ void SegmentScissorsTool::release(const PointerSample& sample, const ViewContext
         m_workspace.say(tr("Draw a curve on the 3D view; it closes by itself"));
     else
         cut(sketched, curve);
-    showCursor(sample, view.view);
+    showCursor(sample.position, view.view);
 }
 
 void SegmentScissorsTool::cut(const ViewContext& view, const std::vector<glm::dvec2>& curve)
@@ -273,20 +273,7 @@ void SegmentScissorsTool::cancel()
 void SegmentScissorsTool::hover(const PointerSample& sample, const ViewContext& view)
 {
     m_inverts = sample.eraserEnd || sample.modifiers.testFlag(Qt::ControlModifier);
-    showCursor(sample, view.view);
-}
-
-void SegmentScissorsTool::leave()
-{
-    m_cursorView.reset();
-    Q_EMIT overlayChanged();
-}
-
-void SegmentScissorsTool::showCursor(const PointerSample& sample, gpu::ViewId view)
-{
-    m_cursor = sample.position;
-    m_cursorView = view;
-    Q_EMIT overlayChanged();
+    showCursor(sample.position, view.view);
 }
 
 /// The curve, and on which side of it something would change, as far as the editable range allows
@@ -315,13 +302,13 @@ void SegmentScissorsTool::paintCut(QPainter& painter, const ViewContext& view) c
 
 void SegmentScissorsTool::paintOverlay(QPainter& painter, const ViewContext& view) const
 {
-    if (!m_workspace.session() || m_cursorView != view.view || !worksIn(view))
+    if (!m_workspace.session() || !isUnderPointer(view) || !worksIn(view))
         return;
     if (m_sketch.drawing())
         paintCut(painter, view);
     painter.setBrush(toolColour());
     painter.setPen(Qt::NoPen);
-    painter.drawEllipse(m_cursor, 2.0, 2.0);
+    painter.drawEllipse(cursor(), 2.0, 2.0);
     QStringList lines;
     if (!isOutside(doesNow()))
         lines << (m_settings.depthMm > 0.0
@@ -330,7 +317,7 @@ void SegmentScissorsTool::paintOverlay(QPainter& painter, const ViewContext& vie
     lines << target();
     if (const QString limits = limitsText(m_workspace); !limits.isEmpty())
         lines << limits;
-    drawCursorLabel(painter, view.sizePixels, m_cursor, 6.0, lines);
+    drawCursorLabel(painter, view.sizePixels, cursor(), 6.0, lines);
 }
 
 } // namespace ui

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "ui/input/Tool.h"
+#include "ui/tools/common/CursorTool.h"
 #include "ui/tools/common/CurveSketch.h"
 
-#include <optional>
 #include <vector>
 
 namespace ui {
@@ -15,7 +14,7 @@ class Workspace;
 /// view direction, or fills it there; with Ctrl or the pen's eraser end the other of both. Inside
 /// it may stop at a depth behind what is seen first. Which voxels may change is set as for
 /// painting. Each curve is one step.
-class SegmentScissorsTool : public Tool {
+class SegmentScissorsTool : public CursorTool {
     Q_OBJECT
 
 public:
@@ -50,7 +49,6 @@ public:
     void release(const PointerSample& sample, const ViewContext& view) override;
     void cancel() override;
     void hover(const PointerSample& sample, const ViewContext& view) override;
-    void leave() override;
     void changeDepth(int steps) override;
 
     void paintOverlay(QPainter& painter, const ViewContext& view) const override;
@@ -70,14 +68,11 @@ private:
     [[nodiscard]] Does doesNow() const;
     void cut(const ViewContext& view, const std::vector<glm::dvec2>& curve);
     void paintCut(QPainter& painter, const ViewContext& view) const;
-    void showCursor(const PointerSample& sample, gpu::ViewId view);
 
     Workspace& m_workspace;
     Settings m_settings;
     CurveSketch m_sketch;
     bool m_inverts = false;
-    QPointF m_cursor;
-    std::optional<gpu::ViewId> m_cursorView;
 };
 
 } // namespace ui

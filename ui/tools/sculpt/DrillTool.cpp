@@ -54,7 +54,7 @@ QString sizeText(const Workspace::DrillSettings& settings)
 } // namespace
 
 DrillTool::DrillTool(Workspace& workspace, QObject* parent)
-    : Tool(parent)
+    : CursorTool(parent)
     , m_workspace(workspace)
     , m_drawing(workspace)
     , m_preview(workspace, [this] { Q_EMIT overlayChanged(); })
@@ -357,19 +357,16 @@ void DrillTool::hover(const PointerSample& sample, const ViewContext& view)
 
 void DrillTool::leave()
 {
-    m_cursorView.reset();
     m_preview.forget();
-    Q_EMIT overlayChanged();
+    CursorTool::leave();
 }
 
 void DrillTool::showCursor(const PointerSample& sample, gpu::ViewId view)
 {
-    m_cursor = sample.position;
-    m_cursorView = view;
     m_pressure = m_strokeView ? sample.pressure : 0.0;
     if (!m_strokeView)
         m_restores = restoresWith(sample);
-    Q_EMIT overlayChanged();
+    CursorTool::showCursor(sample.position, view);
 }
 
 void DrillTool::changeRadius(int steps)
@@ -436,19 +433,19 @@ bool DrillTool::paintFootprint(QPainter& painter, const ViewContext& view) const
 
 void DrillTool::paintOverlay(QPainter& painter, const ViewContext& view) const
 {
-    if (!m_workspace.session() || m_cursorView != view.view || !worksIn(view))
+    if (!m_workspace.session() || !isUnderPointer(view) || !worksIn(view))
         return;
     if (m_drawing.isWanted())
-        return m_drawing.paint(painter, view, m_cursor);
+        return m_drawing.paint(painter, view, cursor());
     const Workspace::DrillSettings& settings = m_workspace.drillSettings();
     const double radius = settings.radiusMm / view.mmPerPixel();
 
     if (!paintFootprint(painter, view))
         drawToolOutline(
-            painter, maskOutline(drillMask(settings, m_held), m_cursor, view.mmPerPixel()));
+            painter, maskOutline(drillMask(settings, m_held), cursor(), view.mmPerPixel()));
     painter.setBrush(toolColour());
     painter.setPen(Qt::NoPen);
-    painter.drawEllipse(m_cursor, 2.0, 2.0);
+    painter.drawEllipse(cursor(), 2.0, 2.0);
 
     const QString full = QLocale().toString(depthMm(), 'f', 1);
     const bool rate = settings.mode == core::DrillMode::Rate;
@@ -462,7 +459,7 @@ void DrillTool::paintOverlay(QPainter& painter, const ViewContext& view) const
     // Where the picture itself does not say where a cut starts.
     if (m_workspace.volumeDisplay().mode != gpu::RenderMode::Surface)
         lines += startText(m_workspace);
-    drawCursorLabel(painter, view.sizePixels, m_cursor, radius, lines);
+    drawCursorLabel(painter, view.sizePixels, cursor(), radius, lines);
 }
 
 } // namespace ui

@@ -3,9 +3,9 @@
 
 #include "core/edits/kinds/Edit.h"
 #include "core/edits/kinds/sculpt/PenSample.h"
-#include "ui/input/Tool.h"
 #include "ui/tools/aim/SurfacePreview.h"
 #include "ui/tools/aim/SweepAim.h"
+#include "ui/tools/common/CursorTool.h"
 #include "ui/tools/sculpt/ToolMaskDrawing.h"
 #include "ui/workspace/Workspace.h"
 
@@ -24,7 +24,7 @@ class DrillOptions;
 /// or fills it again: with Ctrl, or the pen's eraser end. The view of pen-down holds for the whole
 /// stroke; the cut shows while the pen is down, and cancel() takes it back. In mode Rate a resting
 /// pen goes deeper.
-class DrillTool : public Tool {
+class DrillTool : public CursorTool {
     Q_OBJECT
 
 public:
@@ -94,8 +94,6 @@ private:
     std::optional<SweepAim> m_aim; ///< of the stroke
     SurfacePreview m_preview;
     double m_startSeconds = 0.0;
-    QPointF m_cursor;
-    std::optional<gpu::ViewId> m_cursorView;
     double m_pressure = 0.0;
     PointerSample m_held; ///< how the pen is held: when it went down, or as it hovers
     bool m_restores = false; ///< the stroke, or what a press would do now

@@ -145,7 +145,7 @@ void PeelTool::press(const PointerSample& sample, const ViewContext& view)
         .fromMm = m_depthMm,
         .mmPerPixel = std::min(view.mmPerPixel(), mostMmPerPixel),
         .view = view.view};
-    showCursor(sample, view.view);
+    showCursor(sample.position, view.view);
 }
 
 void PeelTool::drag(const PointerSample& sample, const ViewContext& view)
@@ -156,7 +156,7 @@ void PeelTool::drag(const PointerSample& sample, const ViewContext& view)
         return;
     const double down = sample.position.y() - m_depthDrag->from.y();
     setDepthMm(std::round((m_depthDrag->fromMm + down * m_depthDrag->mmPerPixel) * 10.0) / 10.0);
-    showCursor(sample, view.view);
+    showCursor(sample.position, view.view);
 }
 
 void PeelTool::release(const PointerSample& sample, const ViewContext& view)

@@ -59,7 +59,7 @@ std::vector<glm::dvec3> thinned(const std::vector<glm::dvec3>& curve)
 } // namespace
 
 MeasureTool::MeasureTool(Workspace& workspace, QObject* parent)
-    : Tool(parent)
+    : CursorTool(parent)
     , m_workspace(workspace)
     , m_axes(workspace)
 {
@@ -439,19 +439,6 @@ bool MeasureTool::canTakeStepBack() const
     return m_view && !m_pressed;
 }
 
-void MeasureTool::hover(const PointerSample& sample, const ViewContext& view)
-{
-    m_cursor = sample.position;
-    m_cursorView = view.view;
-    Q_EMIT overlayChanged();
-}
-
-void MeasureTool::leave()
-{
-    m_cursorView.reset();
-    Q_EMIT overlayChanged();
-}
-
 void MeasureTool::paintOverlay(QPainter& painter, const ViewContext& view) const
 {
     if (!m_workspace.volume() || !worksIn(view))
@@ -464,7 +451,7 @@ void MeasureTool::paintOverlay(QPainter& painter, const ViewContext& view) const
         core::Measurement measured = drawn();
         const bool halfAngle = m_kind == Kind::Angle && m_points.size() < 3;
         if (halfAngle && !m_pressed)
-            measured.pointsLps.push_back(view.toLps(m_cursor));
+            measured.pointsLps.push_back(view.toLps(cursor()));
         if (measured.pointsLps.size() < 3 && (halfAngle || measured.kind == Kind::Outline)) {
             // As much as is there of it.
             QPolygonF line;
@@ -478,15 +465,15 @@ void MeasureTool::paintOverlay(QPainter& painter, const ViewContext& view) const
         if (view.isSlice() && measured.kind != Kind::Outline)
             words = sizeLines(measured, core::measuredSize(measured, *m_workspace.volume()));
         paintMeasurement(painter, view, drawingOf(measured, view), words);
-    } else if (m_cursorView == view.view) {
+    } else if (isUnderPointer(view)) {
         QString does = tr("measures from here");
-        if (heldAt(m_cursor, view))
+        if (heldAt(cursor(), view))
             does = tr("moves this");
         else if (m_suggestsAxes)
             does = tr("suggests axes");
         else if (isNote())
             does = tr("notes here");
-        drawCursorLabel(painter, view.sizePixels, m_cursor, 4.0, {does});
+        drawCursorLabel(painter, view.sizePixels, cursor(), 4.0, {does});
     }
 }
 

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "core/document/Measurement.h"
-#include "ui/input/Tool.h"
 #include "ui/measure/AxesOfSegment.h"
+#include "ui/tools/common/CursorTool.h"
 
 #include <optional>
 #include <vector>
@@ -24,7 +24,7 @@ class Workspace;
 /// What is drawn by a drag can also be moved by one: a press near a point of a measurement that the
 /// slice shows takes hold of it (core/measure/MeasureHandles.h), and the drag is one
 /// MoveMeasurement.
-class MeasureTool : public Tool {
+class MeasureTool : public CursorTool {
     Q_OBJECT
 
 public:
@@ -57,8 +57,6 @@ public:
     void cancel() override;
     [[nodiscard]] bool canTakeStepBack() const override;
     void takeStepBack() override { cancel(); }
-    void hover(const PointerSample& sample, const ViewContext& view) override;
-    void leave() override;
 
     void paintOverlay(QPainter& painter, const ViewContext& view) const override;
 
@@ -102,8 +100,6 @@ private:
     bool m_pressed = false;
     std::optional<Held> m_held;
     std::vector<glm::dvec3> m_points; ///< as they were drawn, on the plane of the view
-    QPointF m_cursor;
-    std::optional<gpu::ViewId> m_cursorView;
 };
 
 } // namespace ui

@@ -25,7 +25,7 @@ constexpr double leastDragPixels = 6.0;
 } // namespace
 
 UndoHereTool::UndoHereTool(Workspace& workspace, QObject* parent)
-    : Tool(parent)
+    : CursorTool(parent)
     , m_workspace(workspace)
 {
     connect(&workspace, &Workspace::sessionChanged, this, [this] { m_pressedView.reset(); });
@@ -96,19 +96,6 @@ void UndoHereTool::cancel()
     Q_EMIT overlayChanged();
 }
 
-void UndoHereTool::hover(const PointerSample& sample, const ViewContext& view)
-{
-    m_cursor = sample.position;
-    m_cursorView = view.view;
-    Q_EMIT overlayChanged();
-}
-
-void UndoHereTool::leave()
-{
-    m_cursorView.reset();
-    Q_EMIT overlayChanged();
-}
-
 void UndoHereTool::changeRadius(int steps)
 {
     m_radiusMm = std::clamp(m_radiusMm + steps, leastRadiusMm, greatestRadiusMm);
@@ -117,7 +104,7 @@ void UndoHereTool::changeRadius(int steps)
 
 bool UndoHereTool::isRectangle() const
 {
-    const QPointF way = m_cursor - m_pressed;
+    const QPointF way = cursor() - m_pressed;
     return m_pressedView && m_pressedView->isSlice()
         && std::max(std::abs(way.x()), std::abs(way.y())) >= leastDragPixels;
 }
@@ -125,7 +112,7 @@ bool UndoHereTool::isRectangle() const
 void UndoHereTool::undoOnSlice()
 {
     const ViewContext& view = *m_pressedView;
-    const QPointF other = isRectangle() ? m_cursor : m_pressed;
+    const QPointF other = isRectangle() ? cursor() : m_pressed;
     std::vector<glm::dvec3> corners;
     for (const QPointF& corner :
         {m_pressed, other, QPointF(m_pressed.x(), other.y()), QPointF(other.x(), m_pressed.y())})
@@ -185,7 +172,7 @@ core::VoxelBox UndoHereTool::boxAround(
 
 void UndoHereTool::paintOverlay(QPainter& painter, const ViewContext& view) const
 {
-    if (!m_workspace.session() || m_cursorView != view.view || !worksIn(view))
+    if (!m_workspace.session() || !isUnderPointer(view) || !worksIn(view))
         return;
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setBrush(Qt::NoBrush);
@@ -195,11 +182,11 @@ void UndoHereTool::paintOverlay(QPainter& painter, const ViewContext& view) cons
     for (const QPen& pen : {QPen(QColor(0, 0, 0, 150), 3.5), QPen(toolColour(), 1.6)}) {
         painter.setPen(pen);
         if (rectangle)
-            painter.drawRect(QRectF(m_pressed, m_cursor).normalized());
+            painter.drawRect(QRectF(m_pressed, cursor()).normalized());
         else
-            painter.drawEllipse(m_cursor, radius, radius);
+            painter.drawEllipse(cursor(), radius, radius);
     }
-    drawCursorLabel(painter, view.sizePixels, m_cursor, rectangle ? 4.0 : radius,
+    drawCursorLabel(painter, view.sizePixels, cursor(), rectangle ? 4.0 : radius,
         {target(), tr("within %1 mm").arg(QLocale().toString(m_radiusMm, 'f', 1))});
 }
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/brick/BrickGrid.h"
-#include "ui/input/Tool.h"
+#include "ui/tools/common/CursorTool.h"
 
 #include <optional>
 
@@ -13,7 +13,7 @@ class Workspace;
 /// Takes back the last step that changed something at a place, and keeps all others. A click means
 /// a box around what is seen there, its side twice the radius; a drag on a slice means the box
 /// under the rectangle, extending by the radius to both sides of the slice.
-class UndoHereTool : public Tool {
+class UndoHereTool : public CursorTool {
     Q_OBJECT
 
 public:
@@ -30,8 +30,6 @@ public:
     void drag(const PointerSample& sample, const ViewContext& view) override;
     void release(const PointerSample& sample, const ViewContext& view) override;
     void cancel() override;
-    void hover(const PointerSample& sample, const ViewContext& view) override;
-    void leave() override;
     void changeRadius(int steps) override;
 
     void paintOverlay(QPainter& painter, const ViewContext& view) const override;
@@ -48,8 +46,6 @@ private:
     double m_radiusMm = 5.0;
     std::optional<ViewContext> m_pressedView;
     QPointF m_pressed;
-    QPointF m_cursor;
-    std::optional<gpu::ViewId> m_cursorView;
 };
 
 } // namespace ui

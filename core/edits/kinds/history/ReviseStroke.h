@@ -9,8 +9,8 @@
 namespace core {
 
 /// Changes or removes an earlier cut of the history; what later strokes cut stays
-/// (session/operations/ReviseOperation.h). Absent fields are as in the original row, not as in an
-/// earlier revision. StrokeParameters says which fields a cut has.
+/// (session/operations/history/ReviseOperation.h). Absent fields are as in the original row, not as
+/// in an earlier revision. StrokeParameters says which fields a cut has.
 struct ReviseStroke {
     std::int64_t row = 0; ///< RowId
     std::optional<double> radiusMm{};

@@ -11,6 +11,8 @@
 #include "core/edits/kinds/parts/SegmentChoice.h"
 #include "core/sculpt/labels/LabelThreshold.h"
 
+#include <utility>
+
 namespace core {
 
 using namespace rowWords;
@@ -80,20 +82,19 @@ EditEffects effects(const ThresholdSegment& edit)
 
 Result<LabelThreshold> labelThreshold(const ThresholdSegment& edit, const Document& document)
 {
-    if (edit.lower && edit.upper && !(*edit.lower <= *edit.upper))
-        return failure(ErrorCode::InvalidField, QStringLiteral("thresholdSegment.upper"),
-            QStringLiteral("%1 is below lower, %2").arg(*edit.upper).arg(*edit.lower));
-    Result<LabelTarget> target =
-        labelTarget({.segment = edit.segment, .name = {}}, edit.overwriteUnlocked, document);
+    const Volume& volume = document.volumes.front();
+    const Result<CodeInterval> codes =
+        codesBetween(QStringLiteral("thresholdSegment"), edit.lower, edit.upper, volume.encoding);
+    if (!codes)
+        return tl::unexpected(codes.error());
+    Result<LabelTarget> target = segmentTarget(edit.segment, edit.overwriteUnlocked, document);
     if (!target)
         return tl::unexpected(target.error());
-    const Volume& volume = document.volumes.front();
-    LabelThreshold threshold{.target = *std::move(target), .how = howOf(edit.mode)};
-    if (edit.lower)
-        threshold.lowCode = volume.encoding.lowestCodeAtLeast(*edit.lower);
-    if (edit.upper)
-        threshold.highCode = volume.encoding.highestCodeAtMost(*edit.upper);
-    threshold.onlyVisible = edit.onlyVisible;
+    LabelThreshold threshold{.target = *std::move(target),
+        .how = howOf(edit.mode),
+        .lowCode = codes->low,
+        .highCode = codes->high,
+        .onlyVisible = edit.onlyVisible};
     if (edit.box) {
         const Result<VoxelSpan> span =
             voxelsOf(*edit.box, volume.geometry, QStringLiteral("thresholdSegment.box"));
@@ -101,12 +102,7 @@ Result<LabelThreshold> labelThreshold(const ThresholdSegment& edit, const Docume
             return tl::unexpected(span.error());
         threshold.box = VoxelBox{span->from, span->to + 1};
     }
-    Result<std::optional<EditableVoxels>> editable =
-        editableVoxels(edit.editable, document, "thresholdSegment");
-    if (!editable)
-        return tl::unexpected(editable.error());
-    threshold.editable = *std::move(editable);
-    return threshold;
+    return keepingTo(edit.editable, document, "thresholdSegment", std::move(threshold));
 }
 
 Result<EngineEdit> engineEdit(const ThresholdSegment& edit, const Document& document)
@@ -116,8 +112,7 @@ Result<EngineEdit> engineEdit(const ThresholdSegment& edit, const Document& docu
 
 RowTitle rowTitle(const ThresholdSegment& edit, const RowFacts& row)
 {
-    const Segment* segment = row.document.segment(edit.segment);
-    const LabelFlow flow = row.facts.flow(segment ? segment->plane : std::uint8_t(0), edit.segment);
+    const LabelFlow flow = row.flowOf(edit.segment);
     RowTitle title{.code = codeOf(edit.mode),
         .arguments = {segmentName(edit.segment, row.document),
             asArgument(rangeTitle(edit, row.document.volumes.front()))},

@@ -152,7 +152,10 @@ EngineCase randomlyLimited(int number)
         const auto plane = std::uint8_t(random() % 4 ? 0 : 1);
         const core::Ending ending = random() % 5 ? core::Ending::Commit : core::Ending::Rollback;
         const EditableVoxels editable = randomEditable(size, random);
-        switch (random() % 12) {
+        const int what = int(random() % 12);
+        if (appendBetween(made.steps, what, plane, size, random))
+            continue;
+        switch (what) {
         case 11: {
             core::LabelScissors scissors = limitedScissors(document, random);
             scissors.target = limitedTarget(plane, random);
@@ -171,18 +174,6 @@ EngineCase randomlyLimited(int number)
             appendWhole(made.steps, std::move(seen), {}, ending);
             break;
         }
-        case 0: {
-            core::SeedPlacement seeds{
-                .plane = plane, .label = std::uint8_t(randomInt(random, 1, 4)), .voxels = {}};
-            appendSeeds(made.steps, seeds, randomInt(random, 0, 40), size, random);
-            break;
-        }
-        case 1:
-            appendBurst(made.steps, {.plane = plane, .lowCode = 0, .highCode = 65535}, 3);
-            break;
-        case 2:
-            made.steps.push_back(random() % 2 ? EngineStep(Undo{}) : EngineStep(Redo{}));
-            break;
         case 3: {
             RelabelListed list = limitedList(size, plane, random);
             list.editable = editable;

@@ -57,25 +57,11 @@ EngineCase randomScissoring(int number)
         made.steps.push_back(command(
             core::SwapBricks{bricksOf(labelBoxes(size, 8, random), core::Field::Labels, plane)}));
     for (int edit = randomInt(random, 4, 12); edit > 0; --edit) {
-        switch (random() % 8) {
-        case 0: {
-            core::SeedPlacement seeds{
-                .plane = plane, .label = std::uint8_t(randomInt(random, 1, 4)), .voxels = {}};
-            appendSeeds(made.steps, seeds, randomInt(random, 0, 40), size, random);
-            break;
-        }
-        case 1:
-            appendBurst(made.steps, {.plane = plane, .lowCode = 0, .highCode = 65535}, 3);
-            break;
-        case 2:
-            made.steps.push_back(random() % 2 ? EngineStep(Undo{}) : EngineStep(Redo{}));
-            break;
-        default:
+        const int what = int(random() % 8);
+        if (!appendBetween(made.steps, what, plane, size, random))
             appendWhole(made.steps,
                 *core::labelScissors(randomSegmentScissors(scene, random), scene), {},
                 random() % 5 ? core::Ending::Commit : core::Ending::Rollback);
-            break;
-        }
     }
     return made;
 }

@@ -38,12 +38,6 @@ struct Fixture : test::WindowFixture {
         });
         wakeUp.start(10);
     }
-    [[nodiscard]] core::EditSession& session() { return *workspace.session(); }
-    void apply(const core::Edit& edit)
-    {
-        QVERIFY(session().apply(edit));
-        QVERIFY(session().settle());
-    }
     /// On a slice, as the volume numbers them.
     void draw(int slice, double radiusMm)
     {

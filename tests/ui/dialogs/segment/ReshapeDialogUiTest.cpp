@@ -43,12 +43,6 @@ struct Fixture : test::WindowFixture {
             apply(edit);
         workspace.setActiveSegment(1);
     }
-    [[nodiscard]] core::EditSession& session() { return *workspace.session(); }
-    void apply(const core::Edit& edit)
-    {
-        QVERIFY(session().apply(edit));
-        QVERIFY(session().settle());
-    }
     [[nodiscard]] std::int64_t voxels(int label)
     {
         return session().document().segment(label)->voxels;

@@ -39,12 +39,6 @@ struct Fixture : test::WindowFixture {
         });
         wakeUp.start(10);
     }
-    [[nodiscard]] core::EditSession& session() { return *workspace.session(); }
-    void apply(const core::Edit& edit)
-    {
-        QVERIFY(session().apply(edit));
-        QVERIFY(session().settle());
-    }
     void dab(const glm::dvec3& index, double radiusMm, std::int64_t& voxelsOfIt)
     {
         const std::int64_t before = voxels(1);
@@ -70,7 +64,6 @@ struct Fixture : test::WindowFixture {
     {
         return session().document().segment(label)->voxels;
     }
-    [[nodiscard]] std::size_t rows() { return session().history().rows().size(); }
     /// The dialog after the menu Segments has opened it.
     [[nodiscard]] ui::SplitIslandsDialog& opened()
     {

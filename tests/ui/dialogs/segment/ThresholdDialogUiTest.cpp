@@ -69,17 +69,10 @@ struct Fixture : test::WindowFixture {
             apply(edit);
         workspace.setActiveSegment(1);
     }
-    [[nodiscard]] core::EditSession& session() { return *workspace.session(); }
-    void apply(const core::Edit& edit)
-    {
-        QVERIFY(session().apply(edit));
-        QVERIFY(session().settle());
-    }
     [[nodiscard]] std::int64_t voxels(int label)
     {
         return session().document().segment(label)->voxels;
     }
-    [[nodiscard]] std::size_t rows() { return session().history().rows().size(); }
     [[nodiscard]] const core::HistoryRow& lastRow() { return session().history().rows().back(); }
     /// The dialog after the menu Segments has opened it.
     [[nodiscard]] ui::ThresholdDialog& opened()

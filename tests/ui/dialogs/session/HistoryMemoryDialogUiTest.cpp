@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/fixtures/WindowFixture.h"
+#include "tests/support/program/OwnSettings.h"
 #include "tests/support/program/TestProgram.h"
 #include "ui/dialogs/session/HistoryMemoryDialog.h"
 #include "ui/settings/HistoryMemory.h"
@@ -9,7 +10,6 @@
 #include <QMenu>
 #include <QSettings>
 #include <QSpinBox>
-#include <QTemporaryDir>
 #include <QTest>
 
 namespace historyMemoryDialogUiTest {
@@ -18,14 +18,13 @@ class HistoryMemoryDialogUiTest : public QObject {
     Q_OBJECT
 
 private:
-    QTemporaryDir m_settings;
+    test::OwnSettings m_settings;
 
 private Q_SLOTS:
     void init()
     {
         test::failOnUnexpectedMessages();
-        QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, m_settings.path());
-        QSettings().clear();
+        m_settings.clear();
     }
 
     void theSettingHasBounds()

@@ -27,12 +27,6 @@ struct Fixture : test::WindowFixture {
         window.addPanel(panel);
         window.showPanels(true);
     }
-    [[nodiscard]] core::EditSession& session() { return *workspace.session(); }
-    void apply(const core::Edit& edit)
-    {
-        QVERIFY(session().apply(edit));
-        QVERIFY(session().settle());
-    }
     /// Two dabs of one segment, and a segment without voxels.
     void addDabs()
     {

@@ -40,12 +40,6 @@ struct Fixture : test::WindowFixture {
         list = panel->findChild<QListView*>(QStringLiteral("layerList"));
         section = window.findChild<ui::PanelSection*>(QStringLiteral("LayersPanel"));
     }
-    [[nodiscard]] core::EditSession& session() { return *workspace.session(); }
-    void apply(const core::Edit& edit)
-    {
-        QVERIFY(session().apply(edit));
-        QVERIFY(session().settle());
-    }
     void clickEye(int row, Qt::KeyboardModifiers keys = {})
     {
         const QRect place = list->visualRect(list->model()->index(row, 0));

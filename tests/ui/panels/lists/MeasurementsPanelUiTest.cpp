@@ -28,7 +28,6 @@ struct Fixture : test::WindowFixture {
         window.showPanels(true);
         list = panel->findChild<QListWidget*>(QStringLiteral("measurementList"));
     }
-    [[nodiscard]] core::EditSession& session() { return *workspace.session(); }
     void apply(const core::Edit& edit)
     {
         if (!session().apply(edit) || !session().settle())

@@ -4,6 +4,7 @@
 #include "ui/workspace/LayerActions.h"
 
 #include "core/edits/kinds/filling/MirrorSegment.h"
+#include "core/edits/kinds/layers/SegmentToLayer.h"
 #include "core/edits/kinds/values/ThresholdSegment.h"
 #include "core/session/questions/VoxelQuestions.h"
 #include "tests/support/faults/FailingLog.h"
@@ -45,12 +46,6 @@ struct Fixture : test::WindowFixture {
             apply(edit);
         workspace.setActiveSegment(1);
     }
-    [[nodiscard]] core::EditSession& session() { return *workspace.session(); }
-    void apply(const core::Edit& edit)
-    {
-        QVERIFY(session().apply(edit));
-        QVERIFY(session().settle());
-    }
     [[nodiscard]] QStringList listed() const
     {
         QStringList names;
@@ -68,6 +63,9 @@ struct Fixture : test::WindowFixture {
 
     QListView* list = nullptr;
 };
+
+/// That it fits a screen of 720 pixels.
+constexpr int mostMenuHeight = 700;
 
 QString spaced(std::int64_t count)
 {
@@ -306,6 +304,8 @@ private Q_SLOTS:
             auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
             QVERIFY(menu);
             test::look(menu->grab(), locked ? "segment-menu-locked.png" : "segment-menu.png");
+            QVERIFY2(menu->height() <= mostMenuHeight,
+                qPrintable(QString::number(menu->height()))); // else it scrolls
             for (QAction* each : menu->actions()) {
                 if (each->text() != QStringLiteral("Invert segment"))
                     continue;
@@ -321,6 +321,40 @@ private Q_SLOTS:
         if (!locked)
             QVERIFY(fixture.session().history().rows().back().name.startsWith(
                 QStringLiteral("Invert segment 'Bone', +")));
+    }
+
+    /// What passes between a segment and sculpting stands in a menu within its menu.
+    void aRowsMenuCarves()
+    {
+        Fixture fixture;
+        const QPoint at = fixture.list->visualRect(fixture.list->model()->index(0, 0)).center();
+        QStringList entries;
+        QTimer::singleShot(0, &fixture.window, [&] {
+            auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
+            QVERIFY(menu);
+            for (const QAction* sub : menu->actions()) {
+                if (!sub->menu() || sub->text() != QStringLiteral("Sculpt"))
+                    continue;
+                for (QAction* each : sub->menu()->actions()) {
+                    entries += each->text();
+                    if (each->text().startsWith(QStringLiteral("Carve it")))
+                        each->trigger();
+                }
+            }
+            menu->close();
+        });
+        Q_EMIT fixture.list->customContextMenuRequested(at);
+        QCOMPARE(entries,
+            (QStringList{QStringLiteral("Add what I see in 3D"),
+                QStringLiteral("Add what 'Sculpt 1' has carved"),
+                QStringLiteral("Carve it into layer 'Sculpt 1'"),
+                QStringLiteral("Carve all but it into layer 'Sculpt 1'")}));
+        QVERIFY(fixture.session().settle());
+        const auto* edit =
+            fixture.session().history().rows().back().edit.as<core::SegmentToLayer>();
+        QVERIFY(edit);
+        QCOMPARE(edit->segment, 1);
+        QVERIFY(!edit->outside);
     }
 
     /// The shield of a row: one click, one step; tools say whom they spare.

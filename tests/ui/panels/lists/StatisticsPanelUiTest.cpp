@@ -9,6 +9,7 @@
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/fixtures/ApplicationFixture.h"
 #include "tests/support/fixtures/WorkspaceFixture.h"
+#include "tests/support/program/OwnSettings.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/PlainEdits.h"
 #include "ui/dialogs/export/ExportDialog.h"
@@ -23,10 +24,8 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QPushButton>
-#include <QSettings>
 #include <QSignalSpy>
 #include <QTableView>
-#include <QTemporaryDir>
 #include <QtTest>
 
 #include <utility>
@@ -127,18 +126,13 @@ class StatisticsPanelUiTest : public QObject {
     Q_OBJECT
 
 private:
-    QTemporaryDir m_settings;
+    test::OwnSettings m_settings;
 
 private Q_SLOTS:
-    void initTestCase()
-    {
-        QCoreApplication::setOrganizationName(QStringLiteral("burin-test"));
-        QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, m_settings.path());
-    }
     void init()
     {
         test::failOnUnexpectedMessages();
-        QSettings().clear();
+        m_settings.clear();
     }
 
     void aPaintedSegmentHasItsNumbers()

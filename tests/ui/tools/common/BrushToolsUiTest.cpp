@@ -52,7 +52,6 @@ public:
         workspace.setActiveTool(brush == Brush::Paint ? static_cast<ui::Tool*>(&paint) : &carve);
         view.lookFrom({0.0, -1.0, 0.0});
     }
-    [[nodiscard]] core::EditSession& session() { return *workspace.session(); }
     [[nodiscard]] static QPointF middleOf(const QWidget& widget)
     {
         return QPointF(widget.width(), widget.height()) / 2.0;

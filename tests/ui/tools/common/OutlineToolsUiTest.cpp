@@ -10,7 +10,6 @@
 #include "ui/tools/sculpt/ScissorsTool.h"
 #include "ui/views/ViewGrid.h"
 
-#include <QApplication>
 #include <QCheckBox>
 #include <QDoubleSpinBox>
 #include <QPushButton>
@@ -42,8 +41,6 @@ public:
         peel.setDepthMm(4.0);
         view.lookFrom({0.0, -1.0, 0.0});
     }
-    [[nodiscard]] core::EditSession& session() { return *workspace.session(); }
-    [[nodiscard]] std::size_t rows() { return session().history().rows().size(); }
     [[nodiscard]] QPointF middle() const { return QPointF(view.width(), view.height()) / 2.0; }
 
     /// An open ring around the middle: it closes by itself.

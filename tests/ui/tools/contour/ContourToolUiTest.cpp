@@ -18,11 +18,9 @@
 #include "ui/workspace/SegmentActions.h"
 
 #include <QAction>
-#include <QApplication>
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
-#include <QMouseEvent>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QSlider>
@@ -66,31 +64,12 @@ public:
         m_poll.start(1);
         QCoreApplication::sendPostedEvents();
     }
-    [[nodiscard]] core::EditSession& session() { return *workspace.session(); }
-    [[nodiscard]] std::size_t rows() { return session().history().rows().size(); }
     [[nodiscard]] const core::EvolveContour& lastEdit()
     {
         return session().history().rows().back().edit.get<core::EvolveContour>();
     }
-    [[nodiscard]] glm::dvec3 place(const glm::dvec3& index) const
-    {
-        return workspace.volume()->geometry.toWorld(index);
-    }
     [[nodiscard]] Labels labels() { return *session().questions().labels(0); }
-    void apply(const core::Edit& edit)
-    {
-        QVERIFY(session().apply(edit));
-        QVERIFY(session().settle());
-    }
-    void click(const glm::dvec3& index)
-    {
-        const QPointF at = view.context().toPixel(place(index));
-        for (const QEvent::Type type : {QEvent::MouseButtonPress, QEvent::MouseButtonRelease}) {
-            QMouseEvent event(type, at, view.mapToGlobal(at), Qt::LeftButton,
-                type == QEvent::MouseButtonRelease ? Qt::NoButton : Qt::LeftButton, {});
-            QApplication::sendEvent(&view, &event);
-        }
-    }
+    void click(const glm::dvec3& index) { WindowFixture::click(view, pixel(view, index)); }
     void press(const char* button)
     {
         auto* found = panel.findChild<QPushButton*>(QLatin1String(button));
@@ -302,6 +281,60 @@ private Q_SLOTS:
         fixture.workspace.setActiveTool(&fixture.tool);
         QVERIFY(!fixture.in<QPushButton>("contourAbort").isEnabled());
         QVERIFY(!fixture.in<QPushButton>("contourAccept").isEnabled());
+    }
+
+    /// What drops a contour without being asked to says so, before it does what it was asked for.
+    void whatDropsItSaysSo_data()
+    {
+        QTest::addColumn<QString>("how");
+        QTest::addColumn<bool>("waits");
+        for (const char* how : {"redo", "another tool", "another segment"}) {
+            QTest::addRow("%s", how) << QString::fromLatin1(how) << false;
+            QTest::addRow("%s, before it begins", how) << QString::fromLatin1(how) << true;
+        }
+    }
+    void whatDropsItSaysSo()
+    {
+        QFETCH(const QString, how);
+        QFETCH(const bool, waits);
+        Fixture fixture;
+        for (const char* name : {"Organ", "Other"})
+            fixture.apply(test::newSegment(QLatin1String(name)));
+        fixture.workspace.setActiveSegment(1);
+        fixture.apply(test::paintAt(2, {fixture.place({23.0, 20.0, 20.0})}, 2.0));
+        const Labels painted = fixture.labels();
+        QVERIFY(fixture.session().undo() && fixture.session().settle());
+        QTRY_VERIFY(fixture.session().idle());
+        if (waits) { // for the values of the bubble
+            ui::ContourTool::Settings settings = fixture.tool.settings();
+            settings.valuesOfBubble = true;
+            fixture.tool.setSettings(settings);
+        }
+        fixture.click({20.0, 20.0, 20.0});
+        QCOMPARE(fixture.tool.run().isOpen(), !waits);
+        QSignalSpy said(&fixture.workspace, &ui::Workspace::said);
+        QAction& redo = fixture.window.actionTable()[QStringLiteral("edit.redo")];
+        QVERIFY(redo.isEnabled());
+        if (how == QLatin1String("redo"))
+            redo.trigger();
+        else if (how == QLatin1String("another tool"))
+            fixture.workspace.setActiveTool(nullptr);
+        else
+            fixture.workspace.setActiveSegment(2);
+        QVERIFY(!fixture.tool.run().isOpen());
+        QVERIFY(!said.empty());
+        QCOMPARE(said.front().front().toString(),
+            QStringLiteral(
+                "The contour was dropped, as nobody had accepted it; nothing has changed"));
+        QVERIFY(fixture.session().settle());
+        QTest::qWait(30);
+        QVERIFY(!fixture.tool.run().isOpen()); // nor does it begin later
+        QCOMPARE(fixture.labels() == painted, how == QLatin1String("redo"));
+        QCOMPARE(fixture.rows(), std::size_t(3));
+        // Where nothing is watched, nothing is said.
+        said.clear();
+        fixture.workspace.setActiveTool(fixture.workspace.activeTool() ? nullptr : &fixture.tool);
+        QCOMPARE(said.size(), 0);
     }
 
     /// Where there is no segment one is made when the contour is accepted, and not before.

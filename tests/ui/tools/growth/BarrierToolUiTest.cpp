@@ -47,7 +47,6 @@ public:
         apply(test::newSegment(QStringLiteral("Segment"), 1));
         apply(test::seedAt(1, {seedLps}));
     }
-    [[nodiscard]] core::EditSession& session() { return *workspace.session(); }
     void apply(const core::Edit& edit)
     {
         if (!session().apply(edit) || !session().settle())
@@ -74,7 +73,6 @@ public:
         if (!session().settle())
             qFatal("the stroke failed");
     }
-    [[nodiscard]] std::size_t rows() { return session().history().rows().size(); }
     [[nodiscard]] const core::BarrierStroke* lastBarrier()
     {
         const core::History& history = session().history();

@@ -13,11 +13,9 @@
 #include "tests/support/scenes/PlainEdits.h"
 #include "ui/views/ViewGrid.h"
 
-#include <QApplication>
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
-#include <QMouseEvent>
 #include <QSignalSpy>
 #include <QtTest>
 
@@ -45,19 +43,9 @@ public:
         workspace.setActiveTool(&tool);
         tool.setSettings({.in3D = false, .corners = false, .tolerance = 10.0});
     }
-    [[nodiscard]] core::EditSession& session() { return *workspace.session(); }
-    [[nodiscard]] std::size_t rows() { return session().history().rows().size(); }
     [[nodiscard]] const core::FloodFill& lastEdit()
     {
         return session().history().rows().back().edit.get<core::FloodFill>();
-    }
-    [[nodiscard]] glm::dvec3 place(const glm::dvec3& index) const
-    {
-        return workspace.volume()->geometry.toWorld(index);
-    }
-    [[nodiscard]] QPointF pixel(const ui::ImageView& view, const glm::dvec3& index) const
-    {
-        return view.context().toPixel(place(index));
     }
     [[nodiscard]] Labels labels() { return *session().questions().labels(0); }
     /// What an edit gives to segment 1 of a study without labels.
@@ -81,12 +69,7 @@ public:
             stylus.press(at, 0.4, m_milliseconds += 8);
             stylus.release(at, m_milliseconds += 8);
         } else {
-            for (const QEvent::Type type : {QEvent::MouseButtonPress, QEvent::MouseButtonRelease}) {
-                const bool up = type == QEvent::MouseButtonRelease;
-                QMouseEvent event(type, at, view.mapToGlobal(at), Qt::LeftButton,
-                    up ? Qt::NoButton : Qt::LeftButton, modifiers);
-                QApplication::sendEvent(&view, &event);
-            }
+            WindowFixture::click(view, at, modifiers);
         }
     }
 

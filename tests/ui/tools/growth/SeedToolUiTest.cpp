@@ -35,7 +35,6 @@ public:
         workspace.setVolumeDisplay(display);
         workspace.setActiveTool(&tool);
     }
-    [[nodiscard]] core::EditSession& session() { return *workspace.session(); }
     void sketch(ui::ImageView& view, const QPointF& from, const QPointF& to,
         test::Pen::End end = test::Pen::End::Tip)
     {

@@ -53,7 +53,6 @@ public:
         workspace.setCrosshairLps(placeOf(phantom().click));
         view.lookFrom({0.0, 1.0, 0.0}); // the leak is on the vessel's back
     }
-    [[nodiscard]] core::EditSession& session() { return *workspace.session(); }
     [[nodiscard]] glm::dvec3 placeOf(const glm::ivec3& voxel) const
     {
         return workspace.volume()->geometry.toWorld(glm::dvec3(voxel));
@@ -87,7 +86,6 @@ public:
             qFatal("the sketch failed");
         session().poll();
     }
-    [[nodiscard]] std::size_t rows() { return session().history().rows().size(); }
     [[nodiscard]] const core::ShrinkAt* lastShrink()
     {
         const core::History& history = session().history();

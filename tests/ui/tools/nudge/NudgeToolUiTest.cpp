@@ -12,10 +12,8 @@
 #include "ui/views/MprPlanes.h"
 #include "ui/views/ViewGrid.h"
 
-#include <QApplication>
 #include <QCheckBox>
 #include <QDoubleSpinBox>
-#include <QMouseEvent>
 #include <QSignalSpy>
 #include <QtTest>
 
@@ -61,24 +59,9 @@ public:
         apply(test::paintAt(1, {place({20.0, 20.0, 20.0})}, 8.0));
         workspace.setActiveSegment(1);
     }
-    void apply(const core::Edit& edit)
-    {
-        QVERIFY(session().apply(edit));
-        QVERIFY(session().settle());
-    }
-    [[nodiscard]] core::EditSession& session() { return *workspace.session(); }
-    [[nodiscard]] std::size_t rows() { return session().history().rows().size(); }
     [[nodiscard]] const core::PaintStroke& lastEdit()
     {
         return session().history().rows().back().edit.get<core::PaintStroke>();
-    }
-    [[nodiscard]] glm::dvec3 place(const glm::dvec3& index) const
-    {
-        return workspace.volume()->geometry.toWorld(index);
-    }
-    [[nodiscard]] QPointF pixel(const ui::ImageView& view, const glm::dvec3& index) const
-    {
-        return view.context().toPixel(place(index));
     }
     [[nodiscard]] Labels labels() { return *session().questions().labels(0); }
     /// Waits for what is found out beside the window.
@@ -101,18 +84,13 @@ public:
         return comes([label] { return *label >= 0; }) ? *label : -1;
     }
     void mouse(ui::ImageView& view, QEvent::Type type, const glm::dvec3& index,
-        Qt::KeyboardModifiers modifiers = {}, bool down = true)
+        Qt::KeyboardModifiers modifiers = {})
     {
-        const bool move = type == QEvent::MouseMove;
-        const bool held = down && type != QEvent::MouseButtonRelease;
-        const QPointF at = pixel(view, index);
-        QMouseEvent event(type, at, view.mapToGlobal(at), move ? Qt::NoButton : Qt::LeftButton,
-            held ? Qt::LeftButton : Qt::NoButton, modifiers);
-        QApplication::sendEvent(&view, &event);
+        WindowFixture::mouse(view, type, pixel(view, index), modifiers);
     }
     void hover(ui::ImageView& view, const glm::dvec3& index, Qt::KeyboardModifiers modifiers = {})
     {
-        mouse(view, QEvent::MouseMove, index, modifiers, false);
+        WindowFixture::hover(view, pixel(view, index), modifiers);
     }
     void pushByMouse(ui::ImageView& view, const Way& way, Qt::KeyboardModifiers modifiers = {})
     {

@@ -69,7 +69,6 @@ public:
         workspace.setActiveTool(&tool);
         view.lookFrom({1.0, 0.0, 0.0});
     }
-    [[nodiscard]] core::EditSession& session() { return *workspace.session(); }
     [[nodiscard]] ui::Chunks& chunks() { return workspace.chunks(); }
     void apply(const core::Edit& edit)
     {

@@ -58,7 +58,6 @@ public:
         workspace.setActiveTool(&tool);
         view.lookFrom({0.0, -1.0, 0.0});
     }
-    [[nodiscard]] core::EditSession& session() { return *workspace.session(); }
     [[nodiscard]] ui::Refinement& refinement() { return workspace.refinement(); }
     void apply(const core::Edit& edit)
     {

@@ -13,12 +13,10 @@
 #include "tests/support/scenes/PlainEdits.h"
 #include "ui/views/ViewGrid.h"
 
-#include <QApplication>
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QImage>
-#include <QMouseEvent>
 #include <QPainter>
 #include <QSignalSpy>
 #include <QtTest>
@@ -53,30 +51,10 @@ public:
         apply(core::ThresholdSegment{.segment = 2, .lower = 0.0, .upper = 100.0});
         workspace.setActiveSegment(1);
     }
-    void apply(const core::Edit& edit)
-    {
-        QVERIFY(session().apply(edit));
-        QVERIFY(session().settle());
-    }
-    [[nodiscard]] core::EditSession& session() { return *workspace.session(); }
-    [[nodiscard]] std::size_t rows() { return session().history().rows().size(); }
     [[nodiscard]] const core::HistoryRow& lastRow() { return session().history().rows().back(); }
     [[nodiscard]] const core::SegmentScissors& lastEdit()
     {
         return lastRow().edit.get<core::SegmentScissors>();
-    }
-    [[nodiscard]] Voxels voxels(int label)
-    {
-        const std::vector<std::uint8_t> labels = *session().questions().labels(0);
-        const glm::ivec3 size = workspace.volume()->geometry.size;
-        Voxels found;
-        std::size_t at = 0;
-        for (int z = 0; z < size.z; ++z)
-            for (int y = 0; y < size.y; ++y)
-                for (int x = 0; x < size.x; ++x)
-                    if (labels[at++] == label)
-                        found.insert({x, y, z});
-        return found;
     }
     [[nodiscard]] glm::dvec3 place(const std::array<int, 3>& voxel) const
     {
@@ -91,11 +69,7 @@ public:
 
     void mouse(QEvent::Type type, const QPointF& where, Qt::KeyboardModifiers modifiers = {})
     {
-        const bool move = type == QEvent::MouseMove;
-        const bool up = type == QEvent::MouseButtonRelease;
-        QMouseEvent event(type, where, view.mapToGlobal(where),
-            move ? Qt::NoButton : Qt::LeftButton, up ? Qt::NoButton : Qt::LeftButton, modifiers);
-        QApplication::sendEvent(&view, &event);
+        WindowFixture::mouse(view, type, where, modifiers);
     }
     void drag(const std::vector<QPointF>& way, Qt::KeyboardModifiers modifiers = {})
     {

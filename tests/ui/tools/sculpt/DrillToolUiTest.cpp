@@ -39,7 +39,6 @@ public:
         workspace.setActiveTool(&tool);
         view.lookFrom({0.0, -1.0, 0.0});
     }
-    [[nodiscard]] core::EditSession& session() { return *workspace.session(); }
     [[nodiscard]] QPointF middle() const { return QPointF(view.width(), view.height()) / 2.0; }
 
     ui::DrillTool tool;

@@ -42,8 +42,6 @@ public:
         workspace.setDrillSettings({3.0, 6.0, false});
         view.lookFrom({0.0, -1.0, 0.0});
     }
-    [[nodiscard]] core::EditSession& session() { return *workspace.session(); }
-    [[nodiscard]] std::size_t rows() { return session().history().rows().size(); }
     [[nodiscard]] QPointF at(double rightMm, double upMm) const
     {
         return QPointF(view.width(), view.height()) / 2.0

@@ -46,7 +46,6 @@ public:
         workspace.setVolumeDisplay(display);
         workspace.setActiveTool(&tool);
     }
-    [[nodiscard]] core::EditSession& session() { return *workspace.session(); }
     [[nodiscard]] const std::vector<core::Measurement>& measurements()
     {
         return session().document().measurements;

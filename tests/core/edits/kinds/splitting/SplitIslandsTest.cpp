@@ -31,27 +31,16 @@ using namespace core;
 namespace {
 
 using Labels = std::vector<std::uint8_t>;
+using test::smallGrid;
+using test::smallIndexOf;
 
 constexpr double voxelMm3 = 1.5; // of the small study
-
-const VolumeGeometry& grid()
-{
-    static const VolumeGeometry its = test::smallStudy().volume.geometry;
-    return its;
-}
-
-std::size_t indexOf(const glm::ivec3& at)
-{
-    const glm::ivec3& size = grid().size;
-    return (std::size_t(at.z) * std::size_t(size.y) + std::size_t(at.y)) * std::size_t(size.x)
-        + std::size_t(at.x);
-}
 
 void setCube(Labels& labels, const glm::ivec3& from, int side, std::uint8_t label)
 {
     for (int z = from.z; z < from.z + side; ++z) {
         for (int y = from.y; y < from.y + side; ++y)
-            std::fill_n(labels.begin() + std::ptrdiff_t(indexOf({from.x, y, z})), side, label);
+            std::fill_n(labels.begin() + std::ptrdiff_t(smallIndexOf({from.x, y, z})), side, label);
     }
 }
 
@@ -64,7 +53,7 @@ ImportMask importOf(const Labels& labels)
             runs.at(std::size_t(labels[voxel]) - 1).append(voxel, 1);
     }
     ImportMask import{.file = QStringLiteral("parts.nii")};
-    import.size = grid().size;
+    import.size = smallGrid().size;
     import.segments.emplace();
     for (const VoxelRuns& each : runs)
         import.segments->push_back(
@@ -78,7 +67,7 @@ ImportMask importOf(const Labels& labels)
 /// Of "Parts" an island of 6³, two of 3³ and a speck; "Parts 1" lies between two of them.
 ImportMask fourIslands()
 {
-    Labels labels(grid().voxelCount(), 0);
+    Labels labels(smallGrid().voxelCount(), 0);
     setCube(labels, {5, 5, 5}, 6, 1);
     setCube(labels, {18, 18, 18}, 3, 1);
     setCube(labels, {21, 18, 18}, 3, 2);
@@ -90,17 +79,17 @@ ImportMask fourIslands()
 /// So many voxels of "Parts" that do not touch each other.
 ImportMask specks(std::size_t count)
 {
-    Labels labels(grid().voxelCount(), 0);
+    Labels labels(smallGrid().voxelCount(), 0);
     for (std::size_t i = 0; i < count; ++i)
-        labels[indexOf({2 * int(i % 20), 2 * int(i / 20 % 18), 2 * int(i / 360)})] = 1;
-    labels[indexOf({1, 35, 33})] = 2;
+        labels[smallIndexOf({2 * int(i % 20), 2 * int(i / 20 % 18), 2 * int(i / 360)})] = 1;
+    labels[smallIndexOf({1, 35, 33})] = 2;
     return importOf(labels);
 }
 
 /// Specks and blocks of both.
 ImportMask anyMatter(std::mt19937& random)
 {
-    Labels labels(grid().voxelCount(), 0);
+    Labels labels(smallGrid().voxelCount(), 0);
     for (std::uint8_t& label : labels) {
         const auto dice = int(random() % 1000);
         label = dice < 20 ? std::uint8_t(1) : dice < 30 ? std::uint8_t(2) : std::uint8_t(0);
@@ -149,7 +138,7 @@ struct Bench {
 Labels splitLabels(const Labels& before, int segment, std::size_t least, int firstNew)
 {
     Labels after = before;
-    const auto islands = test::islandsBySize(grid().size, before, segment);
+    const auto islands = test::islandsBySize(smallGrid().size, before, segment);
     for (std::size_t place = 1; place < islands.size(); ++place) {
         for (const std::size_t voxel : islands[place]) {
             if (islands[place].size() >= least)
@@ -189,8 +178,8 @@ private Q_SLOTS:
         QCOMPARE(
             bench.rows().back().name, QStringLiteral("Split 3 islands off 'Parts', −55 voxels"));
         QVERIFY(bench.labels() == splitLabels(before, 1, 1, 3));
-        QCOMPARE(int(bench.labels()[indexOf({18, 18, 18})]), 3);
-        QCOMPARE(int(bench.labels()[indexOf({24, 18, 18})]), 4);
+        QCOMPARE(int(bench.labels()[smallIndexOf({18, 18, 18})]), 3);
+        QCOMPARE(int(bench.labels()[smallIndexOf({24, 18, 18})]), 4);
         const std::vector<Segment>& segments = bench.document().segments;
         QCOMPARE(segments.size(), std::size_t(5));
         const std::array<std::int64_t, 5> sizes{216, 27, 27, 27, 1};
@@ -227,7 +216,7 @@ private Q_SLOTS:
         bench.run(SplitIslands{.segment = 1, .mm3 = 27 * voxelMm3});
         QCOMPARE(bench.document().segments.size(), std::size_t(4));
         QCOMPARE(bench.voxels(1), std::int64_t(217));
-        QCOMPARE(int(bench.labels()[indexOf({24, 6, 6})]), 1);
+        QCOMPARE(int(bench.labels()[smallIndexOf({24, 6, 6})]), 1);
     }
 
     /// Where it says which segments it makes, it makes these.

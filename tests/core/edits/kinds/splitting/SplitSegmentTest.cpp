@@ -28,34 +28,23 @@ using namespace core;
 namespace {
 
 using Labels = std::vector<std::uint8_t>;
-
-const VolumeGeometry& grid()
-{
-    static const VolumeGeometry its = test::smallStudy().volume.geometry;
-    return its;
-}
-
-std::size_t indexOf(const glm::ivec3& at)
-{
-    const glm::ivec3& size = grid().size;
-    return (std::size_t(at.z) * std::size_t(size.y) + std::size_t(at.y)) * std::size_t(size.x)
-        + std::size_t(at.x);
-}
+using test::smallGrid;
+using test::smallIndexOf;
 
 /// A ball, "One", that lies half in a block, "Two", and specks of it everywhere.
 ImportMask ballAndBlock()
 {
     std::array<VoxelRuns, 2> runs;
-    const glm::ivec3& size = grid().size;
+    const glm::ivec3& size = smallGrid().size;
     for (int z = 0; z < size.z; ++z) {
         for (int y = 0; y < size.y; ++y) {
             for (int x = 0; x < size.x; ++x) {
                 const glm::dvec3 off = glm::dvec3(x, y, z) - glm::dvec3(19.0, 17.0, 16.0);
                 const bool isSpeck = (x * 7 + y * 5 + z * 3) % 97 == 0;
                 if (glm::length(off) < 9.0 || isSpeck)
-                    runs[0].append(indexOf({x, y, z}), 1);
+                    runs[0].append(smallIndexOf({x, y, z}), 1);
                 else if (x >= 19 && y >= 8 && y < 27 && z >= 10 && z < 22)
-                    runs[1].append(indexOf({x, y, z}), 1);
+                    runs[1].append(smallIndexOf({x, y, z}), 1);
             }
         }
     }
@@ -101,7 +90,7 @@ SplitSegment splitAt(
     int segment, const glm::dvec3& index, const glm::dvec3& normalLps, const char* name = "Beyond")
 {
     return {.segment = segment,
-        .placeLps = grid().toWorld(index),
+        .placeLps = smallGrid().toWorld(index),
         .normalLps = normalLps,
         .into = {.name = QLatin1String(name), .rgb = 0x336699}};
 }
@@ -110,17 +99,17 @@ SplitSegment splitAt(
 double beyondMm(const SplitSegment& edit, const glm::ivec3& voxel)
 {
     return glm::dot(
-        glm::normalize(edit.normalLps), grid().toWorld(glm::dvec3(voxel)) - edit.placeLps);
+        glm::normalize(edit.normalLps), smallGrid().toWorld(glm::dvec3(voxel)) - edit.placeLps);
 }
 
 /// Calls @p see(voxel, index) for all of them.
 template <class See> void forEachVoxel(const See& see)
 {
-    const glm::ivec3& size = grid().size;
+    const glm::ivec3& size = smallGrid().size;
     for (int z = 0; z < size.z; ++z) {
         for (int y = 0; y < size.y; ++y) {
             for (int x = 0; x < size.x; ++x)
-                see(glm::ivec3(x, y, z), indexOf({x, y, z}));
+                see(glm::ivec3(x, y, z), smallIndexOf({x, y, z}));
         }
     }
 }

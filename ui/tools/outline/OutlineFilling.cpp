@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ui/tools/growth/OutlineFilling.h"
+#include "ui/tools/outline/OutlineFilling.h"
 
 #include "core/edits/kinds/segments/FillOutline.h"
 #include "core/sculpt/labels/LabelOutlined.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/commands/EchoCommand.h"
+#include "app/commands/pacs/EchoCommand.h"
 
 #include "app/steps/JsonLine.h"
 #include "app/steps/SourceArguments.h"

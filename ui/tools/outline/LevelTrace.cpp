@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ui/tools/growth/LevelTrace.h"
+#include "ui/tools/outline/LevelTrace.h"
 
-#include "ui/tools/growth/ReadSlice.h"
+#include "ui/tools/outline/ReadSlice.h"
 #include "ui/workspace/Workspace.h"
 
 #include <utility>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/commands/SendCommand.h"
+#include "app/commands/pacs/SendCommand.h"
 
 #include "app/steps/JsonLine.h"
 #include "app/steps/SourceArguments.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/session/operations/RevertOperation.h"
+#include "core/session/operations/history/RevertOperation.h"
 
 #include "core/edits/document/DocumentEdits.h"
 #include "core/edits/kinds/history/ReviseStroke.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ui/tools/growth/FillOutlineTool.h"
+#include "ui/tools/outline/FillOutlineTool.h"
 
 #include "core/edits/kinds/segments/FillOutline.h"
 #include "core/session/questions/VoxelQuestions.h"
@@ -15,9 +15,7 @@
 #include "ui/workspace/CuttingPlane.h"
 
 #include <QAction>
-#include <QApplication>
 #include <QComboBox>
-#include <QMouseEvent>
 #include <QtTest>
 
 #include <algorithm>
@@ -45,55 +43,11 @@ public:
         workspace.setCrosshairLps(place({20.0, 20.0, 20.0}));
         workspace.setActiveTool(&tool);
     }
-    [[nodiscard]] core::EditSession& session() { return *workspace.session(); }
-    [[nodiscard]] std::size_t rows() { return session().history().rows().size(); }
     [[nodiscard]] const core::FillOutline& lastEdit()
     {
         return session().history().rows().back().edit.get<core::FillOutline>();
     }
-    [[nodiscard]] glm::dvec3 place(const glm::dvec3& index) const
-    {
-        return workspace.volume()->geometry.toWorld(index);
-    }
-    [[nodiscard]] QPointF pixel(const ui::ImageView& view, const glm::dvec3& index) const
-    {
-        return view.context().toPixel(place(index));
-    }
-    [[nodiscard]] Voxels voxels(int label = 1)
-    {
-        const std::vector<std::uint8_t> labels = *session().questions().labels(0);
-        const glm::ivec3 size = workspace.volume()->geometry.size;
-        Voxels found;
-        std::size_t at = 0;
-        for (int z = 0; z < size.z; ++z)
-            for (int y = 0; y < size.y; ++y)
-                for (int x = 0; x < size.x; ++x)
-                    if (labels[at++] == label)
-                        found.insert({x, y, z});
-        return found;
-    }
 
-    static void mouse(ui::ImageView& view, QEvent::Type type, const QPointF& at,
-        Qt::KeyboardModifiers modifiers = {})
-    {
-        const bool move = type == QEvent::MouseMove;
-        const bool up = type == QEvent::MouseButtonRelease;
-        QMouseEvent event(type, at, view.mapToGlobal(at), move ? Qt::NoButton : Qt::LeftButton,
-            up ? Qt::NoButton : Qt::LeftButton, modifiers);
-        QApplication::sendEvent(&view, &event);
-    }
-    /// Moves the mouse there with no button down.
-    static void hover(ui::ImageView& view, const QPointF& at)
-    {
-        QMouseEvent event(QEvent::MouseMove, at, view.mapToGlobal(at), Qt::NoButton, Qt::NoButton,
-            Qt::NoModifier);
-        QApplication::sendEvent(&view, &event);
-    }
-    static void click(ui::ImageView& view, const QPointF& at, Qt::KeyboardModifiers modifiers = {})
-    {
-        mouse(view, QEvent::MouseButtonPress, at, modifiers);
-        mouse(view, QEvent::MouseButtonRelease, at, modifiers);
-    }
     void clickWithPen(const QPointF& at, test::Pen& pen)
     {
         pen.hover(at, m_milliseconds += 8);

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "ui/input/Tool.h"
+#include "ui/tools/common/CursorTool.h"
 #include "ui/tools/common/SliceOutline.h"
-#include "ui/tools/growth/LevelTrace.h"
-#include "ui/tools/growth/LiveWire.h"
-#include "ui/tools/growth/ReadSlice.h"
+#include "ui/tools/outline/LevelTrace.h"
+#include "ui/tools/outline/LiveWire.h"
+#include "ui/tools/outline/ReadSlice.h"
 
 #include <QString>
 
@@ -23,7 +23,7 @@ class Workspace;
 /// Two shapes follow the picture: the livewire and the contour of a level. What they need is worked
 /// out beside the window; one that is closed or clicked before that is filled as soon as it is
 /// known, at the place that was meant.
-class FillOutlineTool : public Tool {
+class FillOutlineTool : public CursorTool {
     Q_OBJECT
 
 public:
@@ -49,7 +49,6 @@ public:
     [[nodiscard]] bool canTakeStepBack() const override;
     void takeStepBack() override;
     void hover(const PointerSample& sample, const ViewContext& view) override;
-    void leave() override;
     bool pressKey(int key) override;
 
     void paintOverlay(QPainter& painter, const ViewContext& view) const override;
@@ -82,7 +81,6 @@ private:
     void stopClosing();
     /// Whether the contour of the level has more corners than an edit takes. It is not drawn then.
     [[nodiscard]] bool isRagged() const;
-    void showCursor(const PointerSample& sample, const ViewContext& view);
     [[nodiscard]] QString levelText() const;
     [[nodiscard]] static bool isInverse(const PointerSample& sample);
 
@@ -93,8 +91,6 @@ private:
     bool m_pressed = false; ///< the button or pen that draws is down
     bool m_closes = false; ///< it is filled as soon as the picture has been followed
     bool m_erases = false;
-    QPointF m_cursor;
-    std::optional<gpu::ViewId> m_cursorView;
     ReadSlice m_slice; ///< in which the picture is followed
     LiveWire m_wire;
     LevelTrace m_level;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ui/tools/growth/ReadSlice.h"
+#include "ui/tools/outline/ReadSlice.h"
 
 #include "core/session/EditSession.h"
 #include "core/session/questions/VoxelQuestions.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/commands/GetCommand.h"
+#include "app/commands/pacs/GetCommand.h"
 
 #include "app/steps/JsonLine.h"
 #include "app/steps/SourceArguments.h"

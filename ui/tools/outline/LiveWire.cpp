@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ui/tools/growth/LiveWire.h"
+#include "ui/tools/outline/LiveWire.h"
 
 #include "core/session/EditSession.h"
-#include "ui/tools/growth/ReadSlice.h"
+#include "ui/tools/outline/ReadSlice.h"
 #include "ui/workspace/Workspace.h"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/session/operations/WalkOperation.h"
+#include "core/session/operations/history/WalkOperation.h"
 
 #include "core/engine/EngineCommands.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ui/tools/growth/FillOutlineTool.h"
+#include "ui/tools/outline/FillOutlineTool.h"
 
 #include "core/sculpt/labels/LabelOutlined.h"
 #include "ui/base/StudyTexts.h"
@@ -7,7 +7,7 @@
 #include "ui/tools/aim/CursorLabel.h"
 #include "ui/tools/common/PaintLimits.h"
 #include "ui/tools/common/SeedOptions.h"
-#include "ui/tools/growth/OutlineFilling.h"
+#include "ui/tools/outline/OutlineFilling.h"
 #include "ui/workspace/Workspace.h"
 
 #include <QComboBox>
@@ -18,7 +18,7 @@
 namespace ui {
 
 FillOutlineTool::FillOutlineTool(Workspace& workspace, QObject* parent)
-    : Tool(parent)
+    : CursorTool(parent)
     , m_workspace(workspace)
     , m_slice(workspace)
     , m_wire(workspace, m_slice)
@@ -150,7 +150,7 @@ void FillOutlineTool::press(const PointerSample& sample, const ViewContext& view
         }
         Q_EMIT stepsChanged();
     }
-    showCursor(sample, view);
+    showCursor(sample.position, view.view);
 }
 
 void FillOutlineTool::pressCorner(const PointerSample& sample, const ViewContext& view)
@@ -200,7 +200,7 @@ void FillOutlineTool::drag(const PointerSample& sample, const ViewContext& view)
         else if (m_shape != Shape::Livewire) // an anchor stays where it was set
             m_outline.extend(sample.position, *m_view);
     }
-    showCursor(sample, view);
+    showCursor(sample.position, view.view);
 }
 
 void FillOutlineTool::release(const PointerSample& sample, const ViewContext& view)
@@ -211,7 +211,7 @@ void FillOutlineTool::release(const PointerSample& sample, const ViewContext& vi
     m_pressed = false;
     if (!isClicked())
         close();
-    showCursor(sample, view);
+    showCursor(sample.position, view.view);
 }
 
 void FillOutlineTool::showWire()
@@ -368,34 +368,21 @@ void FillOutlineTool::hover(const PointerSample& sample, const ViewContext& view
     if (!m_outline.drawing() && !m_closes)
         m_erases = isInverse(sample);
     follow(sample, view);
-    showCursor(sample, view);
-}
-
-void FillOutlineTool::leave()
-{
-    m_cursorView.reset();
-    Q_EMIT overlayChanged();
-}
-
-void FillOutlineTool::showCursor(const PointerSample& sample, const ViewContext& view)
-{
-    m_cursor = sample.position;
-    m_cursorView = view.view;
-    Q_EMIT overlayChanged();
+    showCursor(sample.position, view.view);
 }
 
 void FillOutlineTool::paintOverlay(QPainter& painter, const ViewContext& view) const
 {
     if (!m_workspace.session() || !worksIn(view))
         return;
-    const bool underPointer = m_cursorView == view.view;
+    const bool underPointer = isUnderPointer(view);
     painter.setRenderHint(QPainter::Antialiasing);
     if (m_outline.drawing() && m_outline.liesIn(view)) {
         QPolygonF shown = m_outline.pixels(view);
         if (underPointer && !m_pressed && m_shape == Shape::Polygon)
-            shown << m_cursor; // the corner that a click would add
+            shown << cursor(); // the corner that a click would add
         if (underPointer && m_shape == Shape::Livewire) {
-            for (const glm::dvec3& corner : m_wire.onwardsLps(view.toLps(m_cursor)))
+            for (const glm::dvec3& corner : m_wire.onwardsLps(view.toLps(cursor())))
                 shown << view.toPixel(corner);
         }
         paintFilling(painter, m_workspace, shown, m_erases, !isClicked());
@@ -412,7 +399,7 @@ void FillOutlineTool::paintOverlay(QPainter& painter, const ViewContext& view) c
         return;
     painter.setBrush(toolColour());
     painter.setPen(Qt::NoPen);
-    painter.drawEllipse(m_cursor, 2.0, 2.0);
+    painter.drawEllipse(cursor(), 2.0, 2.0);
     QStringList lines{target()};
     if (showsLevel)
         lines += levelText();
@@ -420,7 +407,7 @@ void FillOutlineTool::paintOverlay(QPainter& painter, const ViewContext& view) c
         lines += tr("too ragged to be filled");
     if (const QString limits = limitsText(m_workspace); !limits.isEmpty())
         lines += limits;
-    drawCursorLabel(painter, view.sizePixels, m_cursor, 6.0, lines);
+    drawCursorLabel(painter, view.sizePixels, cursor(), 6.0, lines);
 }
 
 /// What lies inside the contour: "from 120 HU".

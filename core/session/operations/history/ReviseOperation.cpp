@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/session/operations/ReviseOperation.h"
+#include "core/session/operations/history/ReviseOperation.h"
 
 #include "core/brick/ThreadWithoutVoxels.h"
 #include "core/edits/EditJson.h"

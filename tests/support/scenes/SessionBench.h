@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/base/Error.h"
+#include "core/session/EditSession.h"
+#include "core/session/questions/VoxelQuestions.h"
+#include "tests/reference/DelayedEngine.h"
+#include "tests/reference/ReferenceEngine.h"
+#include "tests/support/scenes/SmallStudy.h"
+
+#include <QTest>
+
+#include <algorithm>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace test {
+
+/// A session with the oracle as engine, for tests of one edit.
+class SessionBench {
+public:
+    /// @param delayed the engine delivers late
+    explicit SessionBench(
+        bool delayed, const core::LoadedVolume& volume = smallStudy(), const QString& file = {})
+        : late(inner, 11)
+        , session(*core::EditSession::create(
+              delayed ? static_cast<core::EditEngine&>(late) : inner, volume, {.file = file}))
+    {
+    }
+
+    /// Carries an edit out and waits for it; one that is refused fails the test.
+    void run(const core::Edit& edit) const
+    {
+        const core::Result<void> done = carriedOut(edit);
+        QVERIFY2(done, qPrintable(done ? QString() : done.error().arguments.join(u' ')));
+    }
+    /// The same. @return why it is refused; empty: it is not
+    [[nodiscard]] QString tried(const core::Edit& edit) const
+    {
+        const core::Result<void> done = carriedOut(edit);
+        return done ? QString() : done.error().arguments.join(QStringLiteral(": "));
+    }
+    /// At the door. @return Internal: it is not refused
+    [[nodiscard]] core::ErrorCode refusal(const core::Edit& edit) const
+    {
+        const core::Result<void> applied = session->apply(edit);
+        return applied ? core::ErrorCode::Internal : applied.error().code;
+    }
+    [[nodiscard]] const core::VolumeGeometry& geometry() const
+    {
+        return session->document().volumes.front().geometry;
+    }
+    [[nodiscard]] const std::vector<core::HistoryRow>& rows() const
+    {
+        return session->history().rows();
+    }
+    /// Of the first plane.
+    [[nodiscard]] std::vector<std::uint8_t> labels() const
+    {
+        return *session->questions().labels(0);
+    }
+    [[nodiscard]] std::int64_t voxels(int label = 1) const
+    {
+        const std::vector<std::uint8_t> all = labels();
+        return std::count(all.begin(), all.end(), label);
+    }
+
+    reference::ReferenceEngine inner;
+    reference::DelayedEngine late;
+    std::unique_ptr<core::EditSession> session;
+
+private:
+    [[nodiscard]] core::Result<void> carriedOut(const core::Edit& edit) const
+    {
+        const core::Result<void> done = session->apply(edit);
+        return done ? session->settle() : done;
+    }
+};
+
+} // namespace test

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/widgets/ValueField.h"
+
+#include "ui/base/Theme.h"
+
+#include <QDoubleSpinBox>
+
+namespace ui {
+
+QDoubleSpinBox* valueField(QWidget* parent, const char* name)
+{
+    constexpr double farthestValue = 1e6;
+    auto* field = new QDoubleSpinBox(parent);
+    field->setObjectName(QLatin1String(name));
+    field->setFixedHeight(theme::controlHeight);
+    field->setKeyboardTracking(false);
+    field->setButtonSymbols(QAbstractSpinBox::NoButtons);
+    field->setRange(-farthestValue, farthestValue);
+    return field;
+}
+
+} // namespace ui
