@@ -202,7 +202,9 @@ void StudyAttempt::noteIn(QJsonObject& record) const
         if (!file.key().isEmpty() && !file.value().isEmpty())
             made.append(QJsonObject{{fileField, file.key()}, {hashField, file.value()}});
     }
-    record[QStringLiteral("made")] = made;
+    record.remove(QStringLiteral("made"));
+    if (!made.isEmpty())
+        record[QStringLiteral("made")] = made;
 }
 
 Result<void> StudyAttempt::begin()
