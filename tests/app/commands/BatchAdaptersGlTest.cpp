@@ -190,7 +190,7 @@ BatchAdaptersGlTest::Struck BatchAdaptersGlTest::kill(
             if (!struck.study.isEmpty())
                 return struck;
         }
-        QTest::qWait(5);
+        QTest::qWait(20);
     }
     return {};
 }
