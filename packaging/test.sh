@@ -10,9 +10,10 @@ set -euo pipefail
 . "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
 labels='^quick$'
+groups=(build run test)
 case ${1-} in
     "") ;;
-    --long) labels='^(long|figures)$' ;;
+    --long) labels='^(long|figures)$' groups+=(long) ;;
     --figures) labels='^figures$' ;;
     *) fail "usage: packaging/test.sh [--long | --figures]" ;;
 esac
@@ -43,7 +44,7 @@ summarize() {
 compiler=${CXX-}
 burinPreset=check
 useBuildFolder
-timed "packages" installPackages build run test
+timed "packages" installPackages "${groups[@]}"
 timed "product" build burin
 timed "tests" build all
 timed "second compiler" build second_compiler

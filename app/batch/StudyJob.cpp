@@ -2,14 +2,10 @@
 #include "app/batch/StudyJob.h"
 
 #include "app/Version.h"
-#include "core/export/common/MaskSelection.h"
 #include "ui/base/ErrorText.h"
 
 #include <QCoreApplication>
 #include <QCryptographicHash>
-#include <QDir>
-#include <QDirIterator>
-#include <QFileInfo>
 #include <QJsonArray>
 #include <QJsonDocument>
 
@@ -31,36 +27,13 @@ QString now()
     return QDateTime::currentDateTimeUtc().toString(Qt::ISODateWithMs);
 }
 
-/// A file with its hash; of a folder (a derived series) every file in it.
-Result<QJsonArray> filesOf(const QString& path, const QDir& folder)
-{
-    QStringList files;
-    if (QFileInfo(path).isDir()) {
-        QDirIterator walk(path, QDir::Files, QDirIterator::Subdirectories);
-        while (walk.hasNext())
-            files += walk.next();
-        files.sort();
-    } else {
-        files += path;
-    }
-    QJsonArray list;
-    for (const QString& file : files) {
-        const Result<QString> hash = core::sha256OfFile(file);
-        if (!hash)
-            return tl::unexpected(hash.error());
-        const QString beside = folder.relativeFilePath(file);
-        list.append(QJsonObject{
-            {QStringLiteral("file"), beside.startsWith(QLatin1String("../")) ? file : beside},
-            {QStringLiteral("sha256"), *hash}});
-    }
-    return list;
-}
-
 } // namespace
 
 StudyJob::StudyJob(StudyTask task, StudyResults results)
     : m_task(std::move(task))
     , m_results(std::move(results))
+    , m_attempt(
+          m_task.folder, m_task.study.session, m_task.recipe, StudyResults::record(m_task.folder))
 {
 }
 
@@ -83,6 +56,19 @@ Result<void> StudyJob::begin()
         // How often it was begun in all, also by processes that were killed.
         {QStringLiteral("starts"), earlier.value(QStringLiteral("starts")).toInt() + 1},
     };
+    if (const Result<void> removed = m_attempt.removeLeft(); !removed)
+        return removed;
+    m_attempt.noteIn(m_record);
+    if (const Result<void> fits = m_attempt.check(); !fits) {
+        // The record of what is finished stays with it.
+        if (earlier.value(QStringLiteral("state")).toString() != QLatin1String("done")) {
+            m_record.remove(QStringLiteral("attempt"));
+            m_record[QStringLiteral("state")] = QStringLiteral("failed");
+            m_record[QStringLiteral("failure")] = ui::errorText(fits.error());
+            static_cast<void>(writeRecord());
+        }
+        return fits;
+    }
     if (const Result<void> written = writeRecord(); !written)
         return written;
     if (const Result<void> written =
@@ -99,9 +85,13 @@ void StudyJob::start()
     ++m_attempts;
     m_mayBeTransient = false;
     m_failure.clear();
-    for (const char* each : {"failure", "source", "renderer", "stateHash", "exports", "messages"})
+    for (const char* each :
+        {"failure", "source", "renderer", "driver", "stateHash", "messages", "signal", "exitCode"})
         m_record.remove(QLatin1String(each));
-    const QDir folder(m_task.folder);
+    if (const Result<void> begun = m_attempt.begin(); !begun) {
+        m_failure = ui::errorText(begun.error());
+        return;
+    }
     m_process = std::make_unique<QProcess>();
     m_process->setWorkingDirectory(m_task.folder);
     const int lock = m_results.lock();
@@ -113,11 +103,9 @@ void StudyJob::start()
             ::_exit(1);
         ::fcntl(lock, F_SETFD, 0);
     });
-    QStringList words{QStringLiteral("run"), folder.filePath(QStringLiteral("recipe.json")),
-        QStringLiteral("--study"), m_task.study.path, QStringLiteral("--session"),
-        folder.filePath(m_task.study.session), QStringLiteral("--facts"),
-        // What is replaced was left by an attempt in a folder that is ours.
-        QStringLiteral("--force")};
+    QStringList words{QStringLiteral("run"), m_attempt.recipePath(), QStringLiteral("--study"),
+        m_task.study.path, QStringLiteral("--session"), m_attempt.sessionPath(),
+        QStringLiteral("--facts")};
     const auto add = [&words](const char* option, const QString& value) {
         if (!value.isEmpty())
             words += {QLatin1String(option), value};
@@ -138,6 +126,7 @@ bool StudyJob::isOver()
         start();
         return false;
     }
+    takeResults();
     m_record[QStringLiteral("attempts")] = m_attempts;
     m_record[QStringLiteral("ended")] = now();
     m_record[QStringLiteral("seconds")] = double(m_clock.elapsed()) / 1000.0;
@@ -163,8 +152,6 @@ void StudyJob::stop()
 
 void StudyJob::readOutput()
 {
-    const QDir folder(m_task.folder);
-    QJsonArray exports;
     const QList<QByteArray> lines = m_process->readAllStandardOutput().split('\n');
     for (const QByteArray& text : lines) {
         const QJsonObject line = QJsonDocument::fromJson(text).object();
@@ -176,24 +163,41 @@ void StudyJob::readOutput()
         }
         if (line.value(QStringLiteral("mayBeTransient")).toBool())
             m_mayBeTransient = true;
-        if (!line.contains(QStringLiteral("export")))
-            continue;
-        const QString file = line.value(QStringLiteral("export")).toString();
-        const Result<QJsonArray> files = filesOf(folder.absoluteFilePath(file), folder);
-        if (!files) {
-            m_failure = ui::errorText(files.error());
-            continue;
-        }
-        for (const QJsonValue& each : *files)
-            exports.append(each);
     }
-    m_record[QStringLiteral("exports")] = exports;
+}
+
+/// Also of a run that failed: what it has finished is whole. One that crashed has closed nothing.
+void StudyJob::takeResults()
+{
+    const bool crashed = m_record.contains(QStringLiteral("signal"));
+    Result<void> taken;
+    if (!crashed)
+        taken = m_attempt.survey();
+    if (!crashed && taken) {
+        // Before anything gets its name it is on record whose it is.
+        m_attempt.noteIn(m_record);
+        taken = writeRecord();
+    }
+    if (!crashed && taken)
+        taken = m_attempt.place();
+    if (taken) {
+        m_attempt.concludeIn(m_record);
+    } else if (m_succeeded) {
+        m_succeeded = false;
+        m_failure = ui::errorText(taken.error());
+    }
+    m_attempt.discard();
+    m_record.remove(QStringLiteral("attempt"));
 }
 
 void StudyJob::conclude()
 {
+    m_succeeded = false;
+    // Not even begun: there was no place for its files.
+    if (!m_process)
+        return;
     readOutput();
-    const QStringList said = QString::fromUtf8(m_process->readAllStandardError())
+    const QStringList said = m_attempt.told(QString::fromUtf8(m_process->readAllStandardError()))
                                  .split(QLatin1Char('\n'), Qt::SkipEmptyParts);
     m_record[QStringLiteral("messages")] = QJsonArray::fromStringList(said);
     if (m_process->error() == QProcess::FailedToStart) {

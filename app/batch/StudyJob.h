@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "app/batch/StudyAttempt.h"
 #include "app/batch/StudyList.h"
 #include "app/batch/StudyResults.h"
 
@@ -31,7 +32,9 @@ public:
     /// @pre @p results has its turn
     StudyJob(StudyTask task, StudyResults results);
 
-    /// Writes recipe and record and starts the child. Errors: FileUnwritable.
+    /// Removes what an earlier attempt left unfinished, writes recipe and record, and starts the
+    /// child. Errors: FileUnwritable, also if a result's name is taken by what no attempt at this
+    /// study made.
     core::Result<void> begin();
     /// Looks whether the child has ended, and starts it again where a retry is due.
     /// @return whether the job is over; its record is on disk
@@ -48,10 +51,12 @@ private:
     void start();
     void conclude();
     void readOutput();
+    void takeResults();
     [[nodiscard]] core::Result<void> writeRecord();
 
     StudyTask m_task;
     StudyResults m_results;
+    StudyAttempt m_attempt;
     std::unique_ptr<QProcess> m_process;
     QJsonObject m_record;
     QElapsedTimer m_clock;

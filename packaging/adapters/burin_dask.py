@@ -12,6 +12,7 @@ import argparse
 import json
 import subprocess
 import sys
+import tempfile
 
 from distributed import Client, LocalCluster, as_completed
 
@@ -61,8 +62,11 @@ def main():
     if asked.scheduler:
         with Client(asked.scheduler) as client:
             return run(client, words, asked.attempts)
-    with LocalCluster(n_workers=asked.workers, threads_per_worker=1, processes=True,
-                      dashboard_address=None) as cluster, Client(cluster) as client:
+    # Workers would leave their scratch files in the current folder.
+    with tempfile.TemporaryDirectory() as scratch, \
+            LocalCluster(n_workers=asked.workers, threads_per_worker=1, processes=True,
+                         dashboard_address=None, local_directory=scratch) as cluster, \
+            Client(cluster) as client:
         return run(client, words, asked.attempts)
 
 

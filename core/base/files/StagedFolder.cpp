@@ -39,6 +39,14 @@ Result<StagedFolder> StagedFolder::create(const QString& target)
     return staged;
 }
 
+StagedFolder StagedFolder::adopt(const QString& path, const QString& target)
+{
+    StagedFolder staged;
+    staged.m_target = QDir::cleanPath(QFileInfo(target).absoluteFilePath());
+    staged.m_path = path;
+    return staged;
+}
+
 StagedFolder::StagedFolder(StagedFolder&& other) noexcept
     : m_target(std::move(other.m_target))
     , m_path(std::exchange(other.m_path, QString()))

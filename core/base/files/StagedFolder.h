@@ -16,6 +16,9 @@ class StagedFolder {
 public:
     /// Creates the empty folder. Errors: FileExists, FileUnwritable.
     static Result<StagedFolder> create(const QString& target);
+    /// Takes over a filled folder on the file system of its target.
+    static StagedFolder adopt(const QString& path, const QString& target);
+
     StagedFolder(StagedFolder&& other) noexcept;
     StagedFolder& operator=(StagedFolder&& other) noexcept;
     ~StagedFolder();
