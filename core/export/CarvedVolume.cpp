@@ -25,8 +25,7 @@ namespace {
 
 Error renamed(Error error, const QString& path, const QString& target)
 {
-    for (QString& argument : error.arguments)
-        argument.replace(path, target);
+    error.arguments.replace(path, target);
     return error;
 }
 

@@ -39,10 +39,7 @@ Result<ReportLines> check(const QString& path, const Volume& volume, const Scree
 
 Error renamed(Error error, const StagedFile& staged, const QString& file)
 {
-    for (QString& argument : error.arguments) {
-        if (argument == staged.path())
-            argument = file;
-    }
+    error.arguments.exchange(staged.path(), file);
     return error;
 }
 

@@ -44,10 +44,7 @@ namespace {
 /// Names the user's file where a step knew only the temporary one.
 Error renamed(Error error, const StagedFile& staged, const QString& file)
 {
-    for (QString& argument : error.arguments) {
-        if (argument == staged.path())
-            argument = file;
-    }
+    error.arguments.exchange(staged.path(), file);
     return error;
 }
 
