@@ -35,7 +35,7 @@ Result<void> checkProtected(
 {
     if (protectedSegments && restore)
         return failure(ErrorCode::InvalidField, edit + QStringLiteral(".spared"),
-            QStringLiteral("has no meaning while restoring"));
+            Clause::saying("has no meaning while restoring"));
     return {};
 }
 
@@ -47,7 +47,7 @@ Result<void> checkProtectedAreThere(
     for (const int label : *protectedSegments) {
         if (!document.segment(label))
             return failure(ErrorCode::UnknownSegment, QString::number(label),
-                QStringLiteral("in field 'spared'"));
+                Clause::saying("in field 'spared'"));
     }
     return {};
 }

@@ -69,7 +69,7 @@ EditEffects effects(const GrowFromSeeds& edit)
 
 Result<SpreadLabels> spreadLabels(const GrowFromSeeds& edit, const Document& document)
 {
-    const auto wrong = [](const char* field, const QString& reason) {
+    const auto wrong = [](const char* field, const Clause& reason) {
         return failure(ErrorCode::InvalidField,
             QStringLiteral("growFromSeeds.") + QLatin1String(field), reason);
     };
@@ -85,7 +85,7 @@ Result<SpreadLabels> spreadLabels(const GrowFromSeeds& edit, const Document& doc
             const Segment* segment = document.segment(label);
             if (!segment)
                 return failure(ErrorCode::UnknownSegment, QString::number(label),
-                    QStringLiteral("in field 'growFromSeeds.segments'"));
+                    Clause::saying("in field 'growFromSeeds.segments'"));
             if (segment->locked)
                 return failure(ErrorCode::SegmentLocked, segment->name);
             spread.seeds.set(std::size_t(label));
@@ -98,11 +98,11 @@ Result<SpreadLabels> spreadLabels(const GrowFromSeeds& edit, const Document& doc
         spread.overwritable = unlocked & ~spread.seeds;
     if (spread.seeds.count() < 2)
         return wrong(
-            "segments", QStringLiteral("at least two that are not locked are needed to compete"));
+            "segments", Clause::saying("at least two that are not locked are needed to compete"));
     if (edit.box) {
         spread.box = boxBetween(*edit.box, volume.geometry);
         if (spread.box->empty())
-            return wrong("box", QStringLiteral("it lies outside the volume"));
+            return wrong("box", Clause::saying("it lies outside the volume"));
     }
     return spread;
 }

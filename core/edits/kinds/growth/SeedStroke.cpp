@@ -41,7 +41,7 @@ Result<SeedPlacement> seedPlacement(const SeedStroke& stroke, const Document& do
 
     if (stroke.pointsLps.empty() && !stroke.takenLps)
         return failure(ErrorCode::InvalidField, QStringLiteral("seed.pointsLps"),
-            QStringLiteral("needs at least one entry where no seed is taken away"));
+            Clause::saying("needs at least one entry where no seed is taken away"));
     const VolumeGeometry& geometry = document.volumes.front().geometry;
     Result<std::vector<glm::ivec3>> voxels = seedVoxels(stroke.pointsLps, geometry, "pointsLps");
     if (!voxels)

@@ -31,7 +31,7 @@ Result<ToleranceRule> toleranceRule(
         if (asked)
             return failure(ErrorCode::InvalidField,
                 QStringLiteral("tolerance.") + QLatin1String(name),
-                QStringLiteral("knows no least tolerance"));
+                Clause::saying("knows no least tolerance"));
     }
     GrowCriteria anyValue = criteria;
     anyValue.lower = anyValue.upper = 0.0;

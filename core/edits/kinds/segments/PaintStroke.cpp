@@ -33,7 +33,7 @@ Result<void> checkTool(const PaintStroke& stroke)
     if (stroke.tool != PaintStroke::Tool::Nudge || isPlainDisc)
         return {};
     return failure(ErrorCode::InvalidField, QStringLiteral("paint.tool"),
-        QStringLiteral("a nudge is a disc without pressures and edgeTolerance"));
+        Clause::saying("a nudge is a disc without pressures and edgeTolerance"));
 }
 
 RowTitleCode titleCode(const PaintStroke& stroke)
@@ -80,7 +80,7 @@ Result<PaintLabel> paintLabel(const PaintStroke& stroke, const Document& documen
         return tl::unexpected(codes.error());
     if (stroke.edgeTolerance && !(*stroke.edgeTolerance >= 0.0))
         return failure(ErrorCode::InvalidField, QStringLiteral("paint.edgeTolerance"),
-            QStringLiteral("%1 is below 0").arg(*stroke.edgeTolerance));
+            Clause::saying("%1 is below 0", *stroke.edgeTolerance));
     if (const Result<void> tool = checkTool(stroke); !tool)
         return tl::unexpected(tool.error());
     Result<CapsuleFrame> frame =

@@ -82,7 +82,7 @@ Result<LabelThreshold> labelThreshold(const ThresholdSegment& edit, const Docume
 {
     if (edit.lower && edit.upper && !(*edit.lower <= *edit.upper))
         return failure(ErrorCode::InvalidField, QStringLiteral("thresholdSegment.upper"),
-            QStringLiteral("%1 is below lower, %2").arg(*edit.upper).arg(*edit.lower));
+            Clause::saying("%1 is below lower, %2", *edit.upper, *edit.lower));
     Result<LabelTarget> target =
         labelTarget({.segment = edit.segment, .name = {}}, edit.overwriteUnlocked, document);
     if (!target)
