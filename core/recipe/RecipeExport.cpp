@@ -158,7 +158,7 @@ Clause obstacleOf(const RecipeExport& target, const Volume& volume)
     case RecipeExport::What::Coverage:
         return isNiftiName(target.file) ? Clause() : ending;
     case RecipeExport::What::CarvedVolume:
-        return isNiftiName(target.file) ? Clause() : Clause(carvedSeriesObstacle(volume));
+        return isNiftiName(target.file) ? Clause() : carvedSeriesObstacle(volume);
     case RecipeExport::What::Segments:
         break;
     }
