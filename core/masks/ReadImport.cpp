@@ -45,8 +45,8 @@ Result<ReadImport> readImport(const ImportMask& edit, const Volume& volume,
             .voxels = packedRuns(segment.voxels)});
         if (segments.back().voxels.isEmpty())
             return failure(ErrorCode::UnsupportedFormat, edit.file,
-                QStringLiteral("the outline of its segment '%1' is too ragged to be kept")
-                    .arg(segments.back().name));
+                Clause::saying("the outline of its segment '%1' is too ragged to be kept",
+                    segments.back().name));
     }
     return read;
 }

@@ -31,7 +31,7 @@ Result<std::optional<int>> segmentMeant(const ImportMask& edit, const Document& 
     if (edit.as->number) {
         if (!document.segment(*edit.as->number))
             return failure(ErrorCode::UnknownSegment, QString::number(*edit.as->number),
-                QStringLiteral("in field 'importMask.as'"));
+                Clause::saying("in field 'importMask.as'"));
         return edit.as->number;
     }
     const auto named = std::find_if(document.segments.begin(), document.segments.end(),
@@ -40,7 +40,7 @@ Result<std::optional<int>> segmentMeant(const ImportMask& edit, const Document& 
                                             : std::optional<int>(named->label);
 }
 
-tl::unexpected<Error> wrong(const char* field, const QString& reason)
+tl::unexpected<Error> wrong(const char* field, const Clause& reason)
 {
     return failure(ErrorCode::InvalidField, QLatin1String(field), reason);
 }
@@ -51,13 +51,8 @@ Result<void> isOfVolume(const ImportMask& edit, const Document& document)
     if (*edit.size == size)
         return {};
     return wrong("importMask.size",
-        QStringLiteral("its voxels are of a volume of %1 × %2 × %3, this one has %4 × %5 × %6")
-            .arg(edit.size->x)
-            .arg(edit.size->y)
-            .arg(edit.size->z)
-            .arg(size.x)
-            .arg(size.y)
-            .arg(size.z));
+        Clause::saying("its voxels are of a volume of %1 × %2 × %3, this one has %4 × %5 × %6",
+            edit.size->x, edit.size->y, edit.size->z, size.x, size.y, size.z));
 }
 
 /// Puts labels where runs are and nothing is yet.
@@ -117,7 +112,7 @@ private:
 Result<ImportTargets> importTargets(const ImportMask& edit, const Document& document)
 {
     if (!edit.segments || !edit.size)
-        return wrong("importMask.segments", QStringLiteral("its file has not been read"));
+        return wrong("importMask.segments", Clause::saying("its file has not been read"));
     const Result<std::optional<int>> meant = segmentMeant(edit, document);
     if (!meant)
         return tl::unexpected(meant.error());
@@ -127,13 +122,11 @@ Result<ImportTargets> importTargets(const ImportMask& edit, const Document& docu
     for (const int place : edit.ahead.value_or(std::vector<int>())) {
         if (place < 1 || place > wanted)
             return wrong("importMask.ahead",
-                QStringLiteral("there is no segment %1 in its list of %2").arg(place).arg(wanted));
+                Clause::saying("there is no segment %1 in its list of %2", place, wanted));
     }
     if (result.isNew && (edit.as ? 1 : wanted) > room)
         return wrong("importMask.segments",
-            QStringLiteral("there is room for %1 segments more, it brings %2")
-                .arg(room)
-                .arg(wanted));
+            Clause::saying("there is room for %1 segments more, it brings %2", room, wanted));
     Result<LabelTarget> target =
         labelTarget({.segment = *meant, .name = {}}, edit.overwriteUnlocked, document);
     if (!target)
@@ -221,8 +214,8 @@ Result<LabelListed> labelListed(const ImportMask& edit, const Document& document
         const std::optional<VoxelRuns> voxels =
             unpackedRuns((*edit.segments)[i].voxels, geometry.voxelCount());
         if (!voxels)
-            return wrong("importMask.segments",
-                QStringLiteral("entry %1: its voxels are damaged").arg(i + 1));
+            return wrong(
+                "importMask.segments", Clause::saying("entry %1: its voxels are damaged", i + 1));
         bricks.put(*voxels, where->targets[i].label);
     }
     const LabelTarget& target = where->targets.front();
