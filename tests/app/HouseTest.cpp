@@ -140,18 +140,16 @@ bool mayHoldSentences(const QString& file)
 /// Where core words clauses that are no core::Clause. None is to be added.
 bool mayHoldClauses(const QString& file)
 {
-    // What an edit's fields are, wherever that is read; not worded in ui yet: what a thing of a
-    // series is, and why an export is not possible.
-    static const QStringList folders{QStringLiteral("core/edits/fields"),
-        QStringLiteral("core/edits/schema"), QStringLiteral("core/export"),
-        QStringLiteral("core/masks"), QStringLiteral("core/titles")};
-    static const QStringList files{// Decoders, whose words go through the pipe of their process.
-        QStringLiteral("core/dicom/codecs/FrameCodec.cpp"),
+    // What an edit's fields are, wherever that is read.
+    static const QStringList folders{
+        QStringLiteral("core/edits/fields"), QStringLiteral("core/edits/schema")};
+    // First decoders, whose words go through the pipe of their process.
+    static const QStringList files{QStringLiteral("core/dicom/codecs/FrameCodec.cpp"),
         QStringLiteral("core/dicom/codecs/Jpeg2000.cpp"),
         QStringLiteral("core/dicom/codecs/JpegCheck.cpp"),
         QStringLiteral("core/fence/DecodeWorker.cpp"), QStringLiteral("core/images/ImageCodec.cpp"),
         QStringLiteral("core/images/PngDecoder.cpp"), QStringLiteral("core/images/TiffDecoder.cpp"),
-        // What a thing of a series is, as for the folders.
+        // What a thing of a series is, which ui does not word yet.
         QStringLiteral("core/dicom/items/SopClass.cpp"),
         QStringLiteral("core/dicom/stack/ApartImage.cpp"),
         QStringLiteral("core/dicom/stack/SliceStack.cpp"),
@@ -161,8 +159,7 @@ bool mayHoldClauses(const QString& file)
         QStringLiteral("core/repair/SeriesRepair.cpp"),
         QStringLiteral("core/sessionfile/records/SessionSource.cpp"),
         QStringLiteral("core/recipe/RecipeStep.cpp"), // as the fields of edits
-        QStringLiteral("core/sessionfile/records/SessionDatabase.cpp"), // a message of SQLite
-        QStringLiteral("core/edits/kinds/segments/ImportMask.cpp")};
+        QStringLiteral("core/sessionfile/records/SessionDatabase.cpp")}; // a message of SQLite
     return inFolder(file, folders) || files.contains(file);
 }
 
