@@ -165,8 +165,7 @@ int runMesh(const Arguments& arguments)
             write(file->path(), parts, isRas ? QStringLiteral("RAS") : QStringLiteral("LPS"));
         !written) {
         core::Error error = written.error();
-        for (QString& argument : error.arguments)
-            argument.replace(file->path(), out);
+        error.arguments.replace(file->path(), out);
         return reportFailure(error);
     }
     if (const core::Result<void> kept = file->commit(); !kept)

@@ -128,7 +128,7 @@ QString seriesOf(const Arguments& arguments, const QString& repair)
 
 QString spacingProblem(const Arguments& arguments)
 {
-    QString why;
+    core::Clause why;
     if (arguments.has("spacing") && !core::spacingWord(arguments.value("spacing"), &why))
         return QStringLiteral("--spacing: %1").arg(why);
     return {};

@@ -61,8 +61,7 @@ QString whyNotOneFile(const QString& file)
 
 core::Error ofTarget(core::Error error, const QString& place, const QString& file)
 {
-    for (QString& argument : error.arguments)
-        argument.replace(place, file);
+    error.arguments.replace(place, file);
     return error;
 }
 

@@ -9,7 +9,7 @@ namespace app {
 
 namespace {
 
-tl::unexpected<core::Error> wrong(const char* field, const QString& why)
+tl::unexpected<core::Error> wrong(const char* field, const core::Clause& why)
 {
     return core::failure(core::ErrorCode::InvalidField, QLatin1String(field), why);
 }

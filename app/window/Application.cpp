@@ -16,6 +16,7 @@
 #include "ui/dialogs/session/UnwrittenSteps.h"
 #include "ui/frame/MessageBar.h"
 #include "ui/settings/RecentStudies.h"
+#include "ui/texts/ClauseText.h"
 #include "ui/window/MainWindow.h"
 
 #include <QApplication>
@@ -199,7 +200,7 @@ bool Application::showSessionProblem(const SessionOpening& opening, const QStrin
     } else if (!contents.leftOpen.isEmpty()) {
         m_window->messages().show(ui::MessageBar::Kind::Caution,
             QStringLiteral("%1: %2. Its last steps may be missing.")
-                .arg(QFileInfo(file).fileName(), contents.leftOpen));
+                .arg(QFileInfo(file).fileName(), ui::clauseText(contents.leftOpen)));
     } else if (opening.notFromStudy) {
         showWhereImagesAre(*opening.notFromStudy, file);
     } else {

@@ -6,6 +6,7 @@
 #include "core/session/SessionStorage.h"
 #include "ui/base/RowTitleText.h"
 #include "ui/frame/MessageBar.h"
+#include "ui/texts/ClauseText.h"
 #include "ui/window/MainWindow.h"
 #include "ui/workspace/Workspace.h"
 
@@ -36,7 +37,7 @@ QString sentenceFor(const core::Error& error, core::EditSession& session)
 {
     return QStringLiteral("The graphics driver broke off its work (%1), so the study was closed. "
                           "%2; what was under way is not done.")
-        .arg(error.arguments.value(0), whatIsKept(session));
+        .arg(ui::clauseText(error.arguments.value(0)), whatIsKept(session));
 }
 
 } // namespace

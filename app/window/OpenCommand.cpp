@@ -74,7 +74,7 @@ QString parse(const Arguments& arguments, OpenArguments& parsed)
     if (isSession && !(parsed.series.isEmpty() && repair.isEmpty() && spacing.isEmpty()))
         return QStringLiteral(
             "--series, --repair and --spacing are for studies; a session knows its own");
-    QString wrong;
+    core::Clause wrong;
     if (!spacing.isEmpty() && !core::spacingWord(spacing, &wrong))
         return QStringLiteral("--spacing: %1").arg(wrong);
     repair = repairWords(repair, spacing);

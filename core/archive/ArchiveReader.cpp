@@ -97,12 +97,12 @@ public:
                 return failure(ErrorCode::Cancelled);
             if (++files > mostFiles)
                 return failure(ErrorCode::UnsupportedFormat, m_path,
-                    QStringLiteral("it holds more than %1 files").arg(mostFiles));
+                    Clause::saying("it holds more than %1 files", mostFiles));
             if (archive_entry_filetype(entry) != AE_IFREG)
                 continue;
             if (archive_entry_is_data_encrypted(entry) != 0)
                 return failure(ErrorCode::FileUnreadable, m_path,
-                    QStringLiteral("it is protected by a password; unpack it first"));
+                    Clause::saying("it is protected by a password; unpack it first"));
             const QString place = freePlace(placeOf(nameOf(entry)));
             if (place.isEmpty())
                 continue;
@@ -115,7 +115,7 @@ private:
     tl::unexpected<Error> unreadable(archive* reader) const
     {
         return failure(ErrorCode::FileUnreadable, m_path,
-            QStringLiteral("it is damaged or cut short (%1)").arg(reasonOf(reader)));
+            Clause::saying("it is damaged or cut short (%1)", reasonOf(reader)));
     }
 
     /// Several files may have one name, or have names that become one.
@@ -150,10 +150,10 @@ private:
             m_written += qint64(size) + std::max<qint64>(0, at - file.pos());
             if (m_written > m_room)
                 return failure(ErrorCode::UnsupportedFormat, m_path,
-                    QStringLiteral("it unpacks to more than %1 times its size").arg(greatestRatio));
+                    Clause::saying("it unpacks to more than %1 times its size", greatestRatio));
             if (m_written > m_onDisk)
                 return failure(ErrorCode::FileUnwritable, m_path,
-                    QStringLiteral("the disk has no room for what it unpacks to"));
+                    Clause::saying("the disk has no room for what it unpacks to"));
             if (m_progress.cancelled())
                 return failure(ErrorCode::Cancelled);
             if (at != file.pos() && !file.seek(at))

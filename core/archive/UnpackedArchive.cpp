@@ -51,7 +51,7 @@ Result<void> gather(const QString& path, const QString& folder, const Progress& 
     while (!lock.tryLock(patienceMs)) {
         if (lock.error() != QLockFile::LockFailedError)
             return failure(ErrorCode::FileUnwritable, path,
-                QStringLiteral("the cache %1 cannot be written").arg(QFileInfo(folder).path()));
+                Clause::saying("the cache %1 cannot be written", QFileInfo(folder).path()));
         if (progress.cancelled())
             return failure(ErrorCode::Cancelled);
     }
@@ -60,12 +60,12 @@ Result<void> gather(const QString& path, const QString& folder, const Progress& 
     QDir(gathering).removeRecursively();
     if (!QDir().mkpath(gathering))
         return failure(ErrorCode::FileUnwritable, path,
-            QStringLiteral("no folder %1 to unpack to").arg(gathering));
+            Clause::saying("no folder %1 to unpack to", gathering));
     Result<void> unpacked = unpackArchive(path, gathering, progress);
     if (unpacked && QDir(gathering).isEmpty())
         unpacked = failure(ErrorCode::FolderEmpty, path);
     if (unpacked && !QDir().rename(gathering, folder))
-        unpacked = failure(ErrorCode::FileUnwritable, path, QStringLiteral("cannot rename"));
+        unpacked = failure(ErrorCode::FileUnwritable, path, Clause::saying("cannot rename"));
     QDir(gathering).removeRecursively();
     return unpacked;
 }

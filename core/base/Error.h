@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <QString>
-#include <QStringList>
+#include "core/base/words/Clauses.h"
 
 namespace core {
 
@@ -71,7 +70,7 @@ enum class ErrorCode {
 /// A failure that crosses layers as a value.
 struct Error {
     ErrorCode code = ErrorCode::Internal;
-    QStringList arguments;
+    Clauses arguments;
 };
 
 } // namespace core

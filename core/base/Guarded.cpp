@@ -18,13 +18,13 @@ QString megabytes(std::size_t bytes)
     return QString::number(double(bytes) * 1e-6, 'f', bytes < 10'000'000 ? 2 : 0);
 }
 
-QString whatWasNeeded(std::size_t bytes)
+Clause whatWasNeeded(std::size_t bytes)
 {
     if (bytes < worthNaming)
-        return QStringLiteral("the program may not take more of the main memory");
-    return QStringLiteral("%1 MB more are needed, and the program, which has taken %2 MB, may not "
-                          "take that much")
-        .arg(megabytes(bytes), megabytes(addressSpaceBytes()));
+        return Clause::saying("the program may not take more of the main memory");
+    return Clause::saying("%1 MB more are needed, and the program, which has taken %2 MB, may not "
+                          "take that much",
+        megabytes(bytes), megabytes(addressSpaceBytes()));
 }
 
 Error thrownError()
@@ -39,12 +39,12 @@ Error thrownError()
         return {ErrorCode::OutOfMemory, {whatWasNeeded(0)}};
     } catch (const std::system_error& failure) {
         if (failure.code() == std::errc::resource_unavailable_try_again)
-            return {ErrorCode::OutOfMemory, {QStringLiteral("no further thread can be started")}};
+            return {ErrorCode::OutOfMemory, {Clause::saying("no further thread can be started")}};
         return {ErrorCode::Internal, {QString::fromUtf8(failure.what())}};
     } catch (const std::exception& failure) {
         return {ErrorCode::Internal, {QString::fromUtf8(failure.what())}};
     } catch (...) {
-        return {ErrorCode::Internal, {QStringLiteral("something was thrown")}};
+        return {ErrorCode::Internal, {Clause::saying("something was thrown")}};
     }
 }
 

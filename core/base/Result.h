@@ -17,7 +17,7 @@ template <class T> using Result = tl::expected<T, Error>;
 template <class... Arguments>
 [[nodiscard]] tl::unexpected<Error> failure(ErrorCode code, const Arguments&... arguments)
 {
-    return tl::unexpected<Error>(Error{code, QStringList{QString(arguments)...}});
+    return tl::unexpected<Error>(Error{code, {Clause(arguments)...}});
 }
 
 } // namespace core

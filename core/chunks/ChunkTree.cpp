@@ -51,7 +51,7 @@ Result<ChunkTree> ChunkTree::of(const ChunkSource& source, const Progress& progr
         && (source.probabilities.empty() || source.probabilities.size() == voxels);
     if (voxels == 0 || !fits)
         return failure(ErrorCode::InvalidField, QStringLiteral("chunks"),
-            QStringLiteral("a box of another size"));
+            Clause::saying("a box of another size"));
     const Result<ChunkField> field = ChunkField::of(source, progress);
     if (!field)
         return tl::unexpected(field.error());

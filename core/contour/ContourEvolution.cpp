@@ -41,10 +41,9 @@ Result<void> checkContourMemory(const VoxelBox& box)
 {
     const std::size_t voxels = voxelsOf(box);
     constexpr double bytesPerVoxel = 4.0; // code, flags, g
-    const QString what = QStringLiteral("the box in which the contour evolves");
+    const Clause what = Clause::saying("the box in which the contour evolves");
     if (voxels > std::numeric_limits<std::uint32_t>::max())
-        return failure(
-            ErrorCode::OutOfMemory, QStringLiteral("%1 has more than 2³² voxels").arg(what));
+        return failure(ErrorCode::OutOfMemory, Clause::saying("%1 has more than 2³² voxels", what));
     return checkBytes(bytesPerVoxel * double(voxels), what);
 }
 

@@ -136,13 +136,12 @@ Result<void> writeDemoStudy(const QString& folder, const DemoStudy& study)
     Result<StagedFolder> staged = StagedFolder::create(target);
     if (!staged && staged.error().code == ErrorCode::FileExists)
         return failure(
-            ErrorCode::FileUnwritable, folder, QStringLiteral("it is not an empty folder"));
+            ErrorCode::FileUnwritable, folder, Clause::saying("it is not an empty folder"));
     if (!staged)
         return tl::unexpected(staged.error());
     if (const Result<void> written = writeInto(staged->path(), study); !written) {
         Error error = written.error();
-        for (QString& argument : error.arguments)
-            argument.replace(staged->path(), target);
+        error.arguments.replace(staged->path(), target);
         return tl::unexpected(error);
     }
     return staged->commit();

@@ -16,15 +16,15 @@ Result<void> JsonSink::begin(const WebAnswer& answer)
     if (m_mayBeOther || answer.status == 204 || answer.contentType.contains("json"))
         return {};
     return failure(ErrorCode::NodeNonsense, m_nodeName,
-        QStringLiteral("it answers with '%1' where DICOM JSON was asked for")
-            .arg(QString::fromLatin1(answer.contentType.left(60))));
+        Clause::saying("it answers with '%1' where DICOM JSON was asked for",
+            QString::fromLatin1(answer.contentType.left(60))));
 }
 
 Result<void> JsonSink::take(const QByteArray& bytes)
 {
     if (m_bytes.size() + bytes.size() > longestJson) {
         return failure(
-            ErrorCode::NodeNonsense, m_nodeName, QStringLiteral("its answer has no end"));
+            ErrorCode::NodeNonsense, m_nodeName, Clause::saying("its answer has no end"));
     }
     m_bytes += bytes;
     return {};

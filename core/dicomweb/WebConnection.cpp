@@ -54,7 +54,7 @@ Result<QSslConfiguration> secured(const WebNode& node)
     tls.setPeerVerifyMode(QSslSocket::VerifyPeer);
     const auto wrong = [](const char* field, const QString& file) {
         return failure(ErrorCode::InvalidField, QLatin1String(field),
-            QStringLiteral("%1 holds none in PEM").arg(file));
+            Clause::saying("%1 holds none in PEM", file));
     };
     if (!node.authorityFile.isEmpty()) {
         const QList<QSslCertificate> authorities = QSslCertificate::fromPath(node.authorityFile);
@@ -138,9 +138,9 @@ Result<WebConnection> WebConnection::open(
     if (login.isGiven() && node.url.scheme() == QLatin1String("http") && !stays
         && qEnvironmentVariable("BURIN_PLAIN_LOGIN") != QLatin1String("yes"))
         return failure(ErrorCode::InvalidField, QStringLiteral("login"),
-            QStringLiteral("it would go unencrypted to %1, where everybody on the way can read it; "
-                           "take https, or say by BURIN_PLAIN_LOGIN=yes that the way is safe")
-                .arg(host));
+            Clause::saying("it would go unencrypted to %1, where everybody on the way can read it; "
+                           "take https, or say by BURIN_PLAIN_LOGIN=yes that the way is safe",
+                host));
     Result<QSslConfiguration> tls = secured(node);
     if (!tls)
         return tl::unexpected<Error>(tls.error());
@@ -274,7 +274,7 @@ void WebConnection::Exchange::begin()
     const QByteArray encoding = m_reply->rawHeader("Content-Encoding");
     if (!encoding.isEmpty() && encoding != "identity") {
         return end({ErrorCode::NodeNonsense,
-            {m_name, QStringLiteral("it packs its answer, which nobody asked for")}});
+            {m_name, Clause::saying("it packs its answer, which nobody asked for")}});
     }
     if (const Result<void> wanted = m_sink.begin(answer); !wanted)
         return end(wanted.error());
@@ -326,7 +326,7 @@ void WebConnection::Exchange::conclude()
     }
     if (status == 0) {
         m_outcome.error = Error{ErrorCode::NodeNonsense,
-            {m_name, QStringLiteral("it does not answer as a web server")}};
+            {m_name, Clause::saying("it does not answer as a web server")}};
         return;
     }
     m_outcome.mayPassAway = isBusy(status);
@@ -337,7 +337,7 @@ void WebConnection::Exchange::conclude()
 }
 
 Result<WebAnswer> WebConnection::exchange(const QByteArray& path, const QByteArray& accept,
-    const QString* file, const QString& what, WebSink& sink, bool repeatable)
+    const QString* file, const Clause& what, WebSink& sink, bool repeatable)
 {
     const WebNode& node = m_parts->node;
     int pauseMs = node.firstPauseMs;
@@ -356,12 +356,12 @@ Result<WebAnswer> WebConnection::exchange(const QByteArray& path, const QByteArr
         const int status = outcome.answer.status;
         if (status == 401 || status == 403) {
             return failure(ErrorCode::NodeRejects, node.name(),
-                QStringLiteral("the login is missing, wrong or not allowed to do that (%1)")
-                    .arg(outcome.statusName));
+                Clause::saying("the login is missing, wrong or not allowed to do that (%1)",
+                    outcome.statusName));
         }
         if (status == 404) {
             return failure(ErrorCode::NodeHasNone, node.name(),
-                QStringLiteral("page (%1)").arg(outcome.statusName));
+                Clause::saying("page (%1)", outcome.statusName));
         }
         if (!outcome.began)
             return failure(ErrorCode::NodeFailed, node.name(), what, outcome.statusName);
@@ -370,13 +370,13 @@ Result<WebAnswer> WebConnection::exchange(const QByteArray& path, const QByteArr
 }
 
 Result<WebAnswer> WebConnection::get(const QByteArray& path, const QByteArray& accept,
-    const QString& what, WebSink& sink, bool repeatable)
+    const Clause& what, WebSink& sink, bool repeatable)
 {
     return exchange(path, accept, nullptr, what, sink, repeatable);
 }
 
 Result<WebAnswer> WebConnection::postFile(
-    const QByteArray& path, const QString& file, const QString& what, WebSink& sink)
+    const QByteArray& path, const QString& file, const Clause& what, WebSink& sink)
 {
     return exchange(path, "application/dicom+json", &file, what, sink, false);
 }

@@ -3,6 +3,7 @@
 
 #include "core/base/Progress.h"
 #include "core/base/Result.h"
+#include "core/base/words/Clause.h"
 #include "core/dicomweb/WebNode.h"
 #include "core/pacs/Patience.h"
 
@@ -55,10 +56,10 @@ public:
     /// @param repeatable the request is repeated after a pause even if the connection ended within
     /// the answer; otherwise only if nothing of the answer had arrived
     [[nodiscard]] Result<WebAnswer> get(const QByteArray& path, const QByteArray& accept,
-        const QString& what, WebSink& sink, bool repeatable);
+        const Clause& what, WebSink& sink, bool repeatable);
     /// Sends one file as multipart/related (PS3.18 10.5). Status 409 is returned like a success.
     [[nodiscard]] Result<WebAnswer> postFile(
-        const QByteArray& path, const QString& file, const QString& what, WebSink& sink);
+        const QByteArray& path, const QString& file, const Clause& what, WebSink& sink);
 
     /// Waits before another attempt. Errors: Cancelled.
     [[nodiscard]] Result<void> pause(int milliseconds) const;
@@ -71,7 +72,7 @@ private:
     struct Outcome;
     class Exchange;
     [[nodiscard]] Result<WebAnswer> exchange(const QByteArray& path, const QByteArray& accept,
-        const QString* file, const QString& what, WebSink& sink, bool repeatable);
+        const QString* file, const Clause& what, WebSink& sink, bool repeatable);
 
     std::unique_ptr<Parts> m_parts;
 };

@@ -45,8 +45,8 @@ Result<void> WebIntake::begin(const WebAnswer& answer)
         && !answer.contentType.startsWith("application/dicom+"))
         return beginPart();
     return failure(ErrorCode::NodeNonsense, m_nodeName,
-        QStringLiteral("it answers with '%1' where DICOM objects were asked for")
-            .arg(QString::fromLatin1(answer.contentType.left(60))));
+        Clause::saying("it answers with '%1' where DICOM objects were asked for",
+            QString::fromLatin1(answer.contentType.left(60))));
 }
 
 Result<void> WebIntake::take(const QByteArray& bytes)
@@ -59,7 +59,7 @@ Result<void> WebIntake::end()
     if (!m_reader)
         return m_part.isOpen() ? endPart() : Result<void>();
     if (!m_reader->isComplete())
-        return failure(ErrorCode::NodeLost, m_nodeName, QStringLiteral("its answer is cut short"));
+        return failure(ErrorCode::NodeLost, m_nodeName, Clause::saying("its answer is cut short"));
     return {};
 }
 
@@ -94,7 +94,7 @@ Result<void> WebIntake::endPart()
         dropPart();
         if (++m_unasked > mostUnasked) {
             return failure(ErrorCode::NodeNonsense, m_nodeName,
-                QStringLiteral("it sends what nobody asked for"));
+                Clause::saying("it sends what nobody asked for"));
         }
         return {};
     }

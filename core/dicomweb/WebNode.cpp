@@ -8,7 +8,7 @@ namespace core {
 
 namespace {
 
-tl::unexpected<Error> wrongAddress(const QString& why)
+tl::unexpected<Error> wrongAddress(const Clause& why)
 {
     return failure(ErrorCode::InvalidField, QStringLiteral("address"), why);
 }
@@ -40,7 +40,7 @@ Result<WebLogin> WebLogin::parse(const QString& text)
     const bool isOneLine = !line.contains(u'\n') && !line.contains(u'\r');
     if (!login.isGiven() || !isOneLine) {
         return failure(ErrorCode::InvalidField, QStringLiteral("login"),
-            QStringLiteral("it is 'user:password' or 'Bearer TOKEN', in one line"));
+            Clause::saying("it is 'user:password' or 'Bearer TOKEN', in one line"));
     }
     return login;
 }
@@ -56,7 +56,7 @@ Result<WebLogin> WebLogin::read(const QString& path)
         QFile::ReadGroup | QFile::WriteGroup | QFile::ReadOther | QFile::WriteOther;
     if (QFileInfo(path).permissions() & others) {
         return failure(ErrorCode::FileUnreadable, path,
-            QStringLiteral("others may read the login in it; chmod 600 keeps it to you"));
+            Clause::saying("others may read the login in it; chmod 600 keeps it to you"));
     }
     constexpr qint64 longest = 64 << 10; // tokens of the web are a few kilobytes
     return parse(QString::fromUtf8(file.readLine(longest)));
@@ -86,19 +86,19 @@ Result<void> WebNode::check() const
     const QString scheme = url.scheme();
     if (!url.isValid() || url.host().isEmpty()
         || (scheme != QLatin1String("https") && scheme != QLatin1String("http")))
-        return wrongAddress(QStringLiteral("it is not of the form https://host/dicom-web"));
+        return wrongAddress(Clause::saying("it is not of the form https://host/dicom-web"));
     if (!url.userInfo().isEmpty())
         return wrongAddress(
-            QStringLiteral("a password has no place in it; a file holds the login"));
+            Clause::saying("a password has no place in it; a file holds the login"));
     if (url.hasQuery() || url.hasFragment())
-        return wrongAddress(QStringLiteral("it ends before any ? or #"));
+        return wrongAddress(Clause::saying("it ends before any ? or #"));
     if (timeoutSeconds < 1) {
         return failure(ErrorCode::InvalidField, QStringLiteral("timeout"),
-            QStringLiteral("it is 1 second or more"));
+            Clause::saying("it is 1 second or more"));
     }
     if (certificateFile.isEmpty() != keyFile.isEmpty()) {
         return failure(ErrorCode::InvalidField, QStringLiteral("key"),
-            QStringLiteral("certificate and key go together"));
+            Clause::saying("certificate and key go together"));
     }
     return {};
 }

@@ -94,7 +94,7 @@ Result<void> ask(WebConnection& connection, const Question& question, const char
     for (int offset = 0;;) {
         JsonSink sink(name, false);
         const Result<WebAnswer> answer = connection.get(question.page(pageSize, offset),
-            "application/dicom+json", QStringLiteral("the search"), sink, true);
+            "application/dicom+json", Clause::saying("the search"), sink, true);
         if (!answer)
             return tl::unexpected<Error>(answer.error());
         if (answer->status == 204 || sink.bytes().isEmpty())
@@ -103,7 +103,7 @@ Result<void> ask(WebConnection& connection, const Question& question, const char
         const QJsonDocument document = QJsonDocument::fromJson(sink.bytes(), &error);
         if (!document.isArray()) {
             return failure(ErrorCode::NodeNonsense, name,
-                QStringLiteral("its answer is no list in JSON (%1)").arg(error.errorString()));
+                Clause::saying("its answer is no list in JSON (%1)", error.errorString()));
         }
         const QJsonArray page = document.array();
         bool isNew = false;
@@ -116,7 +116,7 @@ Result<void> ask(WebConnection& connection, const Question& question, const char
             seen.insert(uid);
             if (seen.size() > mostAnswers)
                 return failure(
-                    ErrorCode::NodeNonsense, name, QStringLiteral("its list has no end"));
+                    ErrorCode::NodeNonsense, name, Clause::saying("its list has no end"));
             isNew = true;
             if (!take(one))
                 return {};
@@ -154,7 +154,7 @@ Result<void> echoNode(const WebNode& node, const Progress& progress)
         return tl::unexpected<Error>(connection.error());
     JsonSink sink(node.name(), false);
     const Result<WebAnswer> answer = connection->get(
-        "/studies?limit=1", "application/dicom+json", QStringLiteral("the search"), sink, true);
+        "/studies?limit=1", "application/dicom+json", Clause::saying("the search"), sink, true);
     if (!answer)
         return tl::unexpected<Error>(answer.error());
     return {};

@@ -24,7 +24,7 @@ Result<void> fetch(WebConnection& connection, const QByteArray& path, WebIntake&
     // As they are stored: nothing is converted on the way.
     const Result<WebAnswer> answer =
         connection.get(path, "multipart/related; type=\"application/dicom\"; transfer-syntax=*",
-            QStringLiteral("the download"), intake, false);
+            Clause::saying("the download"), intake, false);
     if (!answer)
         return tl::unexpected<Error>(answer.error());
     return intake.end();

@@ -51,7 +51,7 @@ Result<SentObjects> sendFiles(
         return tl::unexpected<Error>(connection.error());
     for (const QString& file : files) {
         const QString name = QFileInfo(file).fileName();
-        const QString what = QStringLiteral("the storage of %1").arg(name);
+        const Clause what = Clause::saying("the storage of %1", name);
         JsonSink sink(node.name(), true);
         const Result<WebAnswer> answer = connection->postFile("/studies", file, what, sink);
         if (!answer)

@@ -52,13 +52,13 @@ bool Document::carves(const SculptLayer& layer) const
     return whyItDoesNotCarve(layer).isEmpty();
 }
 
-QString Document::whyItDoesNotCarve(const SculptLayer& layer) const
+Clause Document::whyItDoesNotCarve(const SculptLayer& layer) const
 {
     if (layer.muted)
-        return QStringLiteral("is muted");
+        return Clause::saying("is muted");
     const bool anySolo = std::any_of(
         layers.begin(), layers.end(), [](const SculptLayer& each) { return each.solo; });
-    return anySolo && !layer.solo ? QStringLiteral("is left out while another is solo") : QString();
+    return anySolo && !layer.solo ? Clause::saying("is left out while another is solo") : Clause();
 }
 
 const CameraBookmark* Document::bookmark(int id) const

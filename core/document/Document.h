@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/base/words/Clause.h"
 #include "core/brick/BrickGrid.h"
 #include "core/document/Measurement.h"
 #include "core/document/OrthographicView.h"
@@ -128,7 +129,7 @@ struct Document {
     /// solo.
     [[nodiscard]] bool carves(const SculptLayer& layer) const;
     /// The reason why it does not, in words ("is muted"); empty if it does.
-    [[nodiscard]] QString whyItDoesNotCarve(const SculptLayer& layer) const;
+    [[nodiscard]] Clause whyItDoesNotCarve(const SculptLayer& layer) const;
     [[nodiscard]] const CameraBookmark* bookmark(int id) const;
     [[nodiscard]] const Measurement* measurement(int id) const;
     [[nodiscard]] const Piece* piece(int id) const;

@@ -83,8 +83,8 @@ public:
         const std::optional<QJsonValue> json = take(name, presence);
         if (json && *json != only)
             note(name,
-                QStringLiteral("only %1 is supported")
-                    .arg(only.isBool() ? QStringLiteral("true") : only.toString()));
+                Clause::saying("only %1 is supported",
+                    only.isBool() ? QStringLiteral("true") : only.toString()));
     }
     template <class Inside> void group(const char* name, const char*, const Inside& visitInside)
     {
@@ -92,7 +92,7 @@ public:
         if (!json)
             return;
         if (!json->isObject())
-            return note(name, QStringLiteral("must be an object"));
+            return note(name, Clause::saying("must be an object"));
         Reader reader(pathOf(name), json->toObject());
         visitInside(reader);
         reader.refuseTheRest();
@@ -114,7 +114,7 @@ public:
     void refuseTheRest()
     {
         if (!m_object.isEmpty())
-            noteAt(pathOf(m_object.constBegin().key()), QStringLiteral("unknown field"));
+            noteAt(pathOf(m_object.constBegin().key()), Clause::saying("unknown field"));
     }
     const std::optional<Error>& error() const { return m_error; }
 
@@ -134,8 +134,8 @@ private:
         m_object.erase(found);
         return value;
     }
-    void note(const char* name, const QString& reason) { noteAt(pathOf(name), reason); }
-    void noteAt(const QString& path, const QString& reason)
+    void note(const char* name, const Clause& reason) { noteAt(pathOf(name), reason); }
+    void noteAt(const QString& path, const Clause& reason)
     {
         if (!reason.isEmpty() && !m_error)
             m_error = Error{ErrorCode::InvalidField, {path, reason}};
@@ -194,7 +194,7 @@ public:
     const std::optional<Error>& error() const { return m_error; }
 
 private:
-    void note(const char* name, const QString& reason)
+    void note(const char* name, const Clause& reason)
     {
         if (!reason.isEmpty() && !m_error)
             m_error = Error{
@@ -250,10 +250,10 @@ Result<Edit> readAny(const QString& name, const QJsonObject& object, EditKinds<E
     if (result)
         return *std::move(result);
     return failure(ErrorCode::UnknownEdit, name,
-        QStringLiteral("known are %1").arg(namesOf(kinds).join(QStringLiteral(", "))));
+        Clause::saying("known are %1", namesOf(kinds).join(QStringLiteral(", "))));
 }
 
-Error notUnderstood(const QString& field, const QString& reason)
+Error notUnderstood(const QString& field, const Clause& reason)
 {
     return {ErrorCode::InvalidField, {field, reason}};
 }
@@ -269,11 +269,11 @@ Result<QString> toolRestoredAs(QJsonObject& object)
         QLatin1String(editSchema::editName<BrushStroke>)};
     if (!tools.contains(as.toString()))
         return tl::unexpected(notUnderstood(QStringLiteral("restore.as"),
-            as.isUndefined() ? QStringLiteral("missing")
-                             : QStringLiteral("must be ") + tools.join(QStringLiteral(" or "))));
+            as.isUndefined() ? Clause::saying("missing")
+                             : Clause::saying("must be %1", tools.join(QStringLiteral(" or ")))));
     if (!object.value(QStringLiteral("restore")).toBool(true))
         return tl::unexpected(
-            notUnderstood(QStringLiteral("restore.restore"), QStringLiteral("is never false")));
+            notUnderstood(QStringLiteral("restore.restore"), Clause::saying("is never false")));
     object.insert(QStringLiteral("restore"), true);
     return as.toString();
 }
@@ -284,7 +284,7 @@ Result<void> maskToPolygon(const QString& name, QJsonObject& object)
     constexpr double fineMm = 0.25;
     if (object.contains(QStringLiteral("polygonMm")))
         return tl::unexpected(notUnderstood(name + QStringLiteral(".mask"),
-            QStringLiteral("and polygonMm are two ways to say the same")));
+            Clause::saying("and polygonMm are two ways to say the same")));
     ToolMask mask;
     Reader reader(name, QJsonObject{{QStringLiteral("mask"), object.take(QStringLiteral("mask"))}});
     editSchema::visitMask(reader, mask);
@@ -294,7 +294,7 @@ Result<void> maskToPolygon(const QString& name, QJsonObject& object)
         return tl::unexpected(reader.error() ? *reader.error() : *checker.error());
     if (mask.softnessMm > 0.0)
         return tl::unexpected(notUnderstood(name + QStringLiteral(".mask.softnessMm"),
-            QStringLiteral("this tool has no soft edge")));
+            Clause::saying("this tool has no soft edge")));
     QJsonArray polygon;
     for (const glm::dvec2& point : outlineMm(mask, fineMm))
         polygon.append(QJsonArray{point.x, point.y});
@@ -317,12 +317,12 @@ Result<Edit> editFromJson(const QJsonValue& json)
 {
     if (!json.isObject())
         return failure(ErrorCode::InvalidField, QStringLiteral("edit"),
-            QStringLiteral("an edit must be an object"));
+            Clause::saying("an edit must be an object"));
     QJsonObject object = json.toObject();
     const QJsonValue name = object.take(QStringLiteral("edit"));
     if (!name.isString())
         return failure(ErrorCode::InvalidField, QStringLiteral("edit"),
-            name.isUndefined() ? QStringLiteral("missing") : QStringLiteral("must be a text"));
+            name.isUndefined() ? Clause::saying("missing") : Clause::saying("must be a text"));
     QString known = name.toString();
     if (known == QLatin1String("restore")) {
         const Result<QString> tool = toolRestoredAs(object);

@@ -63,7 +63,7 @@ Result<EngineEdit> engineEditOf(const Edit& edit, const Document& document)
                 return engineEdit(known, document);
             else
                 return failure(ErrorCode::InvalidField, QStringLiteral("edit"),
-                    QStringLiteral("is not carried out by the engine alone"));
+                    Clause::saying("is not carried out by the engine alone"));
         },
         edit);
 }

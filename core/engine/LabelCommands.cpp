@@ -7,7 +7,7 @@ Result<void> checkSound(const EraseLabel& edit, const BrickGrid&)
 {
     if (edit.label == 0)
         return failure(
-            ErrorCode::InvalidField, QStringLiteral("label"), QStringLiteral("0 is no segment"));
+            ErrorCode::InvalidField, QStringLiteral("label"), Clause::saying("0 is no segment"));
     return {};
 }
 
@@ -15,13 +15,13 @@ Result<void> checkSound(const PaintLabel& edit, const BrickGrid& grid)
 {
     if (edit.label == 0)
         return failure(
-            ErrorCode::InvalidField, QStringLiteral("label"), QStringLiteral("0 is no segment"));
+            ErrorCode::InvalidField, QStringLiteral("label"), Clause::saying("0 is no segment"));
     if (!isSound(edit.frame))
         return failure(
-            ErrorCode::InvalidField, QStringLiteral("frame"), QStringLiteral("is not sound"));
+            ErrorCode::InvalidField, QStringLiteral("frame"), Clause::saying("is not sound"));
     if (edit.edges && !isSound(*edit.edges, grid))
         return failure(
-            ErrorCode::InvalidField, QStringLiteral("edges"), QStringLiteral("is not sound"));
+            ErrorCode::InvalidField, QStringLiteral("edges"), Clause::saying("is not sound"));
     return checkSound(edit.editable);
 }
 

@@ -7,10 +7,10 @@ Result<void> checkSound(const CapsuleCut& edit, const BrickGrid&)
 {
     if (!isSound(edit.frame))
         return failure(
-            ErrorCode::InvalidField, QStringLiteral("frame"), QStringLiteral("is not sound"));
+            ErrorCode::InvalidField, QStringLiteral("frame"), Clause::saying("is not sound"));
     if (!isSound(edit.hidden))
         return failure(
-            ErrorCode::InvalidField, QStringLiteral("hidden"), QStringLiteral("is not sound"));
+            ErrorCode::InvalidField, QStringLiteral("hidden"), Clause::saying("is not sound"));
     return {};
 }
 

@@ -25,8 +25,7 @@ namespace {
 
 Error renamed(Error error, const QString& path, const QString& target)
 {
-    for (QString& argument : error.arguments)
-        argument.replace(path, target);
+    error.arguments.replace(path, target);
     return error;
 }
 
@@ -58,7 +57,7 @@ Result<StagedFile> stagedNifti(const Volume& volume, const QString& file, bool f
 {
     if (isSourceFile(volume, file))
         return failure(
-            ErrorCode::FileUnwritable, file, QStringLiteral("it is a file of the study itself"));
+            ErrorCode::FileUnwritable, file, Clause::saying("it is a file of the study itself"));
     return StagedFile::create(file, force);
 }
 
@@ -137,7 +136,7 @@ Result<QString> sha256OfFolder(const QString& path)
 Result<ExportReport> exportSeries(const Volume& volume, const CarvedRequest& request, double fill,
     ExportReport report, const Progress& progress)
 {
-    if (const QString obstacle = carvedSeriesObstacle(volume); !obstacle.isEmpty())
+    if (const Clause obstacle = carvedSeriesObstacle(volume); !obstacle.isEmpty())
         return failure(ErrorCode::UnsupportedFormat, request.target, obstacle);
     Result<StagedFolder> staged = StagedFolder::create(request.target);
     if (!staged)
@@ -182,24 +181,24 @@ Result<ExportReport> exportSeries(const Volume& volume, const CarvedRequest& req
 
 } // namespace
 
-QString carvedSeriesObstacle(const Volume& volume)
+Clause carvedSeriesObstacle(const Volume& volume)
 {
     if (volume.asIs && volume.sources.empty())
-        return QStringLiteral("the series was repaired, so that its voxels are no longer those of "
+        return Clause::saying("the series was repaired, so that its voxels are no longer those of "
                               "its images; NIfTI can be exported");
     if (volume.sourceFormat != QLatin1String("DICOM")
         || volume.sources.size() != std::size_t(volume.geometry.size.z))
-        return QStringLiteral("the study was not read from DICOM images; NIfTI can be exported");
+        return Clause::saying("the study was not read from DICOM images; NIfTI can be exported");
     if (volume.keptHeaders)
-        return QStringLiteral("the study's own files are not at hand, which the new images are "
+        return Clause::saying("the study's own files are not at hand, which the new images are "
                               "made of; NIfTI can be exported");
     if (volume.identity.studyUid.isEmpty() || volume.identity.seriesUid.isEmpty())
-        return QStringLiteral("the source images do not say of which study and series they are; "
+        return Clause::saying("the source images do not say of which study and series they are; "
                               "NIfTI can be exported");
     for (std::size_t k = 0; k < volume.sources.size(); ++k) {
         if (volume.sources[k].frame != 0
             || (k > 0 && volume.sources[k].file == volume.sources[k - 1].file))
-            return QStringLiteral("the study is a file of several frames; NIfTI can be exported");
+            return Clause::saying("the study is a file of several frames; NIfTI can be exported");
     }
     return {};
 }
@@ -211,7 +210,7 @@ Result<ExportReport> exportCarvedVolume(
         [](std::uint8_t each) { return each >= 128; });
     if (carved == 0)
         return failure(
-            ErrorCode::NothingToExport, request.target, QStringLiteral("nothing is carved away"));
+            ErrorCode::NothingToExport, request.target, Clause::saying("nothing is carved away"));
     const double fill = request.fill.value_or(volume.minimum);
     ExportReport report;
     report.file = request.target;
@@ -235,7 +234,7 @@ Result<ExportReport> exportCoverage(
 {
     if (!isNiftiName(request.file))
         return failure(ErrorCode::UnsupportedFormat, request.file,
-            QStringLiteral("the name of a NIfTI file ends in .nii or .nii.gz"));
+            Clause::saying("the name of a NIfTI file ends in .nii or .nii.gz"));
     auto staged = stagedNifti(volume, request.file, request.force);
     if (!staged)
         return tl::unexpected(staged.error());

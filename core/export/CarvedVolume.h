@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/base/words/Clause.h"
 #include "core/export/common/ExportMask.h"
 
 #include <optional>
@@ -34,7 +35,7 @@ Result<ExportReport> exportCarvedVolume(
 
 /// The reason why this volume cannot be exported as a carved DICOM series, as a clause; empty if it
 /// can. Reads no file.
-[[nodiscard]] QString carvedSeriesObstacle(const Volume& volume);
+[[nodiscard]] Clause carvedSeriesObstacle(const Volume& volume);
 
 /// A request to export the coverage of one sculpt layer.
 struct CoverageRequest {

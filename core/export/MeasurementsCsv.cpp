@@ -89,11 +89,11 @@ std::vector<std::vector<QByteArray>> cellsOf(const QByteArray& text)
 }
 
 /// @return what differs between a table and what was measured; empty if nothing does
-QString differenceOf(const QByteArray& text, const std::vector<Measured>& all)
+Clause differenceOf(const QByteArray& text, const std::vector<Measured>& all)
 {
     const std::vector<std::vector<QByteArray>> lines = cellsOf(text);
     if (lines.size() != all.size() + 1)
-        return QStringLiteral("the number of measurements");
+        return Clause::saying("the number of measurements");
     for (std::size_t i = 0; i < all.size(); ++i) {
         const auto numbers = numbersOf(all[i]);
         for (std::size_t column = 0; column < lines[0].size(); ++column) {
@@ -104,9 +104,8 @@ QString differenceOf(const QByteArray& text, const std::vector<Measured>& all)
                 const double number =
                     lines[i + 1].size() > column ? lines[i + 1][column].toDouble(&isNumber) : 0.0;
                 if (isNumber != numbers[k].has_value() || (isNumber && number != *numbers[k]))
-                    return QStringLiteral("%1 of measurement %2")
-                        .arg(QLatin1String(numberNames[k]))
-                        .arg(all[i].measurement.id);
+                    return Clause::saying("%1 of measurement %2", QLatin1String(numberNames[k]),
+                        all[i].measurement.id);
             }
         }
     }
@@ -150,7 +149,7 @@ Result<void> exportMeasurements(
     QFile in(staged->path());
     if (!in.open(QIODevice::ReadOnly))
         return failure(ErrorCode::FileUnreadable, file, in.errorString());
-    if (const QString what = differenceOf(in.readAll(), all); !what.isEmpty())
+    if (const Clause what = differenceOf(in.readAll(), all); !what.isEmpty())
         return failure(ErrorCode::ExportMismatch, file, what);
     in.close();
     return staged->commit();

@@ -14,7 +14,7 @@ namespace {
 Result<ReportLines> check(const QString& path, const Volume& volume, const ScreenPicture& picture,
     const Progress& progress)
 {
-    const auto mismatch = [&](const QString& what) {
+    const auto mismatch = [&](const Clause& what) {
         return failure(ErrorCode::ExportMismatch, path, what);
     };
     const auto read = readSecondaryCapture(path);
@@ -25,24 +25,21 @@ Result<ReportLines> check(const QString& path, const Volume& volume, const Scree
     if (!headers)
         return tl::unexpected(headers.error());
     const SourceHeader& header = headers->front();
-    if (const QString what = differenceOfPatients(read->patient, header.patient); !what.isEmpty())
+    if (const Clause what = differenceOfPatients(read->patient, header.patient); !what.isEmpty())
         return mismatch(what);
     if (read->studyUid != header.studyUid || read->studyUid != volume.identity.studyUid)
-        return mismatch(QStringLiteral("the study"));
+        return mismatch(Clause::saying("the study"));
     if (read->seriesUid == header.seriesUid)
-        return mismatch(QStringLiteral("the series is not a new one"));
+        return mismatch(Clause::saying("the series is not a new one"));
     if (read->width != picture.width || read->height != picture.height
         || !std::equal(read->rgb.begin(), read->rgb.end(), picture.rgb.begin(), picture.rgb.end()))
-        return mismatch(QStringLiteral("the pixels"));
+        return mismatch(Clause::saying("the pixels"));
     return ReportLines{ReportSentence{ReportCode::PixelsAgree, {picture.width, picture.height}}};
 }
 
 Error renamed(Error error, const StagedFile& staged, const QString& file)
 {
-    for (QString& argument : error.arguments) {
-        if (argument == staged.path())
-            argument = file;
-    }
+    error.arguments.exchange(staged.path(), file);
     return error;
 }
 
@@ -51,13 +48,13 @@ Error renamed(Error error, const StagedFile& staged, const QString& file)
 Result<ExportReport> exportScreenshot(
     const Volume& volume, const ScreenshotRequest& request, const Progress& progress)
 {
-    if (const QString obstacle = dicomSegObstacle(volume); !obstacle.isEmpty())
+    if (const Clause obstacle = dicomSegObstacle(volume); !obstacle.isEmpty())
         return failure(ErrorCode::UnsupportedFormat, request.file,
-            QStringLiteral("the study does not say to which patient and study a Secondary Capture "
+            Clause::saying("the study does not say to which patient and study a Secondary Capture "
                            "would belong; a PNG can be written"));
     if (isSourceFile(volume, request.file))
         return failure(ErrorCode::FileUnwritable, request.file,
-            QStringLiteral("it is a file of the study itself"));
+            Clause::saying("it is a file of the study itself"));
     auto staged = StagedFile::create(request.file, request.force);
     if (!staged)
         return tl::unexpected(staged.error());

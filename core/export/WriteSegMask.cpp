@@ -101,7 +101,7 @@ void addFractional(SegContent& content, const ExportRequest& request,
 Result<void> addLabelMap(SegContent& content, const ExportRequest& request,
     const MaskSelection& selection, std::size_t count)
 {
-    if (const QString why = whyNoLabelMap(request, selection.segments, QStringLiteral("DICOM SEG"));
+    if (const Clause why = whyNoLabelMap(request, selection.segments, QStringLiteral("DICOM SEG"));
         !why.isEmpty())
         return failure(ErrorCode::UnsupportedFormat, request.file, why);
     std::vector<std::uint8_t> frame(count);

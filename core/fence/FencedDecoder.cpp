@@ -19,22 +19,22 @@ constexpr milliseconds startPatience{60000};
 /// What a decoder may keep while it waits.
 constexpr std::size_t keptBytes = std::size_t(64) << 20;
 
-QString textOf(WorkerProcess::Outcome outcome)
+Clause textOf(WorkerProcess::Outcome outcome)
 {
     switch (outcome) {
     case WorkerProcess::Outcome::TooSlow:
-        return QStringLiteral("the decoder took too long and was stopped");
+        return Clause::saying("the decoder took too long and was stopped");
     case WorkerProcess::Outcome::Nonsense:
-        return QStringLiteral("the decoder answered nonsense and was stopped");
+        return Clause::saying("the decoder answered nonsense and was stopped");
     case WorkerProcess::Outcome::NoMemory:
-        return QStringLiteral("no memory for its pixel data");
+        return Clause::saying("no memory for its pixel data");
     case WorkerProcess::Outcome::Stopped:
     case WorkerProcess::Outcome::Killed:
     case WorkerProcess::Outcome::Done:
     case WorkerProcess::Outcome::Refused:
         break;
     }
-    return QStringLiteral("the decoder stopped");
+    return Clause::saying("the decoder stopped");
 }
 
 } // namespace
@@ -91,7 +91,7 @@ std::vector<pid_t> FencedDecoder::idle() const
     return all;
 }
 
-std::unique_ptr<WorkerProcess> FencedDecoder::borrow(QString& why)
+std::unique_ptr<WorkerProcess> FencedDecoder::borrow(Clause& why)
 {
     WorkerProgram program;
     {
@@ -105,12 +105,12 @@ std::unique_ptr<WorkerProcess> FencedDecoder::borrow(QString& why)
         program = m_state->program;
     }
     if (program.path.isEmpty()) {
-        why = QStringLiteral("the decoder cannot be started: nothing says which program it is");
+        why = Clause::saying("the decoder cannot be started: nothing says which program it is");
         return nullptr;
     }
     std::unique_ptr<WorkerProcess> worker = WorkerProcess::start(program, startPatience, why);
     if (!worker) {
-        why = QStringLiteral("the decoder cannot be started: %1").arg(why);
+        why = Clause::saying("the decoder cannot be started: %1", why);
         return nullptr;
     }
     const std::lock_guard lock(m_state->mutex);
@@ -133,7 +133,7 @@ void FencedDecoder::giveBack(std::unique_ptr<WorkerProcess> worker)
         m_state->idle.push_back(std::move(worker));
 }
 
-QString FencedDecoder::decode(std::span<const std::uint8_t> parameters,
+Clause FencedDecoder::decode(std::span<const std::uint8_t> parameters,
     std::span<const std::uint8_t> input, std::size_t outputBytes,
     const std::function<void(std::span<const std::uint8_t> output)>& take)
 {
@@ -146,7 +146,7 @@ QString FencedDecoder::decode(std::span<const std::uint8_t> parameters,
     }
     if (inside) {
         std::vector<std::uint8_t> output(outputBytes);
-        const QString wrong = inside(parameters, input, output);
+        const Clause wrong = inside(parameters, input, output);
         if (wrong.isEmpty())
             take(output);
         return wrong;
@@ -155,7 +155,7 @@ QString FencedDecoder::decode(std::span<const std::uint8_t> parameters,
     // about the bytes: they get another one.
     constexpr int attempts = 2;
     for (int attempt = 1;; ++attempt) {
-        QString why;
+        Clause why;
         std::unique_ptr<WorkerProcess> worker = borrow(why);
         if (!worker)
             return why;

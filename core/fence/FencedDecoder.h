@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/Result.h"
+#include "core/base/words/Clause.h"
 #include "core/fence/DecodeWorker.h"
 #include "core/fence/WorkerProcess.h"
 
@@ -34,7 +35,7 @@ public:
     /// Does FencedWork on @p input in a decoder and passes the output to @p take, which must copy
     /// it.
     /// @return why it failed, in words; empty if it did not
-    [[nodiscard]] QString decode(std::span<const std::uint8_t> parameters,
+    [[nodiscard]] Clause decode(std::span<const std::uint8_t> parameters,
         std::span<const std::uint8_t> input, std::size_t outputBytes,
         const std::function<void(std::span<const std::uint8_t> output)>& take);
 
@@ -44,7 +45,7 @@ public:
 private:
     struct State;
 
-    [[nodiscard]] std::unique_ptr<WorkerProcess> borrow(QString& why);
+    [[nodiscard]] std::unique_ptr<WorkerProcess> borrow(Clause& why);
     void giveBack(std::unique_ptr<WorkerProcess> worker);
 
     std::unique_ptr<State> m_state;

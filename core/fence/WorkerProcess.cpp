@@ -88,7 +88,7 @@ void limit(pid_t process, decltype(RLIMIT_AS) resource, rlim_t value)
 }
 
 /// Sentences of a decoder are shown to people: one line of printable letters.
-QString printable(const Reply& reply)
+Clause printable(const Reply& reply)
 {
     QString text = QString::fromUtf8(reply.sentence.data(),
         qsizetype(std::min<std::size_t>(reply.sentenceBytes, longestSentence)));
@@ -96,13 +96,13 @@ QString printable(const Reply& reply)
         if (!letter.isPrint())
             letter = QLatin1Char('?');
     }
-    return text.isEmpty() ? QStringLiteral("damaged pixel data") : text;
+    return text.isEmpty() ? Clause::saying("damaged pixel data") : Clause(text);
 }
 
 } // namespace
 
 std::unique_ptr<WorkerProcess> WorkerProcess::start(
-    const WorkerProgram& program, milliseconds patience, QString& why)
+    const WorkerProgram& program, milliseconds patience, Clause& why)
 {
     std::unique_ptr<WorkerProcess> made(new WorkerProcess);
     int theirSocket = -1;
@@ -117,8 +117,8 @@ std::unique_ptr<WorkerProcess> WorkerProcess::start(
     Ready ready;
     const Heard heard = made->hear(&ready, sizeof(ready), patience);
     if (heard != Heard::Message || ready.magic != magic) {
-        why = heard == Heard::Silence ? QStringLiteral("it does not answer")
-                                      : QStringLiteral("it is not Burin's");
+        why = heard == Heard::Silence ? Clause::saying("it does not answer")
+                                      : Clause::saying("it is not Burin's");
         return nullptr;
     }
     made->m_filtered = ready.filtered == 1;

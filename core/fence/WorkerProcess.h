@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/base/words/Clause.h"
 #include "core/fence/FenceProtocol.h"
 
 #include <QString>
@@ -36,14 +37,14 @@ public:
     };
     struct Answer {
         Outcome outcome = Outcome::Done;
-        QString sentence{}; ///< for Refused
+        Clause sentence{}; ///< for Refused
         std::span<const std::uint8_t> output{}; ///< for Done; valid until the next request
     };
 
     /// Starts a process and waits until it is ready. Null: it cannot be started, and @p why says
     /// why.
     [[nodiscard]] static std::unique_ptr<WorkerProcess> start(
-        const WorkerProgram& program, std::chrono::milliseconds patience, QString& why);
+        const WorkerProgram& program, std::chrono::milliseconds patience, Clause& why);
     WorkerProcess(const WorkerProcess&) = delete;
     WorkerProcess& operator=(const WorkerProcess&) = delete;
     /// Ends the process at once.

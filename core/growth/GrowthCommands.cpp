@@ -26,7 +26,7 @@ Result<void> checkConnectivity(int connectivity)
 {
     if (connectivity != 6 && connectivity != 18 && connectivity != 26)
         return failure(ErrorCode::InvalidField, QStringLiteral("connectivity"),
-            QStringLiteral("is not 6, 18 or 26"));
+            Clause::saying("is not 6, 18 or 26"));
     return {};
 }
 
@@ -103,7 +103,7 @@ Result<void> checkSound(const SeedPlacement& edit, const BrickGrid& grid)
 {
     if (edit.label == 0)
         return failure(
-            ErrorCode::InvalidField, QStringLiteral("label"), QStringLiteral("0 is no segment"));
+            ErrorCode::InvalidField, QStringLiteral("label"), Clause::saying("0 is no segment"));
     const Result<void> taken = checkWithin(edit.taken, grid);
     return taken ? checkWithin(edit.voxels, grid) : taken;
 }
@@ -114,7 +114,7 @@ Result<void> checkSound(const GrowBurst& edit, const BrickGrid& grid)
         return checked;
     if (!isSound(edit))
         return failure(
-            ErrorCode::InvalidField, QStringLiteral("limits"), QStringLiteral("are not sound"));
+            ErrorCode::InvalidField, QStringLiteral("limits"), Clause::saying("are not sound"));
     return checkSound(edit.seedGroups, grid);
 }
 
@@ -122,7 +122,7 @@ Result<void> checkSound(const ShrinkGrowth& edit, const BrickGrid&)
 {
     if (edit.keep > edit.generation)
         return failure(ErrorCode::InvalidField, QStringLiteral("keep"),
-            QStringLiteral("is more than there is"));
+            Clause::saying("is more than there is"));
     return {};
 }
 
@@ -132,7 +132,7 @@ Result<void> checkSound(const CutGrowth& edit, const BrickGrid& grid)
         return checked;
     if (edit.steps < 1)
         return failure(
-            ErrorCode::InvalidField, QStringLiteral("steps"), QStringLiteral("are none"));
+            ErrorCode::InvalidField, QStringLiteral("steps"), Clause::saying("are none"));
     return checkWithin(edit.voxels, grid);
 }
 
@@ -140,7 +140,7 @@ Result<void> checkSound(const PaintBarrier& edit, const BrickGrid&)
 {
     if (!isSound(edit.frame))
         return failure(
-            ErrorCode::InvalidField, QStringLiteral("frame"), QStringLiteral("is not sound"));
+            ErrorCode::InvalidField, QStringLiteral("frame"), Clause::saying("is not sound"));
     return {};
 }
 
@@ -148,7 +148,7 @@ Result<void> checkSound(const BarrierListed& edit, const BrickGrid& grid)
 {
     if (!isSound(edit, grid.brickCount()))
         return failure(
-            ErrorCode::InvalidField, QStringLiteral("bricks"), QStringLiteral("are not sound"));
+            ErrorCode::InvalidField, QStringLiteral("bricks"), Clause::saying("are not sound"));
     return {};
 }
 

@@ -24,7 +24,7 @@ Result<void> checkWithin(const std::vector<glm::ivec3>& voxels, const BrickGrid&
         if (glm::any(glm::lessThan(voxel, glm::ivec3(0)))
             || glm::any(glm::greaterThanEqual(voxel, grid.volumeSize)))
             return failure(ErrorCode::InvalidField, QStringLiteral("voxels"),
-                QStringLiteral("outside the volume"));
+                Clause::saying("outside the volume"));
     }
     return {};
 }
@@ -33,7 +33,7 @@ Result<void> checkSound(const std::vector<SeedGroup>& groups, const BrickGrid& g
 {
     if (!isSound(groups))
         return failure(
-            ErrorCode::InvalidField, QStringLiteral("seedGroups"), QStringLiteral("are not sound"));
+            ErrorCode::InvalidField, QStringLiteral("seedGroups"), Clause::saying("are not sound"));
     for (const SeedGroup& group : groups) {
         if (const Result<void> checked = checkWithin(group.voxels, grid); !checked)
             return checked;

@@ -35,7 +35,7 @@ Result<void> checkSound(const SpreadLabels& spread, const BrickGrid& grid)
 {
     if (!isSound(spread, grid.volumeSize))
         return failure(
-            ErrorCode::InvalidField, QStringLiteral("spread"), QStringLiteral("is not sound"));
+            ErrorCode::InvalidField, QStringLiteral("spread"), Clause::saying("is not sound"));
     return {};
 }
 

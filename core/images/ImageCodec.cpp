@@ -38,12 +38,12 @@ QByteArray codedBytes(const ImagePage& page)
 
 } // namespace
 
-QString decodeImageFenced(
+Clause decodeImageFenced(
     const ImagePage& page, const std::function<void(std::span<const std::uint8_t> pixels)>& take)
 {
     const QByteArray bytes = codedBytes(page);
     if (bytes.isEmpty())
-        return QStringLiteral("it cannot be read any more");
+        return Clause::saying("it cannot be read any more");
     const PageParameters parameters{.isTiff = page.form == ImagePage::Form::Tiff ? 1 : 0,
         .columns = page.columns,
         .rows = page.rows,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/base/words/Clause.h"
 #include "core/images/ImagePage.h"
 
 #include <QString>
@@ -15,7 +16,7 @@ namespace core {
 /// libpng and libtiff run in a decoder process (core/fence), which only receives the bytes of that
 /// page.
 /// @return why it failed, in words; empty if it did not
-[[nodiscard]] QString decodeImageFenced(
+[[nodiscard]] Clause decodeImageFenced(
     const ImagePage& page, const std::function<void(std::span<const std::uint8_t> pixels)>& take);
 
 /// Whether the parameters of a decoder request describe a page.

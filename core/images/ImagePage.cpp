@@ -63,11 +63,11 @@ Result<std::vector<ImagePage>> readImagePages(const QString& path)
         return failure(ErrorCode::FileUnreadable, path, file.errorString());
     const QByteArray begin = file.peek(firstBytes);
     if (begin.isEmpty())
-        return failure(ErrorCode::FileTruncated, path, QStringLiteral("it holds no bytes"));
+        return failure(ErrorCode::FileTruncated, path, Clause::saying("it holds no bytes"));
     if (isTiff(begin))
         return readTiffPages(file);
     if (!isPng(begin))
-        return failure(ErrorCode::FileUnreadable, path, QStringLiteral("not a PNG or TIFF file"));
+        return failure(ErrorCode::FileUnreadable, path, Clause::saying("not a PNG or TIFF file"));
     Result<ImagePage> page = readPngHeader(file);
     if (!page)
         return tl::unexpected<Error>(page.error());

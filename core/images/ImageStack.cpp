@@ -89,8 +89,8 @@ SeriesEntry entryOf(const ImagePage& page, std::size_t slices, const QStringList
 tl::unexpected<Error> differs(const ImagePage& page, const ImagePage& first)
 {
     return failure(ErrorCode::UnsupportedFormat, page.file,
-        QStringLiteral("it is %1, but %2 is %3; the slices of a volume are alike")
-            .arg(page.inWords(), QFileInfo(first.file).fileName(), first.inWords()));
+        Clause::saying("it is %1, but %2 is %3; the slices of a volume are alike", page.inWords(),
+            QFileInfo(first.file).fileName(), first.inWords()));
 }
 
 Result<SeriesEntry> stackOfPages(const ImageFile& file)
@@ -98,14 +98,13 @@ Result<SeriesEntry> stackOfPages(const ImageFile& file)
     const std::vector<ImagePage>& pages = *file.pages;
     if (pages.size() > std::size_t(longestImageSide))
         return failure(
-            ErrorCode::InvalidGeometry, file.path, QStringLiteral("%1 pictures").arg(pages.size()));
+            ErrorCode::InvalidGeometry, file.path, Clause::saying("%1 pictures", pages.size()));
     for (std::size_t page = 1; page < pages.size(); ++page) {
         if (!pages[page].isLike(pages.front()))
             return failure(ErrorCode::UnsupportedFormat, file.path,
-                QStringLiteral("its picture %1 is %2, but the first is %3; the slices of a volume "
-                               "are alike")
-                    .arg(page + 1)
-                    .arg(pages[page].inWords(), pages.front().inWords()));
+                Clause::saying("its picture %1 is %2, but the first is %3; the slices of a volume "
+                               "are alike",
+                    page + 1, pages[page].inWords(), pages.front().inWords()));
     }
     return entryOf(pages.front(), pages.size(), {file.path});
 }
@@ -142,7 +141,7 @@ Result<SeriesEntry> stackOfFolder(std::vector<const ImageFile*> files)
     });
     if (files.size() > std::size_t(longestImageSide))
         return failure(ErrorCode::InvalidGeometry, QFileInfo(files.front()->path).path(),
-            QStringLiteral("%1 pictures").arg(files.size()));
+            Clause::saying("%1 pictures", files.size()));
     const ImagePage* first = nullptr;
     QStringList paths;
     for (const ImageFile* file : files) {
@@ -261,7 +260,7 @@ Result<VolumeGeometry> imageStackGeometryOf(const QByteArray& header, const QStr
         page.spacingMm[axis] = said[axis].toDouble();
     const int slices = size[2].toInt();
     if (page.columns < 1 || page.rows < 1 || slices < 1)
-        return failure(ErrorCode::FileUnreadable, path, QStringLiteral("its pictures are gone"));
+        return failure(ErrorCode::FileUnreadable, path, Clause::saying("its pictures are gone"));
     return geometryOf(page, std::size_t(slices));
 }
 

@@ -19,7 +19,7 @@ namespace {
 /// One slice on its way: what it is read from, and why it is empty where it is.
 struct Slice {
     ImagePage page;
-    QString wrong{};
+    Clause wrong{};
 };
 
 /// The slices of an entry as its files have them now.
@@ -41,7 +41,7 @@ std::vector<Slice> slicesOf(const SeriesEntry& entry)
 tl::unexpected<Error> changed(const SeriesEntry& entry)
 {
     return failure(ErrorCode::InvalidGeometry, stackPath(entry),
-        QStringLiteral("its pictures were changed meanwhile"));
+        Clause::saying("its pictures were changed meanwhile"));
 }
 
 void reportEmptySlices(const std::vector<Slice>& slices, Volume& volume)
@@ -52,7 +52,7 @@ void reportEmptySlices(const std::vector<Slice>& slices, Volume& volume)
         const int number = int(k) + 1;
         volume.problems.push_back({.kind = VolumeProblem::Kind::DamagedSlice,
             .said = {ProblemCode::PictureLeftEmpty,
-                {number, QFileInfo(slices[k].page.file).fileName(), slices[k].wrong}},
+                {number, QFileInfo(slices[k].page.file).fileName(), slices[k].wrong.english()}},
             .caution = true,
             .slices = {{.first = number, .last = number}}});
     }

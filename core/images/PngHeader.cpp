@@ -17,21 +17,21 @@ constexpr qint64 chunkSum = 4;
 constexpr qint64 headerChunk = 13;
 
 /// PNG 1.2, 4.1.1: what a pixel is.
-QString colourReason(int colourType)
+Clause colourReason(int colourType)
 {
     switch (colourType) {
     case 0:
         return {};
     case 2:
-        return QStringLiteral("its pixels are colours (RGB); pictures in grey are read");
+        return Clause::saying("its pixels are colours (RGB); pictures in grey are read");
     case 3:
-        return QStringLiteral("its pixels are colours of a palette; pictures in grey are read");
+        return Clause::saying("its pixels are colours of a palette; pictures in grey are read");
     case 4:
-        return QStringLiteral("its pixels are grey with transparency; pictures in grey are read");
+        return Clause::saying("its pixels are grey with transparency; pictures in grey are read");
     case 6:
-        return QStringLiteral("its pixels are colours (RGBA); pictures in grey are read");
+        return Clause::saying("its pixels are colours (RGBA); pictures in grey are read");
     default:
-        return QStringLiteral("its header names a colour type of %1").arg(colourType);
+        return Clause::saying("its header names a colour type of %1", colourType);
     }
 }
 
@@ -47,13 +47,13 @@ Result<ImagePage> fromHeader(const QByteArray& header, const QString& path)
     const int depth = quint8(header[8]);
     if (columns < 1 || rows < 1 || columns > quint32(longestImageSide)
         || rows > quint32(longestImageSide))
-        return failure(ErrorCode::InvalidGeometry, path,
-            QStringLiteral("%1 × %2 pixels").arg(columns).arg(rows));
-    if (const QString reason = colourReason(quint8(header[9])); !reason.isEmpty())
+        return failure(
+            ErrorCode::InvalidGeometry, path, Clause::saying("%1 × %2 pixels", columns, rows));
+    if (const Clause reason = colourReason(quint8(header[9])); !reason.isEmpty())
         return failure(ErrorCode::UnsupportedFormat, path, reason);
     if (depth != 8 && depth != 16)
         return failure(ErrorCode::UnsupportedFormat, path,
-            QStringLiteral("its pixels have %1 bits; 8 and 16 are read").arg(depth));
+            Clause::saying("its pixels have %1 bits; 8 and 16 are read", depth));
     return ImagePage{.file = path,
         .form = ImagePage::Form::Png,
         .columns = int(columns),
@@ -72,21 +72,21 @@ Result<ImagePage> readPngHeader(QFile& file)
 {
     const QString path = file.fileName();
     const auto truncated = [&] {
-        return failure(ErrorCode::FileTruncated, path, QStringLiteral("its pixels are incomplete"));
+        return failure(ErrorCode::FileTruncated, path, Clause::saying("its pixels are incomplete"));
     };
     file.seek(mark.size());
     const QByteArray first = file.read(chunkHead + headerChunk + chunkSum);
     if (first.size() < chunkHead + headerChunk + chunkSum)
         return truncated();
     if (numberAt(first, 0) != headerChunk || first.mid(4, 4) != "IHDR")
-        return failure(ErrorCode::FileUnreadable, path, QStringLiteral("not a sound PNG header"));
+        return failure(ErrorCode::FileUnreadable, path, Clause::saying("not a sound PNG header"));
     Result<ImagePage> page = fromHeader(first.mid(chunkHead, headerChunk), path);
     if (!page)
         return page;
     constexpr qint64 mostBytes = qint64(1) << 31;
     if (file.size() > mostBytes)
         return failure(
-            ErrorCode::UnsupportedFormat, path, QStringLiteral("more than 2 GB for one picture"));
+            ErrorCode::UnsupportedFormat, path, Clause::saying("more than 2 GB for one picture"));
     if (double(page->byteCount()) > InflateFile::greatestRatio * double(file.size()))
         return truncated();
     // What precedes the pixels; each chunk moves on by at least its head.

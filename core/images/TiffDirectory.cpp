@@ -87,14 +87,14 @@ private:
     {
         return m_entries.number(tag, otherwise).value_or(std::numeric_limits<std::uint64_t>::max());
     }
-    [[nodiscard]] tl::unexpected<Error> unsupported(const QString& reason) const
+    [[nodiscard]] tl::unexpected<Error> unsupported(const Clause& reason) const
     {
         return failure(ErrorCode::UnsupportedFormat, m_path, reason);
     }
     [[nodiscard]] tl::unexpected<Error> unsound(const char* what) const
     {
         return failure(ErrorCode::FileUnreadable, m_path,
-            QStringLiteral("its header does not name %1").arg(QLatin1String(what)));
+            Clause::saying("its header does not name %1", QLatin1String(what)));
     }
 
     Result<void> setSize()
@@ -106,7 +106,7 @@ private:
         };
         if (!fits(columns) || !fits(rows))
             return failure(ErrorCode::InvalidGeometry, m_path,
-                QStringLiteral("%1 × %2 pixels").arg(columns).arg(rows));
+                Clause::saying("%1 × %2 pixels", columns, rows));
         m_page.columns = int(columns);
         m_page.rows = int(rows);
         return {};
@@ -119,11 +119,11 @@ private:
         constexpr std::uint64_t palette = 3;
         if (photometric == palette)
             return unsupported(
-                QStringLiteral("its pixels are colours of a palette; pictures in grey are read"));
+                Clause::saying("its pixels are colours of a palette; pictures in grey are read"));
         if (photometric > palette || photometric == 2)
-            return unsupported(QStringLiteral("its pixels are colours; pictures in grey are read"));
+            return unsupported(Clause::saying("its pixels are colours; pictures in grey are read"));
         if (samples != 1)
-            return unsupported(QStringLiteral("it holds %1 values per pixel").arg(samples));
+            return unsupported(Clause::saying("it holds %1 values per pixel", samples));
         m_page.isInverted = photometric == 0;
         const std::uint64_t bits = value(tiff::BitsPerSample, 1);
         // Formats that say nothing of their numbers count as unsigned.
@@ -132,10 +132,9 @@ private:
         const auto type = scalarType(bits, format == notSaid ? 1 : format);
         if (!type)
             return unsupported(
-                QStringLiteral("its pixels have %1 bits (sample format %2); whole numbers of 8, "
-                               "16 and 32 bits and floating-point ones of 32 and 64 are read")
-                    .arg(bits)
-                    .arg(format));
+                Clause::saying("its pixels have %1 bits (sample format %2); whole numbers of 8, "
+                               "16 and 32 bits and floating-point ones of 32 and 64 are read",
+                    bits, format));
         m_page.type = *type;
         return {};
     }
@@ -146,16 +145,16 @@ private:
         const bool isPlain = packing == tiff::None || packing == tiff::PackBits;
         if (!isPlain && packing != tiff::Lzw && packing != tiff::Deflate
             && packing != tiff::OldDeflate)
-            return unsupported(QStringLiteral("its pixels are packed by method %1; PackBits, LZW "
-                                              "and deflate are read")
-                                   .arg(packing));
+            return unsupported(Clause::saying("its pixels are packed by method %1; PackBits, LZW "
+                                              "and deflate are read",
+                packing));
         if (value(tiff::FillOrder, 1) != 1)
-            return unsupported(QStringLiteral("its bits lie in reverse order"));
+            return unsupported(Clause::saying("its bits lie in reverse order"));
         m_page.compression = int(packing);
         const std::uint64_t predictor = isPlain ? 1 : value(tiff::Predictor, 1);
         const bool floats = isFloating(m_page.type);
         if (predictor != 1 && !(predictor == 2 && !floats) && !(predictor == 3 && floats))
-            return unsupported(QStringLiteral("its predictor is %1").arg(predictor));
+            return unsupported(Clause::saying("its predictor is %1", predictor));
         m_page.predictor = int(predictor);
         return {};
     }
@@ -192,20 +191,20 @@ private:
     {
         const auto truncated = [&] {
             return failure(
-                ErrorCode::FileTruncated, m_path, QStringLiteral("its pixels are incomplete"));
+                ErrorCode::FileTruncated, m_path, Clause::saying("its pixels are incomplete"));
         };
         const auto full = std::uint64_t(m_page.partColumns) * std::uint64_t(m_page.partRows)
             * bytesPerScalar(m_page.type);
         if (full > mostPageBytes)
             return failure(ErrorCode::InvalidGeometry, m_path,
-                QStringLiteral("strips or tiles of %1 bytes").arg(full));
+                Clause::saying("strips or tiles of %1 bytes", full));
         std::uint64_t sum = 0;
         for (std::size_t i = 0; i < offsets.size(); ++i) {
             if (offsets[i] > m_fileBytes || sizes[i] > m_fileBytes - offsets[i] || sizes[i] == 0)
                 return truncated();
             sum += sizes[i];
             if (sum > mostPageBytes)
-                return unsupported(QStringLiteral("more than 2 GB for one picture"));
+                return unsupported(Clause::saying("more than 2 GB for one picture"));
             // Parts that lie over each other would be read once for each.
             if (sum > m_fileBytes)
                 return unsound("where its pixels lie");
@@ -242,14 +241,14 @@ private:
 };
 
 /// What ImageJ's words say of a file that its directories do not; empty if nothing.
-QString contradiction(const ImageJWords& words, std::size_t pages)
+Clause contradiction(const ImageJWords& words, std::size_t pages)
 {
     if (words.perPlace > 1)
-        return QStringLiteral("it holds several channels or points in time at every place");
+        return Clause::saying("it holds several channels or points in time at every place");
     // ImageJ writes what is larger than 4 GB without directories.
     return words.images > 1 && pages == 1
-        ? QStringLiteral("its header tells of %1 pictures but has one directory").arg(words.images)
-        : QString();
+        ? Clause::saying("its header tells of %1 pictures but has one directory", words.images)
+        : Clause();
 }
 
 } // namespace
@@ -288,8 +287,8 @@ Result<std::vector<ImagePage>> readTiffPages(QFile& file)
         return failure(ErrorCode::FileUnreadable, file.fileName(), entries.reason());
     if (pages.empty())
         return failure(ErrorCode::UnsupportedFormat, file.fileName(),
-            QStringLiteral("it holds small pictures for lists only"));
-    if (const QString wrong = contradiction(words, pages.size()); !wrong.isEmpty())
+            Clause::saying("it holds small pictures for lists only"));
+    if (const Clause wrong = contradiction(words, pages.size()); !wrong.isEmpty())
         return failure(ErrorCode::UnsupportedFormat, file.fileName(), wrong);
     return pages;
 }

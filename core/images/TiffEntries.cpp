@@ -74,7 +74,7 @@ std::uint64_t TiffEntries::integer(const QByteArray& bytes, qsizetype at, int si
     return value;
 }
 
-bool TiffEntries::fail(const QString& reason)
+bool TiffEntries::fail(const Clause& reason)
 {
     m_reason = reason;
     return false;
@@ -84,21 +84,21 @@ bool TiffEntries::next()
 {
     m_entries.clear();
     if (m_next == 0)
-        return m_seen.empty() ? fail(QStringLiteral("it has no directory")) : false;
+        return m_seen.empty() ? fail(Clause::saying("it has no directory")) : false;
     if (!m_seen.insert(m_next).second || m_seen.size() > mostDirectories)
-        return fail(QStringLiteral("its directories do not come to an end"));
+        return fail(Clause::saying("its directories do not come to an end"));
     const bool isLong = m_offsetBytes == 8;
     const int countBytes = isLong ? 8 : 2;
     const int entryBytes = isLong ? 20 : 12;
     const QByteArray head = bytesAt(m_next, std::uint64_t(countBytes));
     const std::uint64_t count = head.size() == countBytes ? integer(head, 0, countBytes) : 0;
     if (count == 0 || count > mostEntries)
-        return fail(QStringLiteral("a directory of it is damaged"));
+        return fail(Clause::saying("a directory of it is damaged"));
     const std::uint64_t size = count * std::uint64_t(entryBytes);
     const QByteArray all =
         bytesAt(m_next + std::uint64_t(countBytes), size + std::uint64_t(m_offsetBytes));
     if (all.isEmpty())
-        return fail(QStringLiteral("a directory of it is cut short"));
+        return fail(Clause::saying("a directory of it is cut short"));
     for (qsizetype at = 0; at < qsizetype(size); at += entryBytes) {
         m_entries.emplace(int(integer(all, at, 2)),
             Entry{.type = int(integer(all, at + 2, 2)),

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/base/words/Clause.h"
+
 #include <QByteArray>
 #include <QString>
 
@@ -24,7 +26,7 @@ public:
     /// not empty.
     [[nodiscard]] bool next();
     /// What is wrong with the directories; empty: nothing.
-    [[nodiscard]] const QString& reason() const { return m_reason; }
+    [[nodiscard]] const Clause& reason() const { return m_reason; }
     [[nodiscard]] bool isBigEndian() const { return m_big; }
 
     // These refer to the present directory.
@@ -50,11 +52,11 @@ private:
     [[nodiscard]] std::uint64_t integer(const QByteArray& bytes, qsizetype at, int size) const;
     /// The first @p count values as stored; empty if the file does not contain them.
     [[nodiscard]] QByteArray valuesOf(const Entry& entry, std::uint64_t count) const;
-    [[nodiscard]] bool fail(const QString& reason);
+    [[nodiscard]] bool fail(const Clause& reason);
 
     QFile& m_file;
     std::uint64_t m_fileBytes;
-    QString m_reason;
+    Clause m_reason;
     std::map<int, Entry> m_entries;
     std::uint64_t m_next = 0; ///< position of the next directory; 0: none
     std::set<std::uint64_t> m_seen; ///< positions of the directories that were read

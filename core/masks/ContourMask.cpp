@@ -201,13 +201,13 @@ Result<MaskOnVolume> readContourMask(
             anyContour = true;
             if (!slices.isFlat(contour))
                 return failure(ErrorCode::UnsupportedFormat, path,
-                    QStringLiteral("contours of '%1' do not lie along the study's slices")
-                        .arg(roi.name));
+                    Clause::saying(
+                        "contours of '%1' do not lie along the study's slices", roi.name));
         }
     }
     if (!anyContour)
         return failure(
-            ErrorCode::UnsupportedFormat, path, QStringLiteral("it has no closed contour"));
+            ErrorCode::UnsupportedFormat, path, Clause::saying("it has no closed contour"));
     MaskOnVolume mask;
     mask.notes = notesOnOrigin(set->patient.id, frameOfReference, volume);
     const Reach reach = reachOf(*set, slices);

@@ -126,7 +126,7 @@ Result<std::vector<std::uint16_t>> labelsFrom(std::span<const char> bytes, Scala
         const double value = slope * stored(bytes.data(), place) + intercept;
         if (!(value >= 0.0 && value <= 65535.0) || value != std::floor(value))
             return failure(ErrorCode::UnsupportedFormat, path,
-                QStringLiteral("its values are not labels: %1 is among them").arg(value));
+                Clause::saying("its values are not labels: %1 is among them", value));
         labels[voxel] = std::uint16_t(value);
     }
     return labels;
@@ -138,7 +138,7 @@ Result<LabelsOnVolume> labelsOn(
     const LatticeMap map(volume, grid.geometry.worldToIndex());
     if (!map.isSound())
         return failure(ErrorCode::UnsupportedFormat, path,
-            QStringLiteral("its voxels are out of all proportion to the study's"));
+            Clause::saying("its voxels are out of all proportion to the study's"));
     std::vector<SliceLabels> slices(std::size_t(volume.size.z));
     parallelFor(volume.size.z,
         [&](int k) { slices[std::size_t(k)] = labelsOfSlice(volume.size, grid, map, k); });

@@ -159,7 +159,7 @@ Result<MaskOnVolume> readLabelMask(
         labels += present.size() - present.count(0);
         if (labels > mostLabels)
             return failure(ErrorCode::UnsupportedFormat, path,
-                QStringLiteral("it holds more than %1 labels").arg(mostLabels));
+                Clause::saying("it holds more than %1 labels", mostLabels));
         Result<LabelsOnVolume> placed = labelsOn(
             volume.geometry, {.geometry = stored->geometry, .labels = *std::move(values)}, path);
         if (!placed)
@@ -170,7 +170,7 @@ Result<MaskOnVolume> readLabelMask(
         layers.push_back(*std::move(placed));
     }
     if (fit.labelled == 0)
-        return failure(ErrorCode::UnsupportedFormat, path, QStringLiteral("it has no label"));
+        return failure(ErrorCode::UnsupportedFormat, path, Clause::saying("it has no label"));
     mask.segments = segmentsOf(layers, namedSegments(stored->keyValues), path);
     std::uint64_t taken = 0;
     for (const MaskSegment& segment : mask.segments)

@@ -83,7 +83,7 @@ Result<MaskOnVolume> readMask(const QString& path, const Volume& volume, const P
         return mask;
     if (mask->segments.empty())
         return failure(
-            ErrorCode::UnsupportedFormat, path, QStringLiteral("it lies wholly outside the study"));
+            ErrorCode::UnsupportedFormat, path, Clause::saying("it lies wholly outside the study"));
     mask->overlaps = overlapsOf(mask->segments);
     if (!mask->overlaps.empty())
         mask->notes.push_back(

@@ -56,8 +56,8 @@ Result<ReadImport> readImport(const ImportMask& edit, const Volume& volume,
             .voxels = packedRuns(segment.voxels)});
         if (segments.back().voxels.isEmpty())
             return failure(ErrorCode::UnsupportedFormat, edit.file,
-                QStringLiteral("the outline of its segment '%1' is too ragged to be kept")
-                    .arg(segments.back().name));
+                Clause::saying("the outline of its segment '%1' is too ragged to be kept",
+                    segments.back().name));
     }
     return read;
 }
@@ -67,10 +67,9 @@ Result<void> checkOverlaps(const ReadImport& read)
     if (read.edit.ahead || read.edit.planes || read.planesNeeded() <= mostLabelPlanes)
         return {};
     return failure(ErrorCode::UnsupportedFormat, read.edit.file,
-        QStringLiteral("its segments overlap so that they would need %1 label planes, and there "
-                       "are at most %2; with 'ahead' each voxel goes to one of them")
-            .arg(read.planesNeeded())
-            .arg(mostLabelPlanes));
+        Clause::saying("its segments overlap so that they would need %1 label planes, and there "
+                       "are at most %2; with 'ahead' each voxel goes to one of them",
+            read.planesNeeded(), mostLabelPlanes));
 }
 
 } // namespace core

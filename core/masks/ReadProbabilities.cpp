@@ -21,8 +21,8 @@ Result<std::vector<std::uint8_t>> probabilitiesIn(const StoredGrid& stored, cons
 {
     if (stored.layers != 1)
         return failure(ErrorCode::UnsupportedFormat, path,
-            QStringLiteral("it holds %1 numbers a voxel, and a probability map has one")
-                .arg(stored.layers));
+            Clause::saying(
+                "it holds %1 numbers a voxel, and a probability map has one", stored.layers));
     const std::size_t voxels = stored.voxels();
     double least = 0.0;
     double greatest = 0.0;
@@ -36,10 +36,9 @@ Result<std::vector<std::uint8_t>> probabilitiesIn(const StoredGrid& stored, cons
     const bool bytes = plain && stored.type == ScalarType::UInt8 && greatest > 1.0 + slack;
     if (least < -slack || greatest > (bytes ? 255.0 : 1.0 + slack))
         return failure(ErrorCode::UnsupportedFormat, path,
-            QStringLiteral("its values, %1 to %2, are not probabilities: these are from 0 to 1, or "
-                           "bytes from 0 to 255")
-                .arg(least)
-                .arg(greatest));
+            Clause::saying("its values, %1 to %2, are not probabilities: these are from 0 to 1, or "
+                           "bytes from 0 to 255",
+                least, greatest));
     std::vector<std::uint8_t> probabilities(voxels);
     for (std::size_t voxel = 0; voxel < voxels; ++voxel)
         probabilities[voxel] =
@@ -86,7 +85,7 @@ Result<ProbabilitiesOnVolume> readGridProbabilities(
     const LatticeMap map(volume.geometry, stored->geometry.worldToIndex());
     if (!map.isSound())
         return failure(ErrorCode::UnsupportedFormat, path,
-            QStringLiteral("its voxels are out of all proportion to the study's"));
+            Clause::saying("its voxels are out of all proportion to the study's"));
     ProbabilitiesOnVolume read{
         .probabilities = onVolume(volume.geometry, stored->geometry, map, *own)};
     for (const VolumeProblem& problem : stored->problems) {
@@ -115,7 +114,7 @@ Result<ReadProbabilities> readProbabilities(const DivideSegment& edit, const QSt
     const auto& bytes = read->probabilities;
     if (std::all_of(bytes.begin(), bytes.end(), [](std::uint8_t byte) { return byte == 0; }))
         return failure(ErrorCode::UnsupportedFormat, path,
-            QStringLiteral("nothing of it lies inside the study's volume"));
+            Clause::saying("nothing of it lies inside the study's volume"));
     ReadProbabilities result{.edit = edit, .notes = std::move(read->notes)};
     result.edit.probabilityFile.reset();
     result.edit.probabilities = ProbabilityMap::packed(bytes);

@@ -42,9 +42,9 @@ Result<std::size_t> segmentNamed(const SegFile& seg, const QString& name, const 
     const QString all = names.join(QLatin1String(", "));
     return failure(ErrorCode::UnsupportedFormat, path,
         name.isEmpty()
-            ? QStringLiteral("it holds several segments (%1), and one is needed").arg(all)
-            : QStringLiteral("of its segments (%1) none has the name of the one that is divided")
-                  .arg(all));
+            ? Clause::saying("it holds several segments (%1), and one is needed", all)
+            : Clause::saying(
+                "of its segments (%1) none has the name of the one that is divided", all));
 }
 
 } // namespace
@@ -94,7 +94,7 @@ Result<MaskOnVolume> readSegMask(
     }
     if (fit.labelled == 0)
         return failure(
-            ErrorCode::UnsupportedFormat, path, QStringLiteral("no pixel belongs to a segment"));
+            ErrorCode::UnsupportedFormat, path, Clause::saying("no pixel belongs to a segment"));
     const HeaderPlane& plane = seg->frames.front().plane;
     fit.labelledMl =
         double(fit.labelled) * plane.rowSpacing * plane.columnSpacing * lattice.planeMm / 1000.0;
@@ -118,7 +118,7 @@ Result<ProbabilitiesOnVolume> readSegProbabilities(
         return tl::unexpected(seg.error());
     if (seg->type != SegFile::Type::Fractional)
         return failure(ErrorCode::UnsupportedFormat, path,
-            QStringLiteral("it holds no probabilities, since its segments are not fractional"));
+            Clause::saying("it holds no probabilities, since its segments are not fractional"));
     const Result<std::size_t> which = segmentNamed(*seg, segment, path);
     if (!which)
         return tl::unexpected(which.error());

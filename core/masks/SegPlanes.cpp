@@ -61,7 +61,7 @@ Result<FrameLattice> latticeOf(
     const double length = glm::length(lattice.normal);
     if (!(length > 0.5) || !(first.rowSpacing > 0.0) || !(first.columnSpacing > 0.0))
         return failure(ErrorCode::InvalidGeometry, path,
-            QStringLiteral("orientation or spacing of its first frame"));
+            Clause::saying("orientation or spacing of its first frame"));
     lattice.normal /= length;
     lattice.world = glm::dmat4(glm::dvec4(first.rowDirection * first.columnSpacing, 0.0),
         glm::dvec4(first.columnDirection * first.rowSpacing, 0.0), glm::dvec4(lattice.normal, 0.0),
@@ -76,8 +76,8 @@ Result<FrameLattice> latticeOf(
             && std::abs(plane.columnSpacing - first.columnSpacing) < alike * first.columnSpacing;
         if (!same)
             return failure(ErrorCode::UnsupportedFormat, path,
-                QStringLiteral("frame %1 has another orientation or spacing than the first")
-                    .arg(i + 1));
+                Clause::saying(
+                    "frame %1 has another orientation or spacing than the first", i + 1));
         planes.push_back(heightMm(lattice, plane.position));
     }
     const std::vector<double> slices = sliceHeights(lattice, geometry);
@@ -111,7 +111,7 @@ Result<PlacedFrames> placedFrames(
         .lattice = *lattice, .toLattice = toLattice, .map = LatticeMap(geometry, toLattice)};
     if (!frames.map.isSound())
         return failure(ErrorCode::UnsupportedFormat, path,
-            QStringLiteral("its pixels are out of all proportion to the study's"));
+            Clause::saying("its pixels are out of all proportion to the study's"));
     return frames;
 }
 

@@ -61,7 +61,7 @@ Result<MaskOnVolume> readSurfaceMask(
         const SurfaceKind kind = kindOf(surface);
         if (kind == SurfaceKind::Open)
             return failure(ErrorCode::UnsupportedFormat, path,
-                QStringLiteral("the surface '%1' is not closed, so it has no inside").arg(name));
+                Clause::saying("the surface '%1' is not closed, so it has no inside", name));
         progress.report(ProgressStep::FillingSurfaces, int(i), int(mesh->parts.size()));
         Result<VoxelRuns> voxels = fillSurface(surface, kind, volume.geometry.size, progress);
         if (!voxels)
@@ -82,7 +82,7 @@ Result<MaskOnVolume> readSurfaceMask(
     }
     if (mask.segments.empty() && mesh->space.isEmpty())
         return failure(ErrorCode::UnsupportedFormat, path,
-            QStringLiteral("it surrounds no voxel of the study (its axes, which it does not name, "
+            Clause::saying("it surrounds no voxel of the study (its axes, which it does not name, "
                            "taken for LPS)"));
     if (!without.isEmpty() && !mask.segments.empty())
         mask.notes.push_back({.code = MaskNote::Code::NothingSurrounded, .names = without});

@@ -168,7 +168,7 @@ Result<void> writeGltf(
     const std::uint64_t total = headers + std::uint64_t(json.size()) + document.size;
     if (total > std::numeric_limits<std::uint32_t>::max())
         return failure(ErrorCode::UnsupportedFormat, path,
-            QStringLiteral("the surfaces fill more than 4 GiB; export them one by one"));
+            Clause::saying("the surfaces fill more than 4 GiB; export them one by one"));
     PackedOutput out(path, PackedOutput::Form::Plain);
     const auto word = [&](std::uint64_t value) {
         const auto word32 = std::uint32_t(value);
@@ -193,7 +193,7 @@ Result<void> writeGltf(
         list(normalsOf(part));
         list(part.triangles);
     }
-    if (const QString reason = out.close(); !reason.isEmpty())
+    if (const Clause reason = out.close(); !reason.isEmpty())
         return failure(ErrorCode::FileUnwritable, path, reason);
     return {};
 }

@@ -44,7 +44,7 @@ public:
     Result<void> close()
     {
         flush();
-        if (const QString reason = m_output.close(); !reason.isEmpty())
+        if (const Clause reason = m_output.close(); !reason.isEmpty())
             return failure(ErrorCode::FileUnwritable, m_path, reason);
         return {};
     }
@@ -78,7 +78,7 @@ Result<Counts> countsOf(const QString& path, const std::vector<MeshPart>& parts)
     constexpr auto most = std::size_t(std::numeric_limits<std::int32_t>::max());
     if (counts.vertices > most || counts.triangles > most)
         return failure(ErrorCode::UnsupportedFormat, path,
-            QStringLiteral("the surface has more points than the format can count"));
+            Clause::saying("the surface has more points than the format can count"));
     return counts;
 }
 

@@ -176,7 +176,7 @@ Result<Header> headerOf(const QByteArray& bytes, const QString& path)
         const qsizetype end = bytes.indexOf('\n', at);
         if (end < 0)
             return failure(
-                ErrorCode::FileTruncated, path, QStringLiteral("it ends inside its header"));
+                ErrorCode::FileTruncated, path, Clause::saying("it ends inside its header"));
         const QByteArray line = bytes.mid(at, end - at).trimmed();
         at = end + 1;
         if (line == "end_header") {
@@ -337,7 +337,7 @@ Result<ReadMesh> readPly(const QString& path)
         return unreadableMesh(path, wrong);
     if (!numbers.good())
         return failure(ErrorCode::FileTruncated, path,
-            QStringLiteral("not as many points and faces as it says"));
+            Clause::saying("not as many points and faces as it says"));
     Result<std::vector<ReadMeshPart>> parts = partsOf(*header, body, path);
     if (!parts)
         return tl::unexpected(parts.error());

@@ -76,7 +76,7 @@ Result<ReadMesh> readText(const QByteArray& bytes, const QString& path)
     for (const ReadMeshPart& part : mesh.parts) {
         if (part.vertices.size() % 3 != 0 || !ended)
             return failure(
-                ErrorCode::FileTruncated, path, QStringLiteral("it ends inside a solid"));
+                ErrorCode::FileTruncated, path, Clause::saying("it ends inside a solid"));
     }
     return mesh;
 }

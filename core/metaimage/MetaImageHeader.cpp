@@ -38,7 +38,7 @@ bool MetaImageHeader::flag(const char* name, bool otherwise) const
 
 Result<MetaImageHeader> parseMetaImageHeader(const QByteArray& bytes, const QString& path)
 {
-    const auto refused = [&](const QString& reason) {
+    const auto refused = [&](const Clause& reason) {
         return failure(ErrorCode::FileUnreadable, path, reason);
     };
     constexpr qsizetype longestName = 64;
@@ -59,13 +59,12 @@ Result<MetaImageHeader> parseMetaImageHeader(const QByteArray& bytes, const QStr
         const qsizetype equals = line.indexOf('=');
         if (equals <= 0 || equals > longestName)
             return refused(header.fields.empty()
-                    ? QStringLiteral("not a MetaImage file")
-                    : QStringLiteral("a line of its header is no field"));
+                    ? Clause::saying("not a MetaImage file")
+                    : Clause::saying("a line of its header is no field"));
         const QByteArray name = line.left(equals).trimmed();
         const QByteArray value = line.mid(equals + 1).trimmed();
         if (!header.fields.emplace(name, value).second)
-            return refused(
-                QStringLiteral("its header has '%1' twice").arg(QString::fromLatin1(name)));
+            return refused(Clause::saying("its header has '%1' twice", QString::fromLatin1(name)));
         if (name != "ElementDataFile")
             continue;
         header.bytes = bytes.left(at);
@@ -75,9 +74,9 @@ Result<MetaImageHeader> parseMetaImageHeader(const QByteArray& bytes, const QStr
     }
     if (!listing)
         return refused(header.has("NDims") || header.has("ObjectType")
-                ? QStringLiteral("its header does not say where the "
+                ? Clause::saying("its header does not say where the "
                                  "voxels are (ElementDataFile)")
-                : QStringLiteral("not a MetaImage file"));
+                : Clause::saying("not a MetaImage file"));
     return header;
 }
 
@@ -87,7 +86,7 @@ Result<MetaImageHeader> readMetaImageHeader(const QString& path)
     if (!QFileInfo(path).isFile() || !file.open(QIODevice::ReadOnly))
         return failure(ErrorCode::FileUnreadable, path, file.errorString());
     if (file.size() == 0)
-        return failure(ErrorCode::FileTruncated, path, QStringLiteral("it holds no bytes"));
+        return failure(ErrorCode::FileTruncated, path, Clause::saying("it holds no bytes"));
     // The field that ends a header is looked for, then the line that it stands
     // in.
     constexpr qint64 step = 65536;
@@ -106,7 +105,7 @@ Result<MetaImageHeader> readMetaImageHeader(const QString& path)
     }
     if (!whole && bytes.size() >= longestTextHeader)
         return failure(
-            ErrorCode::FileUnreadable, path, QStringLiteral("its header does not come to an end"));
+            ErrorCode::FileUnreadable, path, Clause::saying("its header does not come to an end"));
     return parseMetaImageHeader(bytes, path);
 }
 

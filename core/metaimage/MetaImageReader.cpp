@@ -56,7 +56,7 @@ constexpr std::initializer_list<const char*> matrixNames{
     "TransformMatrix", "Rotation", "Orientation"};
 constexpr std::initializer_list<const char*> spacingNames{"ElementSpacing", "ElementSize"};
 
-tl::unexpected<Error> refused(const QString& path, const QString& reason)
+tl::unexpected<Error> refused(const QString& path, const Clause& reason)
 {
     return failure(ErrorCode::FileUnreadable, path, reason);
 }
@@ -68,24 +68,24 @@ Result<std::vector<qint64>> sidesOf(const MetaImageHeader& header, const QString
     const auto axes = header.numbers("NDims");
     if (!axes || axes->size() != 1 || !((*axes)[0] >= 1.0) || (*axes)[0] > mostAxes
         || (*axes)[0] != std::floor((*axes)[0]))
-        return refused(path, QStringLiteral("its header names no dimension (NDims)"));
+        return refused(path, Clause::saying("its header names no dimension (NDims)"));
     const auto sizes = header.numbers("DimSize");
     if (!sizes || sizes->size() != std::size_t((*axes)[0]))
         return refused(
-            path, QStringLiteral("its header does not name a size for each axis (DimSize)"));
+            path, Clause::saying("its header does not name a size for each axis (DimSize)"));
     std::vector<qint64> sides;
     for (const double size : *sizes) {
         constexpr double most = 1e15;
         if (!(size >= 1.0) || size > most || size != std::floor(size))
-            return refused(path, QStringLiteral("its header names a size of %1").arg(size));
+            return refused(path, Clause::saying("its header names a size of %1", size));
         sides.push_back(qint64(size));
     }
     if (sides.size() < 2)
-        return failure(ErrorCode::UnsupportedFormat, path, QStringLiteral("it holds no slices"));
+        return failure(ErrorCode::UnsupportedFormat, path, Clause::saying("it holds no slices"));
     for (std::size_t axis = 3; axis < sides.size(); ++axis) {
         if (sides[axis] > 1)
             return failure(ErrorCode::UnsupportedFormat, path,
-                QStringLiteral("it holds %1 volumes").arg(sides[axis]));
+                Clause::saying("it holds %1 volumes", sides[axis]));
     }
     return sides;
 }
@@ -106,11 +106,11 @@ Result<void> setGeometry(GridFile& grid, const MetaImageHeader& header)
         grid.problems.push_back({.kind = kind, .said = {code}, .caution = true});
     };
     if (hasAny(header, spacingNames) && (!spacing || spacing->size() != axes))
-        return refused(path, QStringLiteral("its header does not have a spacing for each axis"));
+        return refused(path, Clause::saying("its header does not have a spacing for each axis"));
     if (hasAny(header, originNames) && (!origin || origin->size() != axes))
-        return refused(path, QStringLiteral("its header does not name the place of a voxel"));
+        return refused(path, Clause::saying("its header does not name the place of a voxel"));
     if (hasAny(header, matrixNames) && (!matrix || matrix->size() != axes * axes))
-        return refused(path, QStringLiteral("its header does not have a direction for each axis"));
+        return refused(path, Clause::saying("its header does not have a direction for each axis"));
 
     glm::dmat4& affine = grid.geometry.indexToWorld;
     for (std::size_t axis = 0; axis < used; ++axis) {
@@ -134,24 +134,23 @@ Result<void> setGeometry(GridFile& grid, const MetaImageHeader& header)
     three.resize(3, 1);
     if (const Result<void> sized = setGridSize(grid, three); !sized)
         return sized;
-    return checkGridAxes(grid.geometry, path, QStringLiteral("TransformMatrix or ElementSpacing"));
+    return checkGridAxes(grid.geometry, path, Clause::saying("TransformMatrix or ElementSpacing"));
 }
 
 Result<void> setEncoding(VoxelSource& source, const MetaImageHeader& header)
 {
-    const auto unsupported = [&](const QString& what) {
+    const auto unsupported = [&](const Clause& what) {
         return failure(ErrorCode::UnsupportedFormat, source.header, what);
     };
     const QByteArray typeName = header.field("ElementType");
     const std::optional<ScalarType> type = typeNamed(typeName);
     if (!type)
         return unsupported(
-            QStringLiteral("voxels of type '%1'").arg(QString::fromLatin1(typeName.left(40))));
+            Clause::saying("voxels of type '%1'", QString::fromLatin1(typeName.left(40))));
     source.type = *type;
     if (header.has("ElementNumberOfChannels") && header.field("ElementNumberOfChannels") != "1")
-        return unsupported(
-            QStringLiteral("it holds %1 values per voxel")
-                .arg(QString::fromLatin1(header.field("ElementNumberOfChannels").left(20))));
+        return unsupported(Clause::saying("it holds %1 values per voxel",
+            QString::fromLatin1(header.field("ElementNumberOfChannels").left(20))));
     source.bigEndian =
         header.flag("ElementByteOrderMSB", header.flag("BinaryDataByteOrderMSB", false));
     if (!header.flag("BinaryData", true))
@@ -166,8 +165,8 @@ Result<void> setEncoding(VoxelSource& source, const MetaImageHeader& header)
         const bool raw = source.encoding == VoxelSource::Encoding::Raw;
         if (!isNumber || skip < -1 || skip > most || (skip != 0 && !raw))
             return refused(source.header,
-                QStringLiteral("its header has a HeaderSize of '%1'")
-                    .arg(QString::fromLatin1(text.left(40))));
+                Clause::saying(
+                    "its header has a HeaderSize of '%1'", QString::fromLatin1(text.left(40))));
         source.atEnd = skip == -1;
         source.byteSkip = std::max<qint64>(skip, 0);
     }
@@ -189,7 +188,7 @@ Result<void> setFiles(GridFile& grid, const MetaImageHeader& header)
     const qint64 count = files->size();
     if (grid.geometry.size.z % count != 0)
         return refused(source.header,
-            QStringLiteral("%1 files cannot hold %2 slices").arg(count).arg(grid.geometry.size.z));
+            Clause::saying("%1 files cannot hold %2 slices", count, grid.geometry.size.z));
     source.files = std::move(*files);
     return {};
 }

@@ -268,7 +268,7 @@ Result<VoxelRuns> voxelsBetween(std::span<const std::uint8_t> labels,
     if (before.empty())
         return VoxelRuns();
     if (const Result<void> enough =
-            checkBytes(double(labels.size()), QStringLiteral("what lies between the drawn slices"));
+            checkBytes(double(labels.size()), Clause::saying("what lies between the drawn slices"));
         !enough)
         return tl::unexpected(enough.error());
     // A byte for each voxel, so that gaps can be worked out side by side.

@@ -104,7 +104,7 @@ Result<ShapeChange> gaussianChange(std::span<const std::uint8_t> labels, const g
         return ShapeChange();
     const BoxRows rows(own, size);
     if (const Result<void> enough =
-            checkBytes(gaussianBytes(rows.boxSize()), QStringLiteral("the segment"));
+            checkBytes(gaussianBytes(rows.boxSize()), Clause::saying("the segment"));
         !enough)
         return tl::unexpected(enough.error());
     if (progress.cancelled())
@@ -140,7 +140,7 @@ Result<JointChange> jointGaussianChange(std::span<const std::uint8_t> labels,
     competitors.front().box = widened(all, 2 * gaussian.reach(), size);
     const BoxRows widest(competitors.front().box, size);
     if (const Result<void> enough =
-            checkBytes(2.0 * gaussianBytes(widest.boxSize()), QStringLiteral("the segments"));
+            checkBytes(2.0 * gaussianBytes(widest.boxSize()), Clause::saying("the segments"));
         !enough)
         return tl::unexpected(enough.error());
     Winners winners(labels, rows);

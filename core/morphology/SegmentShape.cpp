@@ -39,7 +39,7 @@ public:
         m_first = box.minimum;
         m_mask.size = box.maximum - box.minimum;
         if (const Result<void> enough = checkBytes(
-                filterBytes(m_mask.size), QStringLiteral("the segment with this margin"));
+                filterBytes(m_mask.size), Clause::saying("the segment with this margin"));
             !enough)
             return enough;
         m_mask.voxels.resize(

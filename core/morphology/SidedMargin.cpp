@@ -265,7 +265,7 @@ Result<ShapeChange> sidedMarginChange(std::span<const std::uint8_t> labels, cons
                            .maximum = glm::min(own.maximum + behind, size)},
         size);
     if (const Result<void> enough =
-            checkBytes(spreadBytes(rows.boxSize()), QStringLiteral("the segment with this margin"));
+            checkBytes(spreadBytes(rows.boxSize()), Clause::saying("the segment with this margin"));
         !enough)
         return tl::unexpected(enough.error());
     if (progress.cancelled())

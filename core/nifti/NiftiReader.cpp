@@ -147,26 +147,26 @@ bool isNiftiName(const QString& path)
 Result<SeriesEntry> readNiftiEntry(const QString& path)
 {
     if (QFileInfo(path).size() == 0)
-        return failure(ErrorCode::FileTruncated, path, QStringLiteral("it holds no bytes"));
+        return failure(ErrorCode::FileTruncated, path, Clause::saying("it holds no bytes"));
     const Image image = readImage(path);
     if (!image)
-        return failure(ErrorCode::FileUnreadable, path, QStringLiteral("not a sound NIfTI header"));
+        return failure(ErrorCode::FileUnreadable, path, Clause::saying("not a sound NIfTI header"));
     for (int axis = 4; axis <= 7; ++axis) {
         if (axis <= image->ndim && image->dim[axis] > 1) {
             return failure(ErrorCode::UnsupportedFormat, path,
-                QStringLiteral("it holds %1 volumes").arg(image->dim[axis]));
+                Clause::saying("it holds %1 volumes", image->dim[axis]));
         }
     }
     if (!scalarType(image->datatype)) {
         return failure(ErrorCode::UnsupportedFormat, path,
-            QStringLiteral("voxels of type %1")
-                .arg(QLatin1String(nifti_datatype_string(image->datatype))));
+            Clause::saying(
+                "voxels of type %1", QLatin1String(nifti_datatype_string(image->datatype))));
     }
     constexpr int longestSide = 32768;
     if (image->nx < 1 || image->ny < 1 || image->nz < 1 || image->nx > longestSide
         || image->ny > longestSide || image->nz > longestSide) {
         return failure(ErrorCode::InvalidGeometry, path,
-            QStringLiteral("%1 × %2 × %3 voxels").arg(image->nx).arg(image->ny).arg(image->nz));
+            Clause::saying("%1 × %2 × %3 voxels", image->nx, image->ny, image->nz));
     }
     SeriesEntry entry;
     entry.geometry.size = {image->nx, image->ny, image->nz};
@@ -176,7 +176,7 @@ Result<SeriesEntry> readNiftiEntry(const QString& path)
     const double volume = entry.geometry.voxelVolumeMm3();
     if (!std::isfinite(volume) || volume <= 0.0) {
         return failure(ErrorCode::InvalidGeometry, path,
-            QStringLiteral("its axes do not span a volume (sform or qform)"));
+            Clause::saying("its axes do not span a volume (sform or qform)"));
     }
     return entry;
 }
@@ -192,7 +192,7 @@ Result<NiftiNumbers> readNiftiNumbers(const SeriesEntry& entry)
     if (type)
         voxels.bytes = readVoxels(*image, path);
     if (voxels.bytes.empty())
-        return failure(ErrorCode::FileTruncated, path, QStringLiteral("its voxels are incomplete"));
+        return failure(ErrorCode::FileTruncated, path, Clause::saying("its voxels are incomplete"));
     voxels.type = *type;
     // A slope of 0 means that there is none (nifti1.h).
     if (image->scl_slope != 0.0f && std::isfinite(image->scl_slope)

@@ -24,7 +24,7 @@ Result<NiftiWritten> writeNiftiAt(const QString& path, const NiftiImage& image)
     for (int axis = 0; axis < 3; ++axis) {
         if (size[axis] < 1 || size[axis] > std::numeric_limits<std::int16_t>::max())
             return failure(ErrorCode::UnsupportedFormat, path,
-                QStringLiteral("NIfTI-1 holds sides of 1 to 32767 voxels, not %1").arg(size[axis]));
+                Clause::saying("NIfTI-1 holds sides of 1 to 32767 voxels, not %1", size[axis]));
     }
     const auto voxels = std::visit([](auto span) { return std::as_bytes(span); }, image.voxels);
     static constexpr std::array<NiftiHeader::DataType, 3> types{
@@ -33,7 +33,7 @@ Result<NiftiWritten> writeNiftiAt(const QString& path, const NiftiImage& image)
     const std::size_t kind = image.voxels.index();
     if (voxels.size() != image.geometry.voxelCount() * bytesPerVoxel[kind])
         return failure(ErrorCode::UnsupportedFormat, path,
-            QStringLiteral("the voxels are not as many as the grid has"));
+            Clause::saying("the voxels are not as many as the grid has"));
 
     const NiftiHeader header =
         makeNiftiHeader(image.geometry, types[kind], image.description.toUtf8(), image.labels);
@@ -41,7 +41,7 @@ Result<NiftiWritten> writeNiftiAt(const QString& path, const NiftiImage& image)
     PackedOutput stream(path, packed ? PackedOutput::Form::Gzip : PackedOutput::Form::Plain);
     stream.write(header.bytes.data(), header.bytes.size());
     stream.write(voxels.data(), voxels.size());
-    if (const QString reason = stream.close(); !reason.isEmpty())
+    if (const Clause reason = stream.close(); !reason.isEmpty())
         return failure(ErrorCode::FileUnwritable, path, reason);
     return NiftiWritten{header.qform};
 }
@@ -54,7 +54,7 @@ Result<NiftiWritten> writeNifti(const QString& file, const NiftiImage& image, bo
     auto written = writeNiftiAt(staged->path(), image);
     if (!written) {
         Error error = written.error();
-        error.arguments[0] = file;
+        error.arguments.set(0, file);
         return tl::unexpected(error);
     }
     if (auto done = staged->commit(); !done)

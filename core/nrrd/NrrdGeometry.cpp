@@ -143,7 +143,7 @@ public:
     Result<void> read();
 
 private:
-    [[nodiscard]] tl::unexpected<Error> refused(const QString& reason) const
+    [[nodiscard]] tl::unexpected<Error> refused(const Clause& reason) const
     {
         return failure(ErrorCode::FileUnreadable, m_grid.voxels.header, reason);
     }
@@ -171,12 +171,12 @@ Result<void> GeometryReader::readAxes()
     const auto dimension = wholeNumbers(m_header.field("dimension"));
     const auto sizes = wholeNumbers(m_header.field("sizes"));
     if (!dimension || dimension->size() != 1 || (*dimension)[0] < 1 || (*dimension)[0] > mostAxes)
-        return refused(QStringLiteral("its header names no dimension"));
+        return refused(Clause::saying("its header names no dimension"));
     if (!sizes || qint64(sizes->size()) != (*dimension)[0])
-        return refused(QStringLiteral("its header does not name a size for each axis"));
+        return refused(Clause::saying("its header does not name a size for each axis"));
     for (const qint64 size : *sizes) {
         if (size < 1)
-            return refused(QStringLiteral("its header names a size of %1").arg(size));
+            return refused(Clause::saying("its header names a size of %1", size));
         m_axes.push_back({.size = size});
     }
     return {};
@@ -190,12 +190,12 @@ Result<void> GeometryReader::readDirections()
         m_space = spaceNamed(space);
         if (!m_space) {
             return failure(ErrorCode::UnsupportedFormat, m_grid.voxels.header,
-                QStringLiteral("its space '%1' is not one of the patient")
-                    .arg(QString::fromLatin1(space.left(40))));
+                Clause::saying("its space '%1' is not one of the patient",
+                    QString::fromLatin1(space.left(40))));
         }
     } else if (m_header.fields.contains("spacedimension")) {
         if (!dimension || dimension->size() != 1 || (*dimension)[0] < 1 || (*dimension)[0] > 4)
-            return refused(QStringLiteral("its header names no dimension of its space"));
+            return refused(Clause::saying("its header names no dimension of its space"));
         m_space = Space{.ofPatient = false};
     }
     const QByteArray text = m_header.field("spacedirections");
@@ -203,7 +203,7 @@ Result<void> GeometryReader::readDirections()
         return {};
     const auto directions = vectors(text);
     if (!directions || directions->size() != m_axes.size() || !m_space)
-        return refused(QStringLiteral("its header does not name a direction for each axis"));
+        return refused(Clause::saying("its header does not name a direction for each axis"));
     m_directed = true;
     for (std::size_t axis = 0; axis < m_axes.size(); ++axis) {
         const Vector& vector = (*directions)[axis];
@@ -228,8 +228,8 @@ Result<void> GeometryReader::readSpacings()
             continue;
         const auto values = numbers(text);
         if (!values || values->size() != m_axes.size())
-            return refused(QStringLiteral("its header does not have a number for each axis in '%1'")
-                               .arg(QLatin1String(name)));
+            return refused(Clause::saying(
+                "its header does not have a number for each axis in '%1'", QLatin1String(name)));
         for (std::size_t axis = 0; axis < m_axes.size(); ++axis)
             m_axes[axis].*part = (*values)[axis];
     }
@@ -265,14 +265,13 @@ Result<void> GeometryReader::keepSpatialAxes()
         if (m_axes[axis].spatial || m_axes[axis].size == 1)
             continue;
         return failure(ErrorCode::UnsupportedFormat, m_grid.voxels.header,
-            (axis == 0 ? QStringLiteral("it holds %1 values per voxel")
-                       : QStringLiteral("it holds %1 volumes"))
-                .arg(m_axes[axis].size));
+            axis == 0 ? Clause::saying("it holds %1 values per voxel", m_axes[axis].size)
+                      : Clause::saying("it holds %1 volumes", m_axes[axis].size));
     }
     std::erase_if(m_axes, [](const Axis& axis) { return !axis.spatial; });
     if (m_axes.size() < 2)
         return failure(ErrorCode::UnsupportedFormat, m_grid.voxels.header,
-            QStringLiteral("it holds no slices"));
+            Clause::saying("it holds no slices"));
     return {};
 }
 
@@ -293,7 +292,7 @@ Result<void> GeometryReader::placeBySpace()
     } else {
         const auto origin = vectors(text);
         if (!origin || origin->size() != 1 || origin->front().empty())
-            return refused(QStringLiteral("its header does not name the space origin"));
+            return refused(Clause::saying("its header does not name the space origin"));
         for (std::size_t part = 0; part < std::min<std::size_t>(3, origin->front().size()); ++part)
             affine[3][int(part)] = toLps[int(part)] * origin->front()[part];
     }
@@ -355,7 +354,7 @@ Result<void> GeometryReader::read()
     if (const Result<void> sized = setGridSize(m_grid, sides); !sized)
         return sized;
     return checkGridAxes(m_grid.geometry, m_grid.voxels.header,
-        m_directed ? QStringLiteral("space directions") : QStringLiteral("spacings"));
+        m_directed ? Clause::saying("space directions") : Clause::saying("spacings"));
 }
 
 } // namespace

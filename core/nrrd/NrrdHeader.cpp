@@ -65,7 +65,7 @@ QByteArray NrrdHeader::field(const char* name) const
 
 Result<NrrdHeader> parseNrrdHeader(const QByteArray& bytes, const QString& path)
 {
-    const auto refused = [&](const QString& reason) {
+    const auto refused = [&](const Clause& reason) {
         return failure(ErrorCode::FileUnreadable, path, reason);
     };
     NrrdHeader header{.bytes = bytes};
@@ -80,7 +80,7 @@ Result<NrrdHeader> parseNrrdHeader(const QByteArray& bytes, const QString& path)
             line.chop(1);
         if (first) {
             if (!isMagic(line.trimmed()))
-                return refused(QStringLiteral("not an NRRD file"));
+                return refused(Clause::saying("not an NRRD file"));
             first = false;
             continue;
         }
@@ -94,7 +94,7 @@ Result<NrrdHeader> parseNrrdHeader(const QByteArray& bytes, const QString& path)
             continue;
         const qsizetype colon = line.indexOf(':');
         if (colon <= 0)
-            return refused(QStringLiteral("a line of its header is no field"));
+            return refused(Clause::saying("a line of its header is no field"));
         if (line.mid(colon + 1, 1) == "=") {
             header.keyValues[unescaped(line.left(colon))] = unescaped(line.mid(colon + 2));
             continue;
@@ -102,13 +102,13 @@ Result<NrrdHeader> parseNrrdHeader(const QByteArray& bytes, const QString& path)
         const QByteArray name = plainName(line.left(colon));
         const QByteArray value = line.mid(colon + 1).trimmed();
         if (!header.fields.emplace(name, value).second) {
-            return refused(QStringLiteral("its header has '%1' twice")
-                               .arg(QString::fromLatin1(name.left(40))));
+            return refused(
+                Clause::saying("its header has '%1' twice", QString::fromLatin1(name.left(40))));
         }
         listing = name == "datafile" && isFileList(value);
     }
     if (first)
-        return refused(QStringLiteral("not an NRRD file"));
+        return refused(Clause::saying("not an NRRD file"));
     return header;
 }
 
@@ -118,7 +118,7 @@ Result<NrrdHeader> readNrrdHeader(const QString& path)
     if (!QFileInfo(path).isFile() || !file.open(QIODevice::ReadOnly))
         return failure(ErrorCode::FileUnreadable, path, file.errorString());
     if (file.size() == 0)
-        return failure(ErrorCode::FileTruncated, path, QStringLiteral("it holds no bytes"));
+        return failure(ErrorCode::FileTruncated, path, Clause::saying("it holds no bytes"));
     constexpr qint64 step = 65536;
     QByteArray bytes;
     qsizetype end = -1;
@@ -129,17 +129,17 @@ Result<NrrdHeader> readNrrdHeader(const QString& path)
             break;
         bytes += more;
         if (!bytes.startsWith(QByteArrayView("NRRD000", std::min<qsizetype>(7, bytes.size()))))
-            return failure(ErrorCode::FileUnreadable, path, QStringLiteral("not an NRRD file"));
+            return failure(ErrorCode::FileUnreadable, path, Clause::saying("not an NRRD file"));
         end = endOfHeader(bytes, searched);
     }
     if (end >= 0)
         bytes.truncate(end);
     else if (bytes.size() >= longestTextHeader)
         return failure(
-            ErrorCode::FileUnreadable, path, QStringLiteral("its header does not come to an end"));
+            ErrorCode::FileUnreadable, path, Clause::saying("its header does not come to an end"));
     Result<NrrdHeader> header = parseNrrdHeader(bytes, path);
     if (header && end < 0 && !header->isDetached())
-        return failure(ErrorCode::FileTruncated, path, QStringLiteral("its header has no end"));
+        return failure(ErrorCode::FileTruncated, path, Clause::saying("its header has no end"));
     return header;
 }
 

@@ -62,14 +62,14 @@ std::optional<ScalarType> typeNamed(const QByteArray& name)
 
 Result<void> setEncoding(VoxelSource& source, const NrrdHeader& header)
 {
-    const auto unsupported = [&](const QString& what) {
+    const auto unsupported = [&](const Clause& what) {
         return failure(ErrorCode::UnsupportedFormat, source.header, what);
     };
     const QByteArray typeName = header.field("type");
     const std::optional<ScalarType> type = typeNamed(typeName);
     if (!type)
         return unsupported(
-            QStringLiteral("voxels of type '%1'").arg(QString::fromLatin1(typeName.left(40))));
+            Clause::saying("voxels of type '%1'", QString::fromLatin1(typeName.left(40))));
     source.type = *type;
     const QByteArray encoding = header.field("encoding").toLower();
     if (encoding == "raw")
@@ -81,10 +81,10 @@ Result<void> setEncoding(VoxelSource& source, const NrrdHeader& header)
     else if (encoding == "hex")
         source.encoding = VoxelSource::Encoding::Hex;
     else if (encoding == "bzip2" || encoding == "bz2")
-        return unsupported(QStringLiteral("its voxels are packed with bzip2; gzip can be read"));
+        return unsupported(Clause::saying("its voxels are packed with bzip2; gzip can be read"));
     else
-        return unsupported(QStringLiteral("voxels in the encoding '%1'")
-                               .arg(QString::fromLatin1(encoding.left(40))));
+        return unsupported(
+            Clause::saying("voxels in the encoding '%1'", QString::fromLatin1(encoding.left(40))));
 
     const QByteArray endian = header.field("endian").toLower();
     source.bigEndian = endian == "big";
@@ -92,7 +92,7 @@ Result<void> setEncoding(VoxelSource& source, const NrrdHeader& header)
         bytesPerScalar(source.type) > 1 && source.encoding != VoxelSource::Encoding::Text;
     if (matters && endian != "big" && endian != "little")
         return failure(ErrorCode::FileUnreadable, source.header,
-            QStringLiteral("its header does not say the order of bytes (endian)"));
+            Clause::saying("its header does not say the order of bytes (endian)"));
     return {};
 }
 
@@ -110,8 +110,8 @@ Result<void> setSkips(VoxelSource& source, const NrrdHeader& header)
         constexpr qint64 most = qint64(1) << 50;
         if (!isNumber || (count < 0 && !toEnd) || count > most)
             return failure(ErrorCode::FileUnreadable, source.header,
-                QStringLiteral("its header skips '%1' bytes or lines")
-                    .arg(QString::fromLatin1(text.left(40))));
+                Clause::saying(
+                    "its header skips '%1' bytes or lines", QString::fromLatin1(text.left(40))));
         source.atEnd = source.atEnd || toEnd;
         source.*skip = toEnd ? 0 : count;
     }
@@ -136,7 +136,7 @@ Result<void> setFiles(GridFile& grid, const NrrdHeader& header)
     const qint64 count = files->size();
     if (size.z % count != 0 && count != rows)
         return failure(ErrorCode::FileUnreadable, source.header,
-            QStringLiteral("%1 files cannot hold %2 slices").arg(count).arg(size.z));
+            Clause::saying("%1 files cannot hold %2 slices", count, size.z));
     source.files = std::move(*files);
     return {};
 }

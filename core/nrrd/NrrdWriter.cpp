@@ -56,11 +56,11 @@ Result<void> writeNrrdAt(const QString& path, const NrrdImage& image)
     if (image.layers < 1
         || image.voxels.size() != image.geometry.voxelCount() * std::size_t(image.layers))
         return failure(ErrorCode::UnsupportedFormat, path,
-            QStringLiteral("the voxels are not as many as the grid has"));
+            Clause::saying("the voxels are not as many as the grid has"));
     const QByteArray header = headerOf(image);
     PackedOutput words(path, PackedOutput::Form::Plain);
     words.write(header.constData(), std::size_t(header.size()));
-    QString reason = words.close();
+    Clause reason = words.close();
     if (reason.isEmpty()) {
         PackedOutput voxels(path, PackedOutput::Form::GzipBehind);
         voxels.write(image.voxels.data(), image.voxels.size());

@@ -21,21 +21,21 @@ namespace {
 
 constexpr long longestPdu = ASC_MAXIMUMPDUSIZE;
 
-QString rejectionText(const T_ASC_RejectParameters& rejection, const PacsNode& node)
+Clause rejectionText(const T_ASC_RejectParameters& rejection, const PacsNode& node)
 {
     switch (rejection.reason) {
     case ASC_REASON_SU_CALLEDAETITLENOTRECOGNIZED:
-        return QStringLiteral("it is not called %1").arg(node.aeTitle);
+        return Clause::saying("it is not called %1", node.aeTitle);
     case ASC_REASON_SU_CALLINGAETITLENOTRECOGNIZED:
-        return QStringLiteral("it does not know us as %1").arg(node.ownAeTitle);
+        return Clause::saying("it does not know us as %1", node.ownAeTitle);
     case ASC_REASON_SP_PRES_TEMPORARYCONGESTION:
     case ASC_REASON_SP_PRES_LOCALLIMITEXCEEDED:
-        return QStringLiteral("it is busy");
+        return Clause::saying("it is busy");
     case ASC_REASON_SU_APPCONTEXTNAMENOTSUPPORTED:
     case ASC_REASON_SP_ACSE_PROTOCOLVERSIONNOTSUPPORTED:
-        return QStringLiteral("it speaks another version of DICOM");
+        return Clause::saying("it speaks another version of DICOM");
     default:
-        return QStringLiteral("it gives no reason");
+        return Clause::saying("it gives no reason");
     }
 }
 
@@ -306,7 +306,7 @@ Error Association::error(const OFCondition& condition) const
         return {ErrorCode::NodeNonsense, {name, state.nonsense}};
     if (!state.handshake.isEmpty()) {
         return {ErrorCode::NodeUnreachable,
-            {name, QStringLiteral("no secure connection (%1)").arg(state.handshake)}};
+            {name, Clause::saying("no secure connection (%1)", state.handshake)}};
     }
     if (!state.trouble.isEmpty())
         return {ErrorCode::NodeLost, {name, state.trouble}};

@@ -29,7 +29,7 @@ Result<PacsNode> PacsNode::parse(const QString& text)
     const qsizetype colon = text.lastIndexOf(u':');
     if (at < 1 || colon < at + 2) {
         return failure(ErrorCode::InvalidField, QStringLiteral("node"),
-            QStringLiteral("'%1' is not of the form AETITLE@host:port").arg(text));
+            Clause::saying("'%1' is not of the form AETITLE@host:port", text));
     }
     PacsNode node;
     node.aeTitle = text.left(at);
@@ -45,16 +45,16 @@ Result<void> PacsNode::check() const
     for (const QString& title : {aeTitle, ownAeTitle}) {
         if (!isAeTitle(title)) {
             return failure(ErrorCode::InvalidField, QStringLiteral("AE title"),
-                QStringLiteral("'%1' is not 1 to 16 characters of ASCII").arg(title));
+                Clause::saying("'%1' is not 1 to 16 characters of ASCII", title));
         }
     }
     if (host.isEmpty() || port < 1 || port > 65535) {
         return failure(ErrorCode::InvalidField, QStringLiteral("node"),
-            QStringLiteral("'%1' names no host and port").arg(name()));
+            Clause::saying("'%1' names no host and port", name()));
     }
     if (timeoutSeconds < 1) {
         return failure(ErrorCode::InvalidField, QStringLiteral("timeout"),
-            QStringLiteral("it is 1 second or more"));
+            Clause::saying("it is 1 second or more"));
     }
     return {};
 }

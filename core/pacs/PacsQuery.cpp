@@ -132,13 +132,13 @@ Result<void> ask(const PacsNode& node, Question& question, const Progress& progr
     for (int answers = 0;; ++answers) {
         if (answers > mostAnswers)
             return failure(
-                ErrorCode::NodeNonsense, node.name(), QStringLiteral("its list has no end"));
+                ErrorCode::NodeNonsense, node.name(), Clause::saying("its list has no end"));
         std::uint8_t number = 0;
         const Result<T_DIMSE_Message> message = association->receive(number);
         if (!message)
             return tl::unexpected<Error>(message.error());
         if (message->CommandField != DIMSE_C_FIND_RSP)
-            return failure(ErrorCode::NodeNonsense, node.name(), QStringLiteral("no answer"));
+            return failure(ErrorCode::NodeNonsense, node.name(), Clause::saying("no answer"));
         const T_DIMSE_C_FindRSP& response = message->msg.CFindRSP;
         QByteArray bytes;
         if (response.DataSetType != DIMSE_DATASET_NULL) {
@@ -154,7 +154,7 @@ Result<void> ask(const PacsNode& node, Question& question, const Progress& progr
             association->release();
             const bool calledOff = !wanted && response.DimseStatus == 0xfe00;
             if (response.DimseStatus != 0 && !calledOff) {
-                return failure(ErrorCode::NodeFailed, node.name(), QStringLiteral("the search"),
+                return failure(ErrorCode::NodeFailed, node.name(), Clause::saying("the search"),
                     statusText(response.DimseStatus));
             }
             return {};
@@ -189,7 +189,7 @@ Result<void> echoNode(const PacsNode& node, const Progress& progress)
     association->release();
     if (status != 0) {
         return failure(
-            ErrorCode::NodeFailed, node.name(), QStringLiteral("the echo"), statusText(status));
+            ErrorCode::NodeFailed, node.name(), Clause::saying("the echo"), statusText(status));
     }
     return {};
 }

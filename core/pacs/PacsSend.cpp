@@ -60,7 +60,7 @@ Result<Parcel> parcelOf(const QString& path)
     const auto isUid = [](const QByteArray& text) { return !text.isEmpty() && text.size() <= 64; };
     if (!isUid(parcel.classUid) || !isUid(parcel.instanceUid)) {
         return failure(
-            ErrorCode::UnsupportedFormat, path, QStringLiteral("it is no object of its own"));
+            ErrorCode::UnsupportedFormat, path, Clause::saying("it is no object of its own"));
     }
     return parcel;
 }
@@ -139,7 +139,7 @@ Result<SentObjects> sendFiles(
         if (*status != 0 && !isWarning) {
             association->release();
             return failure(ErrorCode::NodeFailed, node.name(),
-                QStringLiteral("the storage of %1").arg(name), statusText(*status));
+                Clause::saying("the storage of %1", name), statusText(*status));
         }
         if (isWarning)
             result.warnings.append(QStringLiteral("%1: %2").arg(name, statusText(*status)));

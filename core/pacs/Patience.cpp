@@ -43,9 +43,9 @@ Error Patience::error(const QString& nodeName, Lost how) const
     const Seconds limit = how == Lost::Whole ? m_most : m_timeout;
     Error error{ErrorCode::NodeTimeout, {nodeName, QString::number(limit.count())}};
     if (how == Lost::Dripping)
-        error.arguments += QStringLiteral("it says less than a KiB a second");
+        error.arguments += Clause::saying("it says less than a KiB a second");
     else if (how == Lost::Whole)
-        error.arguments += QStringLiteral("its answer has not come to an end");
+        error.arguments += Clause::saying("its answer has not come to an end");
     return error;
 }
 

@@ -75,7 +75,7 @@ public:
         // Memory is asked for as the head of a message says; ours are a hundredth of that.
         constexpr size_t most = 16 << 20;
         if (size > most) {
-            m_state.nonsense = QStringLiteral("a message of %1 bytes").arg(size);
+            m_state.nonsense = Clause::saying("a message of %1 bytes", size);
             errno = EMSGSIZE;
             return -1;
         }
@@ -209,21 +209,21 @@ Result<std::unique_ptr<DcmTLSTransportLayer>> makeTls(const PacsTls& tls)
     if (layer->addTrustedCertificateFile(name(tls.authorityFile).constData(), DCF_Filetype_PEM)
             .bad()) {
         return failure(ErrorCode::FileUnreadable, tls.authorityFile,
-            QStringLiteral("it holds no certificates (PEM)"));
+            Clause::saying("it holds no certificates (PEM)"));
     }
     if (!tls.certificateFile.isEmpty()) {
         if (layer->setPrivateKeyFile(name(tls.keyFile).constData(), DCF_Filetype_PEM).bad()) {
             return failure(
-                ErrorCode::FileUnreadable, tls.keyFile, QStringLiteral("it holds no key (PEM)"));
+                ErrorCode::FileUnreadable, tls.keyFile, Clause::saying("it holds no key (PEM)"));
         }
         if (layer->setCertificateFile(name(tls.certificateFile).constData(), DCF_Filetype_PEM).bad()
             || !layer->checkPrivateKeyMatchesCertificate()) {
             return failure(ErrorCode::FileUnreadable, tls.certificateFile,
-                QStringLiteral("it holds no certificate (PEM) of that key"));
+                Clause::saying("it holds no certificate (PEM) of that key"));
         }
     }
     if (layer->setTLSProfile(TSP_Profile_BCP195).bad() || layer->activateCipherSuites().bad())
-        return failure(ErrorCode::Internal, QStringLiteral("TLS cannot be set up"));
+        return failure(ErrorCode::Internal, Clause::saying("TLS cannot be set up"));
     layer->setCertificateVerification(DCV_requireCertificate);
     return layer;
 }

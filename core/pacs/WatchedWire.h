@@ -3,6 +3,7 @@
 
 #include "core/base/Progress.h"
 #include "core/base/Result.h"
+#include "core/base/words/Clause.h"
 #include "core/pacs/PacsNode.h"
 #include "core/pacs/Patience.h"
 
@@ -29,8 +30,8 @@ struct WireState {
     bool closed = false; ///< by the other side
     bool cancelled = false;
     QString trouble; ///< the system's message
-    QString nonsense; ///< what was invalid in the data received
-    QString handshake; ///< why TLS could not be established
+    Clause nonsense; ///< what was invalid in the data received
+    Clause handshake; ///< why TLS could not be established
 };
 
 /// Creates the transport layer below an association. It reacts to cancelling within a tenth of a

@@ -24,7 +24,7 @@ Error placed(Error error, const char* list, int entry)
     if (error.arguments.size() < 2)
         error.arguments.append(place);
     else
-        error.arguments[1] += QLatin1Char(' ') + place;
+        error.arguments.set(1, Clause::saying("%1 %2", error.arguments[1], place));
     return error;
 }
 
@@ -47,7 +47,7 @@ Result<QJsonArray> takeList(QJsonObject& object, const char* name, bool required
         return QJsonArray();
     if (!value.isArray())
         return failure(ErrorCode::InvalidField, QString(QLatin1String(name)),
-            value.isUndefined() ? QStringLiteral("missing") : QStringLiteral("must be a list"));
+            value.isUndefined() ? Clause::saying("missing") : Clause::saying("must be a list"));
     return value.toArray();
 }
 
@@ -103,11 +103,11 @@ Result<Recipe> readRecipe(const QString& path)
         recipe.study = SessionSource::fromJson(study.toObject());
         if (!recipe.study)
             return failure(ErrorCode::InvalidField, QStringLiteral("study"),
-                QStringLiteral("must be what \"burin history --as-recipe\" writes there"));
+                Clause::saying("must be what \"burin history --as-recipe\" writes there"));
     }
     if (!object->isEmpty())
         return failure(ErrorCode::InvalidField, object->constBegin().key(),
-            QStringLiteral("unknown field of a recipe"));
+            Clause::saying("unknown field of a recipe"));
 
     for (int i = 0; i < edits->size(); ++i) {
         QJsonValue json = (*edits)[i];
@@ -164,7 +164,7 @@ Result<void> checkRecipe(const Recipe& recipe, Document document, bool replaceEx
             if (identity && std::find(files.begin(), files.end(), *identity) != files.end())
                 return at({ErrorCode::InvalidField,
                               {QStringLiteral("export.file"),
-                                  QStringLiteral("%1 is written twice").arg(file)}},
+                                  Clause::saying("%1 is written twice", file)}},
                     "export", int(i));
             if (identity)
                 files.push_back(*identity);
@@ -173,7 +173,7 @@ Result<void> checkRecipe(const Recipe& recipe, Document document, bool replaceEx
             && !document.layer(target.layer))
             return at({ErrorCode::InvalidField,
                           {QStringLiteral("export.layer"),
-                              QStringLiteral("there is no sculpt layer %1").arg(target.layer)}},
+                              Clause::saying("there is no sculpt layer %1", target.layer)}},
                 "export", int(i));
         if (target.what != RecipeExport::What::Segments || !factsOf(target.format).isSeg
             || isUnknown)

@@ -200,9 +200,9 @@ void RecipeElsewhere::followRecorded()
     m_makers.push_back(states[std::size_t(history.position())].makers);
 }
 
-QString RecipeElsewhere::titleOf(std::size_t step) const
+Clause RecipeElsewhere::titleOf(std::size_t step) const
 {
-    return QStringLiteral("edit %1 (%2)").arg(step + 1).arg(stepName(m_recipe.steps[step]));
+    return Clause::saying("edit %1 (%2)", step + 1, stepName(m_recipe.steps[step]));
 }
 
 tl::expected<Edit, RecipeElsewhere::LeftOut> RecipeElsewhere::here(
@@ -221,14 +221,14 @@ tl::expected<Edit, RecipeElsewhere::LeftOut> RecipeElsewhere::here(
         const auto maker = makers.find({kind, number});
         const auto made = maker == makers.end() ? m_numbers.end() : m_numbers.find(maker->second);
         if (maker == makers.end())
-            leftOut.why = QStringLiteral("no edit before it makes a %1 %2").arg(word).arg(number);
+            leftOut.why = Clause::saying("no edit before it makes a %1 %2", word, number);
         else if (made != m_numbers.end() && isThere(kind, made->second, now))
             number = made->second;
         else if (maker->second == fromTheStart)
-            leftOut.why = QStringLiteral("there is no %1 %2 here").arg(word).arg(number);
+            leftOut.why = Clause::saying("there is no %1 %2 here", word, number);
         else
-            leftOut.why = QStringLiteral("the %1 that %2 makes is not here")
-                              .arg(word, titleOf(maker->second));
+            leftOut.why =
+                Clause::saying("the %1 that %2 makes is not here", word, titleOf(maker->second));
     });
     if (!leftOut.why.isEmpty())
         return tl::unexpected(leftOut);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/base/words/Clause.h"
 #include "core/edits/fields/EditFields.h"
 #include "core/recipe/Recipe.h"
 
@@ -31,7 +32,7 @@ public:
     struct LeftOut {
         int entry = 0; ///< its number in the recipe, from 1
         bool bound = false; ///< it is bound to places in the other study
-        QString why; ///< "the piece that edit 3 (cutPiece) makes is not here"; empty if bound
+        Clause why; ///< "the piece that edit 3 (cutPiece) makes is not here"; empty if bound
     };
     [[nodiscard]] tl::expected<Edit, LeftOut> here(std::size_t step, const Document& now) const;
     /// Records what the step made, if it made anything.
@@ -61,7 +62,7 @@ private:
     static int lastGiven(Kind kind, const Document& document);
     static bool isThere(Kind kind, int number, const Document& document);
     static std::optional<Kind> mayMake(const Edit& edit);
-    [[nodiscard]] QString titleOf(std::size_t step) const;
+    [[nodiscard]] Clause titleOf(std::size_t step) const;
     void followRecorded();
 
     Recipe m_recipe;

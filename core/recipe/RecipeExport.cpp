@@ -15,7 +15,7 @@ namespace core {
 
 namespace {
 
-tl::unexpected<Error> wrongField(const char* name, const QString& reason)
+tl::unexpected<Error> wrongField(const char* name, const Clause& reason)
 {
     return failure(
         ErrorCode::InvalidField, QStringLiteral("export.") + QLatin1String(name), reason);
@@ -26,7 +26,7 @@ Result<QString> takeText(QJsonObject& object, const char* name)
     const QJsonValue value = object.take(QLatin1String(name));
     if (!value.isString() || value.toString().isEmpty())
         return failure(ErrorCode::InvalidField, QStringLiteral("export.") + QLatin1String(name),
-            value.isUndefined() ? QStringLiteral("missing") : QStringLiteral("must be a text"));
+            value.isUndefined() ? Clause::saying("missing") : Clause::saying("must be a text"));
     return value.toString();
 }
 
@@ -35,7 +35,7 @@ Result<bool> takeFlag(QJsonObject& object, const char* name)
 {
     const QJsonValue value = object.take(QLatin1String(name));
     if (!value.isUndefined() && !value.isBool())
-        return wrongField(name, QStringLiteral("must be true or false"));
+        return wrongField(name, Clause::saying("must be true or false"));
     return value.toBool();
 }
 
@@ -46,9 +46,9 @@ Result<CodedConcept> takeCode(QJsonObject& object, const char* name)
     const QJsonValue value = object.take(QLatin1String(name));
     if (value.isUndefined())
         return code;
-    const QString problem = editFields::Code().read(value, code);
+    const Clause problem = editFields::Code().read(value, code);
     if (!problem.isEmpty())
-        return wrongField("codes", QStringLiteral("%1 %2").arg(QLatin1String(name), problem));
+        return wrongField("codes", Clause::saying("%1 %2", QLatin1String(name), problem));
     return code;
 }
 
@@ -58,7 +58,7 @@ Result<std::map<QString, SegCodes>> takeCodes(QJsonObject& object)
     std::map<QString, SegCodes> all;
     const QJsonValue value = object.take(QStringLiteral("codes"));
     if (!value.isUndefined() && !value.isObject())
-        return wrongField("codes", QStringLiteral("must be an object, an entry a segment's name"));
+        return wrongField("codes", Clause::saying("must be an object, an entry a segment's name"));
     const QJsonObject entries = value.toObject();
     for (auto entry = entries.constBegin(); entry != entries.constEnd(); ++entry) {
         QJsonObject fields = entry->toObject();
@@ -73,9 +73,9 @@ Result<std::map<QString, SegCodes>> takeCodes(QJsonObject& object)
         }
         if (!fields.isEmpty())
             return wrongField("codes",
-                QStringLiteral("'%1' of '%2' is not known; known are category, modifier, region "
-                               "and regionModifier")
-                    .arg(fields.constBegin().key(), entry.key()));
+                Clause::saying("'%1' of '%2' is not known; known are category, modifier, region "
+                               "and regionModifier",
+                    fields.constBegin().key(), entry.key()));
     }
     return all;
 }
@@ -88,7 +88,7 @@ Result<void> takeDeidentify(QJsonObject& object, RecipeExport& made)
     if (value.isUndefined() || value == QJsonValue(false))
         return {};
     if (!value.isBool() && !value.isObject())
-        return wrongField("deidentify", QStringLiteral("must be true or an object"));
+        return wrongField("deidentify", Clause::saying("must be true or an object"));
     QJsonObject fields = value.toObject();
     DeidentifyOptions options;
     const QJsonValue dates = fields.take(QStringLiteral("dates"));
@@ -97,12 +97,12 @@ Result<void> takeDeidentify(QJsonObject& object, RecipeExport& made)
         options.shiftDays = dates.toInt();
         if (double(options.shiftDays) != dates.toDouble() || options.shiftDays == 0)
             return wrongField(
-                "deidentify", QStringLiteral("dates are shifted by whole days, not by none"));
+                "deidentify", Clause::saying("dates are shifted by whole days, not by none"));
     } else if (dates == QLatin1String("keep")) {
         options.dates = DeidentifyOptions::Dates::Keep;
     } else if (!dates.isUndefined() && dates != QLatin1String("remove")) {
         return wrongField(
-            "deidentify", QStringLiteral("dates must be \"remove\", \"keep\" or a number of days"));
+            "deidentify", Clause::saying("dates must be \"remove\", \"keep\" or a number of days"));
     }
     const Result<bool> device = takeFlag(fields, "keepDevice");
     if (!device)
@@ -120,7 +120,7 @@ Result<void> takeDeidentify(QJsonObject& object, RecipeExport& made)
     }
     if (!fields.isEmpty())
         return wrongField(
-            "deidentify", QStringLiteral("'%1' is not known").arg(fields.constBegin().key()));
+            "deidentify", Clause::saying("'%1' is not known", fields.constBegin().key()));
     made.deidentify = options;
     return {};
 }
@@ -140,7 +140,7 @@ Result<SegSettings> takeSegSettings(QJsonObject& object)
         settings.algorithm = SegAlgorithm::Automatic;
     else if (algorithm != QLatin1String("semiautomatic"))
         return wrongField(
-            "algorithm", QStringLiteral("must be \"manual\", \"semiautomatic\" or \"automatic\""));
+            "algorithm", Clause::saying("must be \"manual\", \"semiautomatic\" or \"automatic\""));
     if (object.contains(QStringLiteral("algorithmName"))) {
         const Result<QString> name = takeText(object, "algorithmName");
         if (!name)
@@ -151,19 +151,19 @@ Result<SegSettings> takeSegSettings(QJsonObject& object)
 }
 
 /// What a name says about what can be written there.
-QString obstacleOf(const RecipeExport& target, const Volume& volume)
+Clause obstacleOf(const RecipeExport& target, const Volume& volume)
 {
-    const QString ending = QStringLiteral("the name of a NIfTI file ends in .nii or .nii.gz");
+    const Clause ending = Clause::saying("the name of a NIfTI file ends in .nii or .nii.gz");
     switch (target.what) {
     case RecipeExport::What::Coverage:
-        return isNiftiName(target.file) ? QString() : ending;
+        return isNiftiName(target.file) ? Clause() : ending;
     case RecipeExport::What::CarvedVolume:
-        return isNiftiName(target.file) ? QString() : carvedSeriesObstacle(volume);
+        return isNiftiName(target.file) ? Clause() : carvedSeriesObstacle(volume);
     case RecipeExport::What::Segments:
         break;
     }
     if (factsOf(target.format).namesSourceImages) {
-        if (const QString obstacle = dicomSegObstacle(volume); !obstacle.isEmpty())
+        if (const Clause obstacle = dicomSegObstacle(volume); !obstacle.isEmpty())
             return obstacle;
     }
     return exportNameObstacle(target.format, target.file);
@@ -175,7 +175,7 @@ Result<RecipeExport> exportFromJson(const QJsonValue& json)
 {
     if (!json.isObject())
         return failure(ErrorCode::InvalidField, QStringLiteral("export"),
-            QStringLiteral("an export must be an object"));
+            Clause::saying("an export must be an object"));
     QJsonObject object = json.toObject();
     const Result<QString> format = takeText(object, "format");
     if (!format)
@@ -190,8 +190,8 @@ Result<RecipeExport> exportFromJson(const QJsonValue& json)
         made.what = RecipeExport::What::CarvedVolume;
     else
         return failure(ErrorCode::InvalidField, QStringLiteral("export.format"),
-            QStringLiteral("'%1' is not known; known are %2, coverage and carved-volume")
-                .arg(*format, exportFormatNames().join(QStringLiteral(", "))));
+            Clause::saying("'%1' is not known; known are %2, coverage and carved-volume", *format,
+                exportFormatNames().join(QStringLiteral(", "))));
     const Result<QString> file = takeText(object, "file");
     if (!file)
         return tl::unexpected(file.error());
@@ -200,8 +200,8 @@ Result<RecipeExport> exportFromJson(const QJsonValue& json)
         const QJsonValue layer = object.take(QStringLiteral("layer"));
         if (layer.toDouble() != layer.toInt() || layer.toInt() < 1)
             return failure(ErrorCode::InvalidField, QStringLiteral("export.layer"),
-                layer.isUndefined() ? QStringLiteral("missing")
-                                    : QStringLiteral("must be the number of a sculpt layer"));
+                layer.isUndefined() ? Clause::saying("missing")
+                                    : Clause::saying("must be the number of a sculpt layer"));
         made.layer = layer.toInt();
     }
     if (made.what == RecipeExport::What::Segments && factsOf(made.format).isSeg) {
@@ -218,14 +218,14 @@ Result<RecipeExport> exportFromJson(const QJsonValue& json)
         const QString space = object.take(QStringLiteral("space")).toString(QStringLiteral("LPS"));
         if (space != QLatin1String("LPS") && space != QLatin1String("RAS"))
             return failure(ErrorCode::InvalidField, QStringLiteral("export.space"),
-                QStringLiteral("must be \"LPS\" or \"RAS\""));
+                Clause::saying("must be \"LPS\" or \"RAS\""));
         made.space = space == QLatin1String("RAS") ? MeshSpace::Ras : MeshSpace::Lps;
     }
     if (made.what == RecipeExport::What::CarvedVolume) {
         const QJsonValue fill = object.take(QStringLiteral("fill"));
         if (!fill.isUndefined() && !fill.isDouble())
             return failure(ErrorCode::InvalidField, QStringLiteral("export.fill"),
-                QStringLiteral("must be a number"));
+                Clause::saying("must be a number"));
         if (fill.isDouble())
             made.fill = fill.toDouble();
     }
@@ -235,7 +235,7 @@ Result<RecipeExport> exportFromJson(const QJsonValue& json)
     }
     if (!object.isEmpty())
         return failure(ErrorCode::InvalidField,
-            QStringLiteral("export.") + object.constBegin().key(), QStringLiteral("unknown field"));
+            QStringLiteral("export.") + object.constBegin().key(), Clause::saying("unknown field"));
     return made;
 }
 
@@ -251,7 +251,7 @@ Result<void> checkExportTarget(
     const RecipeExport& target, const Volume& volume, bool replaceExisting)
 {
     const QFileInfo info(target.file);
-    if (const QString obstacle = obstacleOf(target, volume); !obstacle.isEmpty())
+    if (const Clause obstacle = obstacleOf(target, volume); !obstacle.isEmpty())
         return failure(ErrorCode::UnsupportedFormat, target.file, obstacle);
     const bool series =
         target.what == RecipeExport::What::CarvedVolume && !isNiftiName(target.file);
@@ -264,8 +264,8 @@ Result<void> checkExportTarget(
     const QFileInfo folder(info.absolutePath());
     if (!folder.isDir() || !folder.isWritable())
         return failure(ErrorCode::FileUnwritable, target.file,
-            folder.isDir() ? QStringLiteral("the folder cannot be written")
-                           : QStringLiteral("there is no folder %1").arg(folder.filePath()));
+            folder.isDir() ? Clause::saying("the folder cannot be written")
+                           : Clause::saying("there is no folder %1", folder.filePath()));
     return {};
 }
 

@@ -23,16 +23,14 @@ Result<QJsonObject> readRecipeJson(const QString& path)
     const QJsonDocument document = QJsonDocument::fromJson(text, &problem);
     if (problem.error != QJsonParseError::NoError)
         return failure(ErrorCode::InvalidRecipe, path,
-            QStringLiteral("line %1: %2")
-                .arg(text.left(problem.offset).count('\n') + 1)
-                .arg(problem.errorString()));
+            Clause::saying(
+                "line %1: %2", text.left(problem.offset).count('\n') + 1, problem.errorString()));
     if (!document.isObject())
-        return failure(ErrorCode::InvalidRecipe, path, QStringLiteral("it must be an object"));
+        return failure(ErrorCode::InvalidRecipe, path, Clause::saying("it must be an object"));
     if (const std::optional<RepeatedKey> repeated = repeatedKey(text))
         return failure(ErrorCode::InvalidRecipe, path,
-            QStringLiteral("line %1: the key '%2' stands twice in one object")
-                .arg(repeated->line)
-                .arg(repeated->key));
+            Clause::saying(
+                "line %1: the key '%2' stands twice in one object", repeated->line, repeated->key));
     return document.object();
 }
 

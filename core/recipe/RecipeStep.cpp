@@ -45,14 +45,14 @@ Result<RecipeStep> readMove(const MoveWord& word, QJsonObject object)
         const double number = seq.toDouble(-1.0);
         if (number < 0.0 || number != std::floor(number) || number > 1e9)
             return failure(ErrorCode::InvalidField, QStringLiteral("goTo.seq"),
-                seq.isUndefined() ? QStringLiteral("missing")
-                                  : QStringLiteral("must be the number of a row, or 0"));
+                seq.isUndefined() ? Clause::saying("missing")
+                                  : Clause::saying("must be the number of a row, or 0"));
         move.row = RowId(number);
     }
     if (!object.isEmpty())
         return failure(ErrorCode::InvalidField,
             QLatin1String(word.name) + QLatin1Char('.') + object.constBegin().key(),
-            QStringLiteral("unknown field"));
+            Clause::saying("unknown field"));
     return RecipeStep(move);
 }
 

@@ -63,7 +63,7 @@ double stepsOf(const std::vector<double>& gaps, double depth, SeriesRepair::Latt
 }
 
 /// Why positions are none of a stack, or want too much; empty if they are sound.
-QString unsound(const VolumeGeometry& slices, const SeriesRepair& repair)
+Clause unsound(const VolumeGeometry& slices, const SeriesRepair& repair)
 {
     const std::vector<double> gaps = sliceGapsMm(slices);
     const bool ascending =
@@ -72,13 +72,13 @@ QString unsound(const VolumeGeometry& slices, const SeriesRepair& repair)
     const glm::dvec3 spacing = slices.spacingMm();
     const double sideways = glm::length(whole) / std::min(spacing.x, spacing.y);
     if (!ascending || !(sideways < 16.0 * mostVoxelsAlong))
-        return QStringLiteral("its slices do not follow each other");
+        return Clause::saying("its slices do not follow each other");
     const double steps = stepsOf(gaps, glm::dot(whole, normalOf(slices)), repair.lattice);
     if (repair.lattice != SeriesRepair::Lattice::AsIs && !(steps < mostVoxelsAlong))
-        return QStringLiteral("it would need %1 slices").arg(steps);
+        return Clause::saying("it would need %1 slices", steps);
     if (repair.tilt
         && !(sideways + double(std::max(slices.size.x, slices.size.y)) < mostVoxelsAlong))
-        return QStringLiteral("its slices lie too far apart sideways");
+        return Clause::saying("its slices lie too far apart sideways");
     return {};
 }
 
@@ -196,24 +196,24 @@ VolumeGeometry geometryOfPart(const VolumeGeometry& slices, const SliceRun& part
     return geometry;
 }
 
-QString repairObstacle(const VolumeGeometry& slices, const SeriesRepair& repair)
+Clause repairObstacle(const VolumeGeometry& slices, const SeriesRepair& repair)
 {
     VolumeGeometry part = slices;
     if (repair.part != 0) {
         const std::vector<SliceRun> parts = gapParts(slices);
         if (repair.part > int(parts.size()))
             return parts.size() == 1
-                ? QStringLiteral("it has no gap to be split at")
-                : QStringLiteral("its gaps divide it into %1 parts only").arg(parts.size());
+                ? Clause::saying("it has no gap to be split at")
+                : Clause::saying("its gaps divide it into %1 parts only", parts.size());
         part = geometryOfPart(slices, parts[std::size_t(repair.part - 1)]);
     }
     if (repair.movesVoxels() && part.size.z < 2)
-        return QStringLiteral("it is a single image");
+        return Clause::saying("it is a single image");
     // Slices that follow each other sideways are no stack that could be set upright.
     constexpr double mostShearDegrees = 60.0;
     if (repair.tilt && part.shearAngleDegrees() > mostShearDegrees)
-        return QStringLiteral("its slices lean by more than %1°").arg(mostShearDegrees);
-    return repair.movesVoxels() ? unsound(part, repair) : QString();
+        return Clause::saying("its slices lean by more than %1°", mostShearDegrees);
+    return repair.movesVoxels() ? unsound(part, repair) : Clause();
 }
 
 VolumeGeometry repairedGeometry(const VolumeGeometry& slices, const SeriesRepair& repair)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/Result.h"
+#include "core/base/words/Clause.h"
 #include "core/repair/SeriesRepair.h"
 #include "core/volume/VolumeGeometry.h"
 
@@ -58,7 +59,7 @@ struct SliceRun {
 [[nodiscard]] std::vector<double> sliceGapsMm(const VolumeGeometry& slices);
 
 /// Why these slices cannot be repaired in this way, as a clause; empty if they can.
-[[nodiscard]] QString repairObstacle(const VolumeGeometry& slices, const SeriesRepair& repair);
+[[nodiscard]] Clause repairObstacle(const VolumeGeometry& slices, const SeriesRepair& repair);
 
 /// The grid after a repair, except for its duplicates, which depend on the images.
 /// @param slices with an empty repairObstacle()

@@ -203,9 +203,9 @@ Result<LoadedVolume> repairVolume(
     Volume& volume = loaded.volume;
     if (repair.isNone())
         return loaded;
-    if (const QString why = repairObstacle(volume.geometry, repair); !why.isEmpty())
+    if (const Clause why = repairObstacle(volume.geometry, repair); !why.isEmpty())
         return failure(ErrorCode::InvalidField, QStringLiteral("repair"),
-            QStringLiteral("the series cannot be repaired by '%1': %2").arg(repair.toText(), why));
+            Clause::saying("the series cannot be repaired by '%1': %2", repair.toText(), why));
     volume.repair = repair.toText();
     volume.asIs = std::make_shared<const SeriesAsIs>(
         SeriesAsIs{.geometry = volume.geometry, .sources = volume.sources});

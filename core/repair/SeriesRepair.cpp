@@ -36,11 +36,9 @@ std::optional<std::array<double, 3>> spacingFrom(const QString& text)
 }
 
 /// @return what is wrong; empty if nothing is
-QString take(const QString& word, SeriesRepair& repair)
+Clause take(const QString& word, SeriesRepair& repair)
 {
-    const auto again = [&] {
-        return QStringLiteral("'%1' contradicts what is before it").arg(word);
-    };
+    const auto again = [&] { return Clause::saying("'%1' contradicts what is before it", word); };
     using Lattice = SeriesRepair::Lattice;
     using Duplicates = SeriesRepair::Duplicates;
     if (word == QLatin1String("tilt")) {
@@ -67,15 +65,15 @@ QString take(const QString& word, SeriesRepair& repair)
         bool isNumber = false;
         const int part = word.mid(splitWord.size()).toInt(&isNumber);
         if (!isNumber || part < 1 || part > highestPart)
-            return QStringLiteral("'%1' does not say which part").arg(word);
+            return Clause::saying("'%1' does not say which part", word);
         if (repair.part != 0 && repair.part != part)
             return again();
         repair.part = part;
     } else {
-        return QStringLiteral("'%1' is no repair; there are tilt, spacing=even, gap=fill, "
+        return Clause::saying("'%1' is no repair; there are tilt, spacing=even, gap=fill, "
                               "gap=split:NUMBER, duplicates=first, duplicates=last and "
-                              "spacing=COLUMNSxROWSxSLICES")
-            .arg(word);
+                              "spacing=COLUMNSxROWSxSLICES",
+            word);
     }
     return {};
 }
@@ -125,11 +123,11 @@ QString SeriesRepair::inWords() const
     return words.join(QStringLiteral(", "));
 }
 
-std::optional<SeriesRepair> SeriesRepair::fromText(const QString& text, QString* why)
+std::optional<SeriesRepair> SeriesRepair::fromText(const QString& text, Clause* why)
 {
     SeriesRepair repair;
     for (const QString& word : text.split(u',', Qt::SkipEmptyParts)) {
-        if (const QString wrong = take(word.trimmed(), repair); !wrong.isEmpty()) {
+        if (const Clause wrong = take(word.trimmed(), repair); !wrong.isEmpty()) {
             if (why != nullptr)
                 *why = wrong;
             return std::nullopt;
@@ -145,15 +143,15 @@ SeriesRepair SeriesRepair::withoutSpacing() const
     return rest;
 }
 
-std::optional<QString> spacingWord(const QString& sizes, QString* why)
+std::optional<QString> spacingWord(const QString& sizes, Clause* why)
 {
     const std::optional<std::array<double, 3>> spacing = spacingFrom(sizes);
     if (spacing)
         return SeriesRepair{.givenSpacingMm = spacing}.toText();
     if (why != nullptr)
-        *why = QStringLiteral("'%1' is no spacing; three lengths in mm are: columns, rows, slices, "
-                              "as in 0.5,0.5,2")
-                   .arg(sizes);
+        *why = Clause::saying("'%1' is no spacing; three lengths in mm are: columns, rows, slices, "
+                              "as in 0.5,0.5,2",
+            sizes);
     return std::nullopt;
 }
 

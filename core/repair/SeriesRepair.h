@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/base/words/Clause.h"
+
 #include <QString>
 
 #include <array>
@@ -45,13 +47,13 @@ struct SeriesRepair {
     [[nodiscard]] QString inWords() const;
     /// @param why receives what is wrong with the words
     [[nodiscard]] static std::optional<SeriesRepair> fromText(
-        const QString& text, QString* why = nullptr);
+        const QString& text, Clause* why = nullptr);
 };
 
 /// The word for a given spacing: "spacing=0.5x0.5x2".
 /// @param sizes three numbers separated by commas or x, as in `--spacing`
 /// @param why receives what is wrong with them
-[[nodiscard]] std::optional<QString> spacingWord(const QString& sizes, QString* why = nullptr);
+[[nodiscard]] std::optional<QString> spacingWord(const QString& sizes, Clause* why = nullptr);
 
 /// A note for the header of an object that was drawn on a repaired series, in ASCII; empty without
 /// repair.

@@ -79,10 +79,10 @@ Result<void> checkSound(const CutFrame& frame)
 {
     if (frame.pitch < 1 || frame.rampHalfWidth < 1 || frame.gapSamples < 1)
         return failure(ErrorCode::InvalidField, QStringLiteral("frame"),
-            QStringLiteral("pitch, rampHalfWidth and gapSamples are at least 1"));
+            Clause::saying("pitch, rampHalfWidth and gapSamples are at least 1"));
     if (!isSound(frame.hidden))
         return failure(
-            ErrorCode::InvalidField, QStringLiteral("hidden"), QStringLiteral("is not sound"));
+            ErrorCode::InvalidField, QStringLiteral("hidden"), Clause::saying("is not sound"));
     return {};
 }
 

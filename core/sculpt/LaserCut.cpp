@@ -150,7 +150,7 @@ Result<void> checkSound(const LaserCut& cut, const BrickGrid&)
         return checked;
     if (!isSound(cut))
         return failure(
-            ErrorCode::InvalidField, QStringLiteral("laser"), QStringLiteral("is not sound"));
+            ErrorCode::InvalidField, QStringLiteral("laser"), Clause::saying("is not sound"));
     return {};
 }
 

@@ -55,7 +55,7 @@ QString EditSession::whyReadOnly() const
 
 Result<void> EditSession::mayEdit() const
 {
-    const QString why = whyReadOnly();
+    const Clause why = whyReadOnly();
     if (why.isEmpty())
         return {};
     return failure(ErrorCode::SessionReadOnly, file(), why);
@@ -87,11 +87,11 @@ Result<void> EditSession::begin(const Edit& edit)
         const Edit rounded = quantised(edit);
         if (!canStandOpen(rounded))
             return failure(ErrorCode::InvalidField, editName(rounded),
-                QStringLiteral("it is carried out whole, there is nothing to begin"));
+                Clause::saying("it is carried out whole, there is nothing to begin"));
         m_queue->closeGrowth();
         if (m_queue->interactive())
             return failure(ErrorCode::InvalidField, editName(rounded),
-                QStringLiteral("another stroke has not ended yet"));
+                Clause::saying("another stroke has not ended yet"));
         if (const Result<void> checked = m_queue->check(rounded); !checked)
             return checked;
         if (taskOf(rounded) == EditTask::Surface)
@@ -215,7 +215,7 @@ Result<void> EditSession::undo()
         m_queue->closeGrowth();
         if (m_queue->idle() && !history().canUndo())
             return failure(ErrorCode::InvalidField, QStringLiteral("undo"),
-                QStringLiteral("the history is at its beginning"));
+                Clause::saying("the history is at its beginning"));
         m_queue->submit(std::make_unique<WalkOperation>(WalkOperation::Aim::Undo));
         return {};
     });
@@ -227,7 +227,7 @@ Result<void> EditSession::redo()
         m_queue->closeGrowth();
         if (m_queue->idle() && !history().canRedo())
             return failure(ErrorCode::InvalidField, QStringLiteral("redo"),
-                QStringLiteral("the history is at its end"));
+                Clause::saying("the history is at its end"));
         m_queue->submit(std::make_unique<WalkOperation>(WalkOperation::Aim::Redo));
         return {};
     });
@@ -238,7 +238,7 @@ Result<void> EditSession::goTo(RowId row)
     return guarded([&]() -> Result<void> {
         if (row < 0 || row > RowId(history().rows().size()))
             return failure(ErrorCode::InvalidField, QStringLiteral("goTo"),
-                QStringLiteral("the history has no row %1").arg(row));
+                Clause::saying("the history has no row %1", row));
         m_queue->closeGrowth();
         m_queue->submit(std::make_unique<WalkOperation>(WalkOperation::Aim::Row, row));
         return {};

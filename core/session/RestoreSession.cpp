@@ -28,7 +28,7 @@ Result<std::vector<BrickImage>> bricksAt(
         Result<std::vector<BrickImage>> differences = expandDelta(*delta, grid);
         if (!differences)
             return failure(ErrorCode::SessionDamaged, file.path(),
-                QStringLiteral("row %1: %2").arg(id).arg(differences.error().arguments.value(0)));
+                Clause::saying("row %1: %2", id, differences.error().arguments.value(0)));
         for (BrickImage& difference : *differences) {
             BrickImage& brick = bricks[difference.key];
             brick.key = difference.key;
@@ -57,14 +57,14 @@ Result<void> restoreSurface(SessionState& state, RowId base)
         Result<SurfaceStep> step = unpackedSurfaceStep(*delta, surface.geometry().voxelCount());
         if (!step)
             return failure(ErrorCode::SessionDamaged, state.file->path(),
-                QStringLiteral("row %1: %2").arg(row.id).arg(step.error().arguments.value(0)));
+                Clause::saying("row %1: %2", row.id, step.error().arguments.value(0)));
         surface.keep(row.id, std::make_shared<const SurfaceStep>(*std::move(step)));
     }
     for (const RowId id : state.history.pathTo(base))
         surface.moveOver(id, false);
     if (!surface.sha256.isEmpty() && sha256Of(surface.mesh) != surface.sha256)
         return failure(ErrorCode::SessionDamaged, state.file->path(),
-            QStringLiteral("row %1: the surface does not have its hash").arg(base));
+            Clause::saying("row %1: the surface does not have its hash", base));
     return {};
 }
 
@@ -112,7 +112,7 @@ Result<void> restoreSession(SessionState& state)
     if (base != 0
         && state.worker->stateHash(state.documentJson()) != state.history.row(base).stateHash)
         return failure(ErrorCode::SessionDamaged, file.path(),
-            QStringLiteral("row %1: its voxels do not have its hash").arg(base));
+            Clause::saying("row %1: its voxels do not have its hash", base));
     return {};
 }
 

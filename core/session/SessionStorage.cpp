@@ -43,7 +43,7 @@ void SessionStorage::saveAs(const QString& target, bool replaceExisting,
         file->saveAs(target, replaceExisting, std::move(done), std::move(images));
     else
         done(failure(ErrorCode::FileUnwritable, target,
-            QStringLiteral("this session is kept in memory only")));
+            Clause::saying("this session is kept in memory only")));
 }
 
 Result<void> SessionStorage::rename(const QString& target)
@@ -54,7 +54,7 @@ Result<void> SessionStorage::rename(const QString& target)
         SessionFile* file = fileOf(m_queue);
         return file
             ? file->rename(target)
-            : failure(ErrorCode::FileUnwritable, target, QStringLiteral("there is no file"));
+            : failure(ErrorCode::FileUnwritable, target, Clause::saying("there is no file"));
     });
 }
 
@@ -65,7 +65,7 @@ void SessionStorage::copyTo(
         file->copyTo(path, std::move(done));
     else
         done(failure(ErrorCode::FileUnwritable, path,
-            QStringLiteral("this session is kept in memory only")));
+            Clause::saying("this session is kept in memory only")));
 }
 
 void SessionStorage::audit(std::function<void(const Result<AuditReport>&)> take) const
@@ -74,7 +74,7 @@ void SessionStorage::audit(std::function<void(const Result<AuditReport>&)> take)
         file->audit(std::move(take));
     else
         take(failure(ErrorCode::InvalidField, QStringLiteral("session"),
-            QStringLiteral("it is kept in no file")));
+            Clause::saying("it is kept in no file")));
 }
 
 std::optional<Error> SessionStorage::trouble() const

@@ -118,9 +118,9 @@ Result<void> copySteps(SessionFile& from, const SessionContents& contents, Sessi
         if (namesPatient(text.name, by.words()) || namesPatient(text.edit, by.words())
             || namesPatient(copied.title, by.words()))
             return failure(ErrorCode::UnsupportedFormat, file,
-                QStringLiteral("step %1 holds a word of the patient's name or numbers, and no step "
-                               "can be rewritten")
-                    .arg(row.id));
+                Clause::saying("step %1 holds a word of the patient's name or numbers, and no step "
+                               "can be rewritten",
+                    row.id));
         to.addRow(copied);
         if (row.stateHash.isEmpty())
             continue;
@@ -161,7 +161,7 @@ Result<DeidentifiedSession> deidentifySession(
         return tl::unexpected(contents.error());
     if (!contents->isWhole())
         return failure(ErrorCode::UnsupportedFormat, file,
-            QStringLiteral("the session is damaged; what is sound of it has to be saved first"));
+            Clause::saying("the session is damaged; what is sound of it has to be saved first"));
     const Result<std::unique_ptr<SessionFile>> from =
         SessionFile::open(file, SessionFile::Access::SoundPart);
     if (!from)
@@ -202,10 +202,10 @@ Result<DeidentifiedSession> deidentifySession(
         same = again->rows[i].stateHash == contents->rows[i].stateHash;
     if (!same || !again->isWhole())
         return failure(
-            ErrorCode::ExportMismatch, target, QStringLiteral("its steps are not those"));
+            ErrorCode::ExportMismatch, target, Clause::saying("its steps are not those"));
     if (holdsAny(staged->path(), words))
         return failure(
-            ErrorCode::ExportMismatch, target, QStringLiteral("it still tells who the patient is"));
+            ErrorCode::ExportMismatch, target, Clause::saying("it still tells who the patient is"));
     if (const Result<void> done = staged->commit(); !done)
         return tl::unexpected(done.error());
     return DeidentifiedSession{

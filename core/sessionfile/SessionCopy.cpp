@@ -54,8 +54,9 @@ Result<std::shared_ptr<StagedFile>> stageSessionCopy(const QString& target, bool
     const QString path = staged->path();
     if (const Result<void> whole = copySessionInto(path, parts, images); !whole) {
         removeSession(path);
-        return tl::unexpected(
-            Error{whole.error().code, QStringList{target} + whole.error().arguments.mid(1)});
+        Error error = whole.error();
+        error.arguments.set(0, target);
+        return tl::unexpected(std::move(error));
     }
     return staged;
 }

@@ -16,8 +16,8 @@ Result<void> makeEmptySession(const QString& path)
         return tl::unexpected(free.error());
     if (const QString stray = strayPartOf(path); !stray.isEmpty())
         return failure(ErrorCode::FileUnwritable, path,
-            QStringLiteral("'%1' lies beside it, which belongs to another session; move it away")
-                .arg(stray));
+            Clause::saying(
+                "'%1' lies beside it, which belongs to another session; move it away", stray));
     QFile empty(path);
     if (!empty.open(QIODevice::WriteOnly | QIODevice::NewOnly,
             QFileDevice::ReadOwner | QFileDevice::WriteOwner))
@@ -31,13 +31,13 @@ Result<void> checkSessionToOpen(const QString& path, SessionAccess access)
         return isFile;
     const QFileInfo info(path);
     if (!info.isReadable())
-        return failure(ErrorCode::FileUnreadable, path, QStringLiteral("permission denied"));
+        return failure(ErrorCode::FileUnreadable, path, Clause::saying("permission denied"));
     if (info.size() == 0)
-        return failure(ErrorCode::FileTruncated, path, QStringLiteral("it is empty"));
+        return failure(ErrorCode::FileTruncated, path, Clause::saying("it is empty"));
     if (access == SessionAccess::ReadWrite
         && !(info.isWritable() && QFileInfo(info.absolutePath()).isWritable()))
         return failure(ErrorCode::FileUnwritable, path,
-            QStringLiteral("a session is written while it is open; copy it to a folder of yours"));
+            Clause::saying("a session is written while it is open; copy it to a folder of yours"));
     return {};
 }
 
@@ -45,11 +45,11 @@ Result<void> checkOtherSessionAt(const QString& target)
 {
     if (QFileInfo::exists(target) && isSessionInUse(target))
         return failure(
-            ErrorCode::FileUnwritable, target, QStringLiteral("it is open in another window"));
+            ErrorCode::FileUnwritable, target, Clause::saying("it is open in another window"));
     // What its program could not write any more would be taken for the new file's.
     if (isSessionUnfinished(target))
         return failure(ErrorCode::FileUnwritable, target,
-            QStringLiteral("it was not closed properly; open it once, or take another name"));
+            Clause::saying("it was not closed properly; open it once, or take another name"));
     return {};
 }
 

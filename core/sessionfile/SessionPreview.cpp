@@ -54,10 +54,10 @@ Result<SessionPreview> previewSession(const QString& path)
             });
     if (!read || !source)
         return failure(ErrorCode::SessionDamaged, path,
-            !read ? (*database)->reason()
+            !read ? Clause((*database)->reason())
                 : !(*database)->loss().leftOpen.isEmpty()
                 ? (*database)->loss().leftOpen
-                : QStringLiteral("it does not say what it was made on"));
+                : Clause::saying("it does not say what it was made on"));
     preview.source = *std::move(source);
     // A picture that cannot be read is one that is not there.
     (*database)->query(QStringLiteral("SELECT png FROM keyframe ORDER BY at DESC LIMIT 1"), {},

@@ -14,11 +14,13 @@ namespace core {
 
 namespace {
 
-QString reasonOf(const Error& error)
+Clause reasonOf(const Error& error)
 {
     // The row is named by the damage itself.
-    const QString reason = error.arguments.value(1);
-    return reason.startsWith(QLatin1String("row ")) ? reason.section(QLatin1String(": "), 1)
+    const Clause reason = error.arguments.value(1);
+    if (qstrcmp(reason.form(), "row %1: %2") == 0)
+        return reason.arguments()[1];
+    return reason.startsWith(QLatin1String("row ")) ? Clause(reason.section(QLatin1String(": "), 1))
                                                     : reason;
 }
 

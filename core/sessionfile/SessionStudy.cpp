@@ -101,29 +101,26 @@ constexpr int mostFilesOfASessionsPlace = 100'000;
 Result<LoadedVolume> loadFrom(const QString& place, const QString& sessionFile,
     const QString& series, const SessionSource& source, Asked asked, const Progress& progress)
 {
-    const auto mismatch = [&](const QString& difference) {
+    const auto mismatch = [&](const Clause& difference) {
         return failure(ErrorCode::SessionMismatch, sessionFile,
-            QStringLiteral("of what is in %1, %2").arg(place, difference));
+            Clause::saying("of what is in %1, %2", place, difference));
     };
     const int mostFiles =
         asked == Asked::ByUser ? Study::mostFilesScanned : mostFilesOfASessionsPlace;
     const Result<Study> study = Study::scan(place, progress, mostFiles);
     if (!study && study.error().code == ErrorCode::TooManyFiles)
-        return mismatch(QStringLiteral("more than %1 files are not looked through unless somebody "
-                                       "asks for it; name the study's own folder")
-                            .arg(mostFiles));
+        return mismatch(Clause::saying("more than %1 files are not looked through unless somebody "
+                                       "asks for it; name the study's own folder",
+            mostFiles));
     if (!study)
         return tl::unexpected(study.error());
     const QStringList keys = keysOf(study->listing(), source, series);
     if (keys.isEmpty())
-        return mismatch(
-            QStringLiteral("no volume has its series and size (%1; %2 × %3 × %4 voxels)")
-                .arg(
-                    source.seriesUid.isEmpty() ? QStringLiteral("no series UID") : source.seriesUid)
-                .arg(source.size.x)
-                .arg(source.size.y)
-                .arg(source.size.z));
-    QString difference;
+        return mismatch(Clause::saying(
+            "no volume has its series and size (%1; %2 × %3 × %4 voxels)",
+            source.seriesUid.isEmpty() ? Clause::saying("no series UID") : Clause(source.seriesUid),
+            source.size.x, source.size.y, source.size.z));
+    Clause difference;
     for (const QString& key : keys) {
         Result<LoadedVolume> loaded = study->load(key, progress);
         if (!loaded)
@@ -147,13 +144,13 @@ Result<LoadedVolume> imagesInstead(const QString& sessionFile, Error why, const 
         return images;
     if (images.error().code == ErrorCode::NoImages)
         return tl::unexpected(why);
-    const QString reason = images.error().arguments.value(1);
+    const Clause reason = images.error().arguments.value(1);
     if (why.code == ErrorCode::StudyMissing)
         why.arguments.append(reason);
     else
         why.arguments = {why.arguments.value(0),
-            QStringLiteral("%1; nor can its own images be used: %2")
-                .arg(why.arguments.value(1), reason)};
+            Clause::saying(
+                "%1; nor can its own images be used: %2", why.arguments.value(1), reason)};
     return tl::unexpected(why);
 }
 

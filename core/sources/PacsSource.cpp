@@ -84,11 +84,11 @@ Result<void> PacsSource::check() const
 {
     if (WebNode::isAddress(name) || (name.contains(u'@') && name.contains(u':'))) {
         return failure(ErrorCode::InvalidField, QStringLiteral("name"),
-            QStringLiteral("'%1' could be an address").arg(name));
+            Clause::saying("'%1' could be an address", name));
     }
     if (movePort && (*movePort < 1 || *movePort > 65535)) {
         return failure(
-            ErrorCode::InvalidField, QStringLiteral("port"), QStringLiteral("it is 1 to 65535"));
+            ErrorCode::InvalidField, QStringLiteral("port"), Clause::saying("it is 1 to 65535"));
     }
     return std::visit([](const auto& one) { return one.check(); }, node);
 }

@@ -67,7 +67,7 @@ Result<QStringList> filesBelow(const QString& path, int mostFiles)
     if (!info.isDir())
         return QStringList{info.absoluteFilePath()};
     if (!info.isReadable())
-        return failure(ErrorCode::FileUnreadable, path, QStringLiteral("permission denied"));
+        return failure(ErrorCode::FileUnreadable, path, Clause::saying("permission denied"));
     const QString root = info.absoluteFilePath();
     QStringList files;
     bool sessions = false;
@@ -88,7 +88,7 @@ Result<QStringList> filesBelow(const QString& path, int mostFiles)
         }
     }
     if (files.isEmpty() && sessions)
-        return failure(ErrorCode::NoImages, path, QStringLiteral("only sessions are in it"));
+        return failure(ErrorCode::NoImages, path, Clause::saying("only sessions are in it"));
     if (files.isEmpty())
         return failure(ErrorCode::FolderEmpty, path);
     files.sort();
@@ -134,10 +134,11 @@ Error nothingFound(const StudyListing& listing)
 /// A file of an unpacked archive as lying in the archive.
 void nameWithin(const QString& archive, const QString& unpacked, UnreadableFile& file)
 {
-    for (QString* name : {&file.file, &file.error.arguments.front()}) {
-        if (name->startsWith(unpacked))
-            *name = archive + name->mid(unpacked.size());
-    }
+    const auto within = [&](const QString& name) {
+        return name.startsWith(unpacked) ? archive + name.mid(unpacked.size()) : name;
+    };
+    file.file = within(file.file);
+    file.error.arguments.set(0, within(file.error.arguments.value(0)));
 }
 
 Result<const SeriesEntry*> choose(const StudyListing& listing, const QString& series)
@@ -159,24 +160,24 @@ Result<const SeriesEntry*> choose(const StudyListing& listing, const QString& se
 Result<LoadedVolume> loadRepaired(
     const ListedStack& listed, const SeriesChoice& wanted, const Progress& progress)
 {
-    QString why;
+    Clause why;
     const std::optional<SeriesRepair> repair = SeriesRepair::fromText(wanted.repair, &why);
-    const auto invalid = [](const QString& reason) {
+    const auto invalid = [](const Clause& reason) {
         return failure(ErrorCode::InvalidField, QStringLiteral("repair"), reason);
     };
     if (!repair)
         return invalid(why);
     if (repair->givenSpacingMm)
-        return invalid(QStringLiteral("the series itself says how far apart its voxels are"));
+        return invalid(Clause::saying("the series itself says how far apart its voxels are"));
     using Duplicates = SeriesRepair::Duplicates;
     if (repair->duplicates == Duplicates::Keep) {
         Result<LoadedVolume> loaded = loadStack(listed, wanted.time, progress);
         return loaded ? repairVolume(*std::move(loaded), *repair, progress) : loaded;
     }
     if (!listed.stack.doubled)
-        return invalid(QStringLiteral("the series has no places at which one of several images "
-                                      "could be chosen (%1)")
-                           .arg(wanted.repair));
+        return invalid(Clause::saying("the series has no places at which one of several images "
+                                      "could be chosen (%1)",
+            wanted.repair));
     const ListedStack chosen{.entry = listed.entry,
         .seriesKey = listed.seriesKey,
         .studyKey = listed.studyKey,
@@ -189,16 +190,16 @@ Result<LoadedVolume> loadRepaired(
 Result<LoadedVolume> loadPictures(
     const SeriesEntry& entry, const SeriesChoice& wanted, const Progress& progress)
 {
-    QString why;
+    Clause why;
     const std::optional<SeriesRepair> repair = SeriesRepair::fromText(wanted.repair, &why);
     if (repair && !repair->withoutSpacing().isNone())
-        why = QStringLiteral("only DICOM series can be repaired; of pictures the spacing can be "
+        why = Clause::saying("only DICOM series can be repaired; of pictures the spacing can be "
                              "given");
     if (!why.isEmpty())
         return failure(ErrorCode::InvalidField, QStringLiteral("repair"), why);
     if (entry.needsSpacing() && repair->isNone())
         return failure(ErrorCode::InvalidGeometry, stackPath(entry),
-            QStringLiteral("pictures do not say how far apart their voxels are; --spacing gives "
+            Clause::saying("pictures do not say how far apart their voxels are; --spacing gives "
                            "it in mm: COLUMNS,ROWS,SLICES"));
     SeriesEntry placed = entry;
     placed.geometry = repairedGeometry(entry.geometry, *repair);
@@ -335,7 +336,7 @@ Result<Study> Study::scan(const QString& path, const Progress& progress, int mos
     }
     Result<QStringList> files = filesBelow(root, mostFiles);
     if (!files && isUnpacked)
-        files.error().arguments[0] = path;
+        files.error().arguments.set(0, path);
     if (!files)
         return tl::unexpected<Error>(files.error());
     auto contents = std::make_unique<Contents>();
@@ -412,7 +413,7 @@ Result<LoadedVolume> Study::load(
     }
     if (!wanted.repair.isEmpty())
         return failure(ErrorCode::InvalidField, QStringLiteral("repair"),
-            QStringLiteral("only DICOM series can be repaired"));
+            Clause::saying("only DICOM series can be repaired"));
     for (const SingleFile& single : m_contents->singles) {
         if (single.entry.key == (*entry)->key)
             // Without slices that name it, only this tells an export's check which file it was.

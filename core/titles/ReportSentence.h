@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/base/Said.h"
+#include "core/base/words/Said.h"
 #include "core/volume/ProblemSentence.h"
 
 #include <QList>

@@ -20,22 +20,20 @@ double allowedBytes()
     return share * machinesBytes();
 }
 
-Result<void> checkBytes(double bytes, const QString& what)
+Result<void> checkBytes(double bytes, const Clause& what)
 {
     if (bytes <= allowedBytes())
         return {};
     const double total = machinesBytes();
     constexpr double gigabyte = 1e9;
     return failure(ErrorCode::OutOfMemory,
-        QStringLiteral("%1 needs %2 GB, this machine has %3 GB")
-            .arg(what)
-            .arg(bytes / gigabyte, 0, 'f', 1)
-            .arg(total / gigabyte, 0, 'f', 1));
+        Clause::saying("%1 needs %2 GB, this machine has %3 GB", what,
+            QString::number(bytes / gigabyte, 'f', 1), QString::number(total / gigabyte, 'f', 1)));
 }
 
 Result<void> checkMemory(std::size_t voxels)
 {
-    return checkBytes(2.0 * double(voxels), QStringLiteral("the volume"));
+    return checkBytes(2.0 * double(voxels), Clause::saying("the volume"));
 }
 
 } // namespace core

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/Result.h"
+#include "core/base/words/Clause.h"
 
 #include <QString>
 
@@ -14,7 +15,7 @@ namespace core {
 [[nodiscard]] Result<void> checkMemory(std::size_t voxels);
 /// The same for what takes so many bytes.
 /// @param what takes them, as a clause begins with it: "the volume"
-[[nodiscard]] Result<void> checkBytes(double bytes, const QString& what);
+[[nodiscard]] Result<void> checkBytes(double bytes, const Clause& what);
 /// The most that it allows.
 [[nodiscard]] double allowedBytes();
 

@@ -18,15 +18,14 @@ Result<void> setGridSize(GridFile& grid, std::span<const qint64> sides)
     }
     if (!sound) {
         return failure(ErrorCode::InvalidGeometry, grid.voxels.header,
-            words.join(QStringLiteral(" × ")) + QStringLiteral(" voxels"));
+            Clause::saying("%1 voxels", words.join(QStringLiteral(" × "))));
     }
     grid.geometry.size = {int(sides[0]), int(sides[1]), int(sides[2])};
     grid.voxels.voxels = grid.geometry.voxelCount();
     return {};
 }
 
-Result<void> checkGridAxes(
-    const VolumeGeometry& geometry, const QString& path, const QString& where)
+Result<void> checkGridAxes(const VolumeGeometry& geometry, const QString& path, const Clause& where)
 {
     const double volume = geometry.voxelVolumeMm3();
     bool finite = std::isfinite(volume) && volume > 0.0;
@@ -35,7 +34,7 @@ Result<void> checkGridAxes(
     if (finite)
         return {};
     return failure(ErrorCode::InvalidGeometry, path,
-        QStringLiteral("its axes do not span a volume (%1)").arg(where));
+        Clause::saying("its axes do not span a volume (%1)", where));
 }
 
 Result<SeriesEntry> entryOf(const GridFile& grid)

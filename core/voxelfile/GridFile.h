@@ -3,6 +3,7 @@
 
 #include "core/base/Progress.h"
 #include "core/base/Result.h"
+#include "core/base/words/Clause.h"
 #include "core/volume/StudyListing.h"
 #include "core/voxelfile/VoxelSource.h"
 
@@ -27,7 +28,7 @@ constexpr qint64 longestTextHeader = qint64(1) << 22;
 /// Checks that the axes span a volume of finite size at a finite position. Errors: InvalidGeometry.
 /// @param path, where the file, and the header's name for its axes; for the message
 [[nodiscard]] Result<void> checkGridAxes(
-    const VolumeGeometry& geometry, const QString& path, const QString& where);
+    const VolumeGeometry& geometry, const QString& path, const Clause& where);
 
 /// The entry of a file in a listing: its files are the header, then separate files with voxels; the
 /// listing sets the key. Checks that the voxels exist; errors: those of checkVoxelFiles().

@@ -54,7 +54,7 @@ std::size_t InflateFile::read(std::span<char> into)
     while (done < into.size() && !m_ended && m_reason.isEmpty()) {
         if (!refill()) {
             m_ended = true;
-            m_reason = QStringLiteral("the packed data break off");
+            m_reason = Clause::saying("the packed data break off");
             break;
         }
         const auto part = unsigned(
@@ -69,7 +69,7 @@ std::size_t InflateFile::read(std::span<char> into)
             // Another member may follow; anything else behind the end is no data of ours.
             m_ended = !refill() || *z.next_in != gzipMagic || inflateReset(&z) != Z_OK;
         } else if (answer != Z_OK && answer != Z_BUF_ERROR) {
-            m_reason = QStringLiteral("the packed data are damaged");
+            m_reason = Clause::saying("the packed data are damaged");
         }
     }
     return done;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/base/words/Clause.h"
+
 #include <QFile>
 
 #include <cstddef>
@@ -28,7 +30,7 @@ public:
     [[nodiscard]] std::size_t read(std::span<char> into);
     /// Why no more can be read. Empty after a proper end, and if the file ends in the middle of the
     /// requested bytes.
-    [[nodiscard]] const QString& reason() const { return m_reason; }
+    [[nodiscard]] const Clause& reason() const { return m_reason; }
 
 private:
     struct Stream;
@@ -37,7 +39,7 @@ private:
 
     QFile& m_file;
     std::unique_ptr<Stream> m_stream;
-    QString m_reason;
+    Clause m_reason;
     bool m_ended = false;
 };
 

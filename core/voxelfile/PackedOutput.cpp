@@ -50,7 +50,7 @@ void PackedOutput::write(const void* bytes, std::size_t size)
     }
 }
 
-QString PackedOutput::close()
+Clause PackedOutput::close()
 {
     if (m_stream != nullptr) {
         errno = 0;
@@ -63,8 +63,8 @@ QString PackedOutput::close()
 
 void PackedOutput::keepReason()
 {
-    m_reason = errno != 0 ? QString::fromLocal8Bit(std::strerror(errno))
-                          : QStringLiteral("compression failed");
+    m_reason = errno != 0 ? Clause(QString::fromLocal8Bit(std::strerror(errno)))
+                          : Clause::saying("compression failed");
 }
 
 } // namespace core

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/base/words/Clause.h"
+
 #include <QString>
 
 #include <cstddef>
@@ -26,13 +28,13 @@ public:
     /// Does nothing after an error.
     void write(const void* bytes, std::size_t size);
     /// @returns why the file is incomplete; empty if it is complete
-    QString close();
+    Clause close();
 
 private:
     void keepReason();
 
     gzFile_s* m_stream = nullptr;
-    QString m_reason;
+    Clause m_reason;
 };
 
 } // namespace core

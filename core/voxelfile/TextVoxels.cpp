@@ -104,7 +104,7 @@ int digit(int character)
 
 } // namespace
 
-tl::expected<bool, QString> readTextVoxels(
+tl::expected<bool, Clause> readTextVoxels(
     QFile& file, ScalarType type, std::span<char> into, const Progress& progress)
 {
     // int8_t and uint8_t are characters to C++, but numbers to from_chars.
@@ -122,22 +122,21 @@ tl::expected<bool, QString> readTextVoxels(
         std::size_t length = 0;
         for (; character >= 0 && !isBetween(character); character = characters.next()) {
             if (length == word.size())
-                return tl::unexpected(QStringLiteral("its text holds words that are no numbers"));
+                return tl::unexpected(Clause::saying("its text holds words that are no numbers"));
             word[length++] = char(character);
         }
         if (length == 0)
             return tl::unexpected(QString());
         if (!keep({word.data(), length}, into.data() + at)) {
-            return tl::unexpected(QStringLiteral("its text holds '%1', which its type cannot")
-                                      .arg(QString::fromLatin1(word.data(), qsizetype(length))));
+            return tl::unexpected(Clause::saying("its text holds '%1', which its type cannot",
+                QString::fromLatin1(word.data(), qsizetype(length))));
         }
     }
     toNextWord();
     return character >= 0;
 }
 
-tl::expected<bool, QString> readHexBytes(
-    QFile& file, std::span<char> into, const Progress& progress)
+tl::expected<bool, Clause> readHexBytes(QFile& file, std::span<char> into, const Progress& progress)
 {
     Characters characters(file, progress);
     const auto nextDigit = [&] {
@@ -152,7 +151,7 @@ tl::expected<bool, QString> readHexBytes(
         if (low < 0)
             return tl::unexpected(QString());
         if (digit(high) < 0 || digit(low) < 0)
-            return tl::unexpected(QStringLiteral("it holds more than hexadecimal digits"));
+            return tl::unexpected(Clause::saying("it holds more than hexadecimal digits"));
         byte = char(digit(high) * 16 + digit(low));
     }
     return nextDigit() >= 0;

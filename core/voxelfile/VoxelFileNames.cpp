@@ -127,7 +127,7 @@ Result<QStringList> namedVoxelFiles(
            });
     if (!sound)
         return failure(ErrorCode::FileUnreadable, header,
-            QStringLiteral("its header names no files that hold the voxels"));
+            Clause::saying("its header names no files that hold the voxels"));
     const QDir folder = QFileInfo(header).absoluteDir();
     QStringList files;
     for (const QByteArray& name : names)

@@ -25,16 +25,16 @@ constexpr qint64 mostPackedSkip = qint64(1) << 26;
 tl::unexpected<Error> truncated(const VoxelSource& source, const QString& file)
 {
     return file == source.header ? failure(
-               ErrorCode::FileTruncated, source.header, QStringLiteral("its voxels are incomplete"))
+               ErrorCode::FileTruncated, source.header, Clause::saying("its voxels are incomplete"))
                                  : failure(ErrorCode::FileTruncated, source.header,
-                                     QStringLiteral("its voxels in %1 are incomplete").arg(file));
+                                     Clause::saying("its voxels in %1 are incomplete", file));
 }
 
 tl::unexpected<Error> unreadable(
-    const VoxelSource& source, const QString& file, const QString& reason)
+    const VoxelSource& source, const QString& file, const Clause& reason)
 {
     return failure(ErrorCode::FileUnreadable, source.header,
-        file == source.header ? reason : QStringLiteral("its voxels in %1: %2").arg(file, reason));
+        file == source.header ? reason : Clause::saying("its voxels in %1: %2", file, reason));
 }
 
 /// The least that a file must hold after its header so that the voxels can be in it.
@@ -72,7 +72,7 @@ bool skipLines(QFile& file, qint64 lines, const Progress& progress)
 }
 
 /// Fills @p into from an open file at its place. An empty reason: the file ends too soon.
-using Filled = tl::expected<bool, QString>;
+using Filled = tl::expected<bool, Clause>;
 
 Filled fillRaw(
     QFile& file, const VoxelSource& source, std::span<char> into, const Progress& progress)
@@ -142,11 +142,11 @@ Result<void> checkVoxelFiles(const VoxelSource& source)
     for (const QString& name : source.files) {
         const QFileInfo info(name);
         if (!info.exists())
-            return unreadable(source, name, QStringLiteral("no such file"));
+            return unreadable(source, name, Clause::saying("no such file"));
         if (!info.isFile())
-            return unreadable(source, name, QStringLiteral("not a file"));
+            return unreadable(source, name, Clause::saying("not a file"));
         if (packed && source.byteSkip > mostPackedSkip)
-            return unreadable(source, name, QStringLiteral("it begins behind too many bytes"));
+            return unreadable(source, name, Clause::saying("it begins behind too many bytes"));
         if (double(info.size() - source.start) < leastBytes(source, share))
             return truncated(source, name);
     }

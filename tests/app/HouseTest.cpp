@@ -137,17 +137,67 @@ bool mayHoldSentences(const QString& file)
     return inFolder(file, folders) || files.contains(file);
 }
 
-/// Literals that begin as a sentence does and end with a full stop. Clauses, such as the reasons of
-/// errors, cannot be told from names and words of formats.
-QStringList sentencesIn(const QString& code)
+/// Where core words clauses that are no core::Clause. None is to be added.
+bool mayHoldClauses(const QString& file)
+{
+    // What an edit's fields are, wherever that is read.
+    static const QStringList folders{
+        QStringLiteral("core/edits/fields"), QStringLiteral("core/edits/schema")};
+    // First decoders, whose words go through the pipe of their process.
+    static const QStringList files{QStringLiteral("core/dicom/codecs/FrameCodec.cpp"),
+        QStringLiteral("core/dicom/codecs/Jpeg2000.cpp"),
+        QStringLiteral("core/dicom/codecs/JpegCheck.cpp"),
+        QStringLiteral("core/fence/DecodeWorker.cpp"), QStringLiteral("core/images/ImageCodec.cpp"),
+        QStringLiteral("core/images/PngDecoder.cpp"), QStringLiteral("core/images/TiffDecoder.cpp"),
+        // What a thing of a series is, which ui does not word yet.
+        QStringLiteral("core/dicom/items/SopClass.cpp"),
+        QStringLiteral("core/dicom/stack/ApartImage.cpp"),
+        QStringLiteral("core/dicom/stack/SliceStack.cpp"),
+        QStringLiteral("core/study/StudyLoader.cpp"),
+        QStringLiteral("core/volume/StudyListing.cpp"),
+        // What a repair does, which is written into files.
+        QStringLiteral("core/repair/SeriesRepair.cpp"),
+        QStringLiteral("core/sessionfile/records/SessionSource.cpp"),
+        QStringLiteral("core/recipe/RecipeStep.cpp"), // as the fields of edits
+        QStringLiteral("core/sessionfile/records/SessionDatabase.cpp")}; // a message of SQLite
+    return inFolder(file, folders) || files.contains(file);
+}
+
+const QRegularExpression& literals()
 {
     static const QRegularExpression literal(
         QStringLiteral("\"(?:[^\"\\\\\n]|\\\\.)*\"(?:\\s*\"(?:[^\"\\\\\n]|\\\\.)*\")*"));
+    return literal;
+}
+
+/// Texts that begin with a small letter and hold two blanks, and are neither a Clause nor SQL.
+QStringList clausesIn(const QString& code)
+{
+    static const QRegularExpression begin(QStringLiteral("\\bQStringLiteral\\(\\s*(?=\")"));
+    static const QRegularExpression clause(QStringLiteral("^\"[a-z][^\"]* [^\"]* "));
+    static const QRegularExpression seam(QStringLiteral("\"\\s*\""));
+    QStringList clauses;
+    for (auto match = begin.globalMatch(code); match.hasNext();) {
+        const QString text =
+            literals()
+                .match(code, match.next().capturedEnd(), QRegularExpression::NormalMatch,
+                    QRegularExpression::AnchorAtOffsetMatchOption)
+                .captured()
+                .remove(seam);
+        if (clause.match(text).hasMatch())
+            clauses += text;
+    }
+    return clauses;
+}
+
+/// Literals that begin as a sentence does and end with a full stop.
+QStringList sentencesIn(const QString& code)
+{
     static const QRegularExpression seam(QStringLiteral("\"\\s*\""));
     static const QRegularExpression sentence(
         QStringLiteral("^\"(?:[A-Z]|%\\d|').*[a-z]{2}.* .*\\.\\s*\"$"));
     QStringList sentences;
-    for (auto match = literal.globalMatch(code); match.hasNext();) {
+    for (auto match = literals().globalMatch(code); match.hasNext();) {
         const QString text = match.next().captured().remove(seam);
         if (sentence.match(text).hasMatch())
             sentences += text;
@@ -210,6 +260,11 @@ QStringList brokenRules(const QString& file, const QString& text)
         for (const QString& sentence : mayHoldSentences(file) ? QStringList() : sentencesIn(code))
             broken << QStringLiteral("%1 says %2: a code with arguments is worded in ui/texts")
                           .arg(file, sentence);
+        if (inFolder(file, {QStringLiteral("core")}) && !mayHoldClauses(file)) {
+            for (const QString& clause : clausesIn(code))
+                broken
+                    << QStringLiteral("%1 says %2: a reason is a core::Clause").arg(file, clause);
+        }
     }
     return broken;
 }
@@ -382,6 +437,13 @@ void HouseTest::ruleBites_data()
         false);
     row("core/a/A.cpp", "// \"The mask is empty.\"\nreason = \"no pixel belongs to a segment\";",
         true);
+    row("core/a/A.cpp", "reason = QStringLiteral(\"no pixel belongs to a segment\");", false);
+    row("core/a/A.cpp", "reason = QStringLiteral(\n    \"piece %1 \"\n    \"is no piece\").arg(1);",
+        false);
+    row("core/a/A.cpp", "reason = Clause::saying(\"no pixel belongs to a segment\");", true);
+    row("core/a/A.cpp", "name = QStringLiteral(\"left lung\");", true);
+    row("core/edits/fields/A.cpp", "type = QStringLiteral(\"whole number or text\");", true);
+    row("gpu/A.cpp", "reason = QStringLiteral(\"no pixel belongs to a segment\");", true);
     row("core/export/A.cpp", "report += QStringLiteral(\"The slices are tilted.\");", false);
     row("core/edits/schema/A.h", "about = \"Carves along the view.\";", true);
     row("ui/texts/A.cpp", "return Texts::tr(\"The mask is empty.\");", true);

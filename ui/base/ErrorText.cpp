@@ -3,6 +3,7 @@
 
 #include "core/edits/kinds/surface/SurfaceRules.h"
 #include "core/recipe/RecipeStep.h"
+#include "ui/texts/ClauseText.h"
 #include "ui/texts/SessionTexts.h"
 
 #include <QCoreApplication>
@@ -38,8 +39,9 @@ QString behind(const QString& reason)
 QString errorText(const core::Error& error)
 {
     using core::ErrorCode;
-    const QString first = error.arguments.value(0);
-    const QString second = error.arguments.value(1);
+    const QString first = clauseText(error.arguments.value(0));
+    const QString second = clauseText(error.arguments.value(1));
+    const QString third = clauseText(error.arguments.value(2));
     const QString reason = behind(second);
     switch (error.code) {
     case ErrorCode::FileNotFound:
@@ -74,7 +76,7 @@ QString errorText(const core::Error& error)
         if (first == QLatin1String(core::crossingSurface))
             return ErrorTexts::tr("the surface passes through itself at %1 pairs of faces, and "
                                   "nothing was changed: smooth it there, or lay it again")
-                .arg(error.arguments.value(1));
+                .arg(second);
         return isStep(first) ? first + reason : ErrorTexts::tr("field '%1'%2").arg(first, reason);
     case ErrorCode::SegmentLocked:
         return first.isEmpty() ? ErrorTexts::tr("every segment is locked")
@@ -98,7 +100,7 @@ QString errorText(const core::Error& error)
     case ErrorCode::TooManyIslands:
         return ErrorTexts::tr("segment '%1' has %2 islands beside the largest, and there can be %3 "
                               "segments more; with a larger minimum small islands stay with it")
-            .arg(first, second, error.arguments.value(2));
+            .arg(first, second, third);
     case ErrorCode::StepsEntangled:
         return ErrorTexts::tr("cannot undo only that: %1").arg(first);
     case ErrorCode::SeedOutsideVolume:
@@ -130,8 +132,7 @@ QString errorText(const core::Error& error)
         return ErrorTexts::tr("%1: its study is no longer at %2%3; name it with --study")
             .arg(first, second,
                 error.arguments.size() > 2
-                    ? ErrorTexts::tr(", and its own images cannot be used (%1)")
-                          .arg(error.arguments[2])
+                    ? ErrorTexts::tr(", and its own images cannot be used (%1)").arg(third)
                     : QString());
     case ErrorCode::NodeUnreachable:
         return ErrorTexts::tr("%1 cannot be reached%2").arg(first, reason);
@@ -141,23 +142,21 @@ QString errorText(const core::Error& error)
         return ErrorTexts::tr("%1 does not support %2").arg(first, second);
     case ErrorCode::NodeTimeout:
         return error.arguments.size() > 2
-            ? ErrorTexts::tr("%1 is given up after %2 s: %3").arg(first, second, error.arguments[2])
+            ? ErrorTexts::tr("%1 is given up after %2 s: %3").arg(first, second, third)
             : ErrorTexts::tr("%1 does not answer; %2 s without a sign of life").arg(first, second);
     case ErrorCode::NodeLost:
         return ErrorTexts::tr("%1 ended the connection before all was done%2").arg(first, reason);
     case ErrorCode::NodeNonsense:
         return ErrorTexts::tr("%1 does not speak DICOM%2").arg(first, reason);
     case ErrorCode::NodeFailed:
-        return ErrorTexts::tr("%1 could not carry out %2: %3")
-            .arg(first, second, error.arguments.value(2));
+        return ErrorTexts::tr("%1 could not carry out %2: %3").arg(first, second, third);
     case ErrorCode::NodeHasNone:
         return ErrorTexts::tr("%1 holds no such %2").arg(first, second);
     case ErrorCode::TransferIncomplete:
         return ErrorTexts::tr("%1: %2 images did not arrive%3; what is here is kept, the same "
                               "command goes on from there")
             .arg(first, second,
-                error.arguments.size() > 2 ? QStringLiteral(" (%1)").arg(error.arguments[2])
-                                           : QString());
+                error.arguments.size() > 2 ? QStringLiteral(" (%1)").arg(third) : QString());
     case ErrorCode::GraphicsUnavailable:
         return ErrorTexts::tr("no OpenGL 4.5 available: %1%2").arg(first, reason);
     case ErrorCode::OutOfMemory:
@@ -183,8 +182,8 @@ QString noFileText(const core::Error& why)
 {
     // The file's own name says nothing to anybody.
     const QString folder = QFileInfo(why.arguments.value(0)).absolutePath();
-    const QString reason =
-        QFileInfo::exists(folder) ? why.arguments.value(1) : ErrorTexts::tr("it cannot be made");
+    const QString reason = QFileInfo::exists(folder) ? clauseText(why.arguments.value(1))
+                                                     : ErrorTexts::tr("it cannot be made");
     return ErrorTexts::tr("sessions cannot be written to %1 (%2)").arg(folder, reason);
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/texts/SessionTexts.h"
 
+#include "ui/texts/ClauseText.h"
+
 #include <QCoreApplication>
 
 #include <algorithm>
@@ -28,7 +30,8 @@ QString redoText(const std::vector<core::SessionDamage>& redo)
     if (redo.size() == 1)
         return SessionTexts::tr("what row %1 '%2' changed cannot be read (%3); it can be carried "
                                 "out again")
-            .arg(QString::number(redo.front().row), shown(redo.front().name), redo.front().reason);
+            .arg(QString::number(redo.front().row), shown(redo.front().name),
+                clauseText(redo.front().reason));
     QStringList numbers;
     for (const core::SessionDamage& row : redo)
         numbers += QString::number(row.row);
@@ -42,7 +45,7 @@ QString redoText(const std::vector<core::SessionDamage>& redo)
 QString damageText(const core::SessionDamage& damage)
 {
     if (damage.row == 0)
-        return SessionTexts::tr("where it stood cannot be read: %1").arg(damage.reason);
+        return SessionTexts::tr("where it stood cannot be read: %1").arg(clauseText(damage.reason));
     QString rows = SessionTexts::tr("row %1").arg(damage.row);
     if (const QString known = shown(damage.name); !known.isEmpty())
         rows += SessionTexts::tr(" '%1'").arg(known);
@@ -53,13 +56,13 @@ QString damageText(const core::SessionDamage& damage)
     else if (damage.after > 1)
         rows +=
             SessionTexts::tr(" and the %1 after it", nullptr, int(damage.after)).arg(damage.after);
-    return SessionTexts::tr("%1 cannot be read: %2").arg(rows, damage.reason);
+    return SessionTexts::tr("%1 cannot be read: %2").arg(rows, clauseText(damage.reason));
 }
 
 QString damageText(const core::Error& error)
 {
     const auto rows = core::SessionDamage::of(error);
-    return rows ? damageText(*rows) : error.arguments.value(1);
+    return rows ? damageText(*rows) : clauseText(error.arguments.value(1));
 }
 
 QStringList problemTexts(const core::SessionContents& contents)
@@ -69,12 +72,12 @@ QStringList problemTexts(const core::SessionContents& contents)
         sentences += damageText(*contents.damage);
     if (!contents.redo.empty())
         sentences += redoText(contents.redo);
-    const QString& cutOff = contents.cutOff;
+    const QString cutOff = clauseText(contents.cutOff);
     const auto tells = [&cutOff](const QString& told) { return told.contains(cutOff); };
     if (!cutOff.isEmpty() && std::none_of(sentences.begin(), sentences.end(), tells))
         sentences += contents.damage ? cutOff : SessionTexts::tr("%1; no row is lost").arg(cutOff);
     if (!contents.leftOpen.isEmpty())
-        sentences += contents.leftOpen;
+        sentences += clauseText(contents.leftOpen);
     return sentences;
 }
 

@@ -93,17 +93,17 @@ std::optional<FileInUse::As> FileInUse::whatIs(const QString& path)
     return found == registry().files.end() ? std::nullopt : std::optional(found->second);
 }
 
-QString FileInUse::text(As what)
+Clause FileInUse::text(As what)
 {
     switch (what) {
     case As::Study:
-        return QStringLiteral("it is a file of the study itself");
+        return Clause::saying("it is a file of the study itself");
     case As::Session:
-        return QStringLiteral("it is a session that is open");
+        return Clause::saying("it is a session that is open");
     case As::Recipe:
-        return QStringLiteral("it is the recipe");
+        return Clause::saying("it is the recipe");
     case As::Mask:
-        return QStringLiteral("it is a mask that is read");
+        return Clause::saying("it is a mask that is read");
     }
     return {};
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/base/words/Clause.h"
+
 #include <QString>
 #include <QStringList>
 
@@ -47,7 +49,7 @@ public:
     /// What the file is used as; none: it is not used.
     [[nodiscard]] static std::optional<As> whatIs(const QString& path);
     /// The same as a clause, "it is the recipe".
-    [[nodiscard]] static QString text(As what);
+    [[nodiscard]] static Clause text(As what);
 
 private:
     std::vector<FileIdentity> m_files;

@@ -13,14 +13,14 @@ Result<void> checkReadsToAnEnd(const QString& path)
     if (path.contains(QChar::Null))
         return failure(ErrorCode::FileUnreadable,
             QString(path).replace(QChar::Null, QLatin1String("\\0")),
-            QStringLiteral("no name holds a NUL character"));
+            Clause::saying("no name holds a NUL character"));
     struct stat status { };
     if (::stat(QFile::encodeName(path).constData(), &status) != 0)
         return {};
     if (S_ISREG(status.st_mode) || S_ISDIR(status.st_mode))
         return {};
     return failure(ErrorCode::FileUnreadable, path,
-        QStringLiteral("it is no plain file but a pipe, a socket or a device"));
+        Clause::saying("it is no plain file but a pipe, a socket or a device"));
 }
 
 Result<void> checkIsFile(const QString& path)
@@ -29,7 +29,7 @@ Result<void> checkIsFile(const QString& path)
     if (!info.exists())
         return failure(ErrorCode::FileNotFound, path);
     if (info.isDir())
-        return failure(ErrorCode::FileUnreadable, path, QStringLiteral("it is a folder"));
+        return failure(ErrorCode::FileUnreadable, path, Clause::saying("it is a folder"));
     return checkReadsToAnEnd(path);
 }
 

@@ -7,8 +7,7 @@ namespace core {
 
 Error namingTarget(Error error, const StagedFile& staged)
 {
-    for (QString& argument : error.arguments)
-        argument.replace(staged.path(), staged.target());
+    error.arguments.replace(staged.path(), staged.target());
     return error;
 }
 

@@ -37,30 +37,30 @@ Result<void> checkFileTarget(const QString& target, bool replaceExisting, bool o
     if (target.contains(QChar::Null))
         return failure(ErrorCode::FileUnwritable,
             QString(target).replace(QChar::Null, QLatin1String("\\0")),
-            QStringLiteral("no name holds a NUL character"));
+            Clause::saying("no name holds a NUL character"));
     // What is not UTF-8 has become this sign, and would be written under another name.
     if (target.contains(QChar::ReplacementCharacter))
-        return failure(ErrorCode::FileUnwritable, target, QStringLiteral("its name is not UTF-8"));
+        return failure(ErrorCode::FileUnwritable, target, Clause::saying("its name is not UTF-8"));
     const QFileInfo info(target);
     if (info.fileName().isEmpty())
-        return failure(ErrorCode::FileUnwritable, target, QStringLiteral("it is a folder"));
+        return failure(ErrorCode::FileUnwritable, target, Clause::saying("it is a folder"));
     const QDir folder = info.absoluteDir();
     struct stat status { };
     if (::lstat(QFile::encodeName(target).constData(), &status) != 0) {
         if (errno == ENOENT && folder.exists())
             return {};
         return failure(ErrorCode::FileUnwritable, target,
-            folder.exists() ? systemReason(errno)
-                            : QStringLiteral("the folder %1 does not exist").arg(folder.path()));
+            folder.exists() ? Clause(systemReason(errno))
+                            : Clause::saying("the folder %1 does not exist", folder.path()));
     }
     if (S_ISDIR(status.st_mode))
-        return failure(ErrorCode::FileUnwritable, target, QStringLiteral("it is a folder"));
+        return failure(ErrorCode::FileUnwritable, target, Clause::saying("it is a folder"));
     if (S_ISLNK(status.st_mode))
         return failure(ErrorCode::FileUnwritable, target,
-            QStringLiteral("it is a link; name the file that it leads to"));
+            Clause::saying("it is a link; name the file that it leads to"));
     if (!S_ISREG(status.st_mode))
         return failure(ErrorCode::FileUnwritable, target,
-            QStringLiteral("it is no plain file but a pipe, a socket or a device"));
+            Clause::saying("it is no plain file but a pipe, a socket or a device"));
     const std::optional<FileInUse::As> use = FileInUse::whatIs(target);
     if (use && !(overSession && use == FileInUse::As::Session))
         return failure(ErrorCode::FileUnwritable, target, FileInUse::text(*use));
@@ -136,7 +136,7 @@ Result<void> StagedFile::commit()
     for (const char* part : {"-wal", "-journal"}) {
         if (QFileInfo(m_path + QLatin1String(part)).size() > 0)
             return failure(ErrorCode::FileUnwritable, m_target,
-                QStringLiteral("it could not be closed as one file"));
+                Clause::saying("it could not be closed as one file"));
     }
     if (!syncToDisk(m_path))
         return failure(ErrorCode::FileUnwritable, m_target, systemReason(errno));

@@ -30,7 +30,7 @@ QString uidText(DicomBytes bytes, const DicomElement& element)
 tl::unexpected<Error> notDicom(const QString& path)
 {
     return failure(ErrorCode::UnsupportedFormat, path,
-        QStringLiteral("not a DICOM, NIfTI, NRRD, MetaImage, PNG or TIFF file"));
+        Clause::saying("not a DICOM, NIfTI, NRRD, MetaImage, PNG or TIFF file"));
 }
 
 } // namespace
@@ -54,7 +54,7 @@ Result<DicomFile> DicomFile::openTo(Extent extent, const QString& path)
         return failure(ErrorCode::FileUnreadable, path, file.m_file->errorString());
     const auto size = std::size_t(file.m_file->size());
     if (size == 0)
-        return failure(ErrorCode::FileTruncated, path, QStringLiteral("it holds no bytes"));
+        return failure(ErrorCode::FileTruncated, path, Clause::saying("it holds no bytes"));
     if (size < 16)
         return notDicom(path);
     const uchar* mapped = file.m_file->map(0, qint64(size));
@@ -97,7 +97,7 @@ Result<void> DicomFile::readMetaHeader(Bytes bytes)
     while (bytes.size() - at >= 8 && readUint16(bytes, at, false) == 2) {
         if (!readElement(bytes, at, {}, element) || element.length > bytes.size() - element.value) {
             return failure(
-                ErrorCode::FileTruncated, m_path, QStringLiteral("it ends inside its header"));
+                ErrorCode::FileTruncated, m_path, Clause::saying("it ends inside its header"));
         }
         if (element.tag == 0x00020010u)
             m_transferSyntaxUid = uidText(bytes, element);
@@ -143,7 +143,7 @@ Result<void> DicomFile::checkDeflated(Extent extent)
         const Inflater::State state = m_inflater->growTo(reach, freeHeader);
         if (state == Inflater::State::TooLarge || reach > longestHeader) {
             return failure(ErrorCode::FileUnreadable, m_path,
-                QStringLiteral("the deflated data grow beyond any sensible size"));
+                Clause::saying("the deflated data grow beyond any sensible size"));
         }
         const bool all = state != Inflater::State::More;
         Result<PreflightFacts> facts = preflight(m_inflater->bytes(), m_form, m_path);
@@ -154,7 +154,7 @@ Result<void> DicomFile::checkDeflated(Extent extent)
             continue;
         if (!facts && state == Inflater::State::Damaged) {
             return failure(
-                ErrorCode::FileTruncated, m_path, QStringLiteral("damaged deflated data"));
+                ErrorCode::FileTruncated, m_path, Clause::saying("damaged deflated data"));
         }
         if (!facts)
             return tl::unexpected<Error>(facts.error());
@@ -195,11 +195,8 @@ Result<void> DicomFile::checkCompression() const
     if (promised / maximumRatio <= held)
         return {};
     return failure(ErrorCode::FileUnreadable, m_path,
-        QStringLiteral("%1 bytes of pixel data cannot hold an image of %2 × %3 pixels in %4 frames")
-            .arg(held)
-            .arg(m_facts.image.columns)
-            .arg(m_facts.image.rows)
-            .arg(m_facts.image.frames));
+        Clause::saying("%1 bytes of pixel data cannot hold an image of %2 × %3 pixels in %4 frames",
+            held, m_facts.image.columns, m_facts.image.rows, m_facts.image.frames));
 }
 
 Result<void> DicomFile::checkRle() const
@@ -223,7 +220,7 @@ Result<void> DicomFile::checkRle() const
         }
         rest.resize(rest.size() - count);
         if (!isRleHeader(std::span(header).first(filled), size, m_facts.image.frameBytes()))
-            return failure(ErrorCode::FileUnreadable, m_path, QStringLiteral("damaged RLE data"));
+            return failure(ErrorCode::FileUnreadable, m_path, Clause::saying("damaged RLE data"));
     }
     return {};
 }

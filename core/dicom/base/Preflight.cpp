@@ -45,8 +45,8 @@ public:
         while (true) {
             leaveFullLevels();
             if (m_levels.size() > maximumDepth)
-                return damaged(QStringLiteral("sequences are nested deeper than %1 levels")
-                                   .arg(int(maximumDepth)));
+                return damaged(Clause::saying(
+                    "sequences are nested deeper than %1 levels", int(maximumDepth)));
             if (m_bytes.size() - m_at < 8)
                 return ended();
             DicomElement element;
@@ -70,9 +70,9 @@ private:
     [[nodiscard]] tl::unexpected<Error> cut(std::uint32_t tag) const
     {
         return failure(ErrorCode::FileTruncated, m_path,
-            QStringLiteral("element %1 goes beyond the end").arg(tagText(tag)));
+            Clause::saying("element %1 goes beyond the end", tagText(tag)));
     }
-    [[nodiscard]] tl::unexpected<Error> damaged(const QString& why) const
+    [[nodiscard]] tl::unexpected<Error> damaged(const Clause& why) const
     {
         return failure(ErrorCode::FileUnreadable, m_path, why);
     }
@@ -93,13 +93,13 @@ private:
     {
         if (!isOutermost()) {
             return failure(
-                ErrorCode::FileTruncated, m_path, QStringLiteral("it ends inside a sequence"));
+                ErrorCode::FileTruncated, m_path, Clause::saying("it ends inside a sequence"));
         }
         // Zero bytes behind the last element are padding.
         const DicomBytes rest = m_bytes.subspan(m_at);
         if (!std::all_of(rest.begin(), rest.end(), [](auto byte) { return byte == 0; })) {
             return failure(
-                ErrorCode::FileTruncated, m_path, QStringLiteral("it ends inside an element"));
+                ErrorCode::FileTruncated, m_path, Clause::saying("it ends inside an element"));
         }
         return m_facts;
     }
@@ -111,7 +111,7 @@ private:
         const bool empty = rest.size() <= maximumPadding
             && std::all_of(rest.begin(), rest.end(), [](auto byte) { return byte == 0; });
         if (!empty)
-            return damaged(QStringLiteral("its header holds empty bytes where elements belong"));
+            return damaged(Clause::saying("its header holds empty bytes where elements belong"));
         return m_facts;
     }
 
@@ -130,7 +130,7 @@ private:
                 return {};
             }
             return damaged(
-                QStringLiteral("a sequence holds %1 instead of an item").arg(tagText(element.tag)));
+                Clause::saying("a sequence holds %1 instead of an item", tagText(element.tag)));
         }
         if (const Result<void> few = count(); !few)
             return few;
@@ -161,7 +161,7 @@ private:
         // Small letters name no VR, but DCMTK has names of its own among them.
         const auto isSmall = [](char letter) { return letter >= 'a' && letter <= 'z'; };
         if (std::any_of(element.vr.begin(), element.vr.end(), isSmall))
-            return damaged(QStringLiteral("element %1 has no type").arg(tagText(element.tag)));
+            return damaged(Clause::saying("element %1 has no type", tagText(element.tag)));
         if (element.length == undefinedLength) {
             // UN of undefined length is a sequence in implicit VR little endian (PS3.5 6.2.2).
             const bool unknown = element.vr == "UN";
@@ -197,7 +197,7 @@ private:
     {
         if (++m_elements <= maximumElements)
             return {};
-        return damaged(QStringLiteral("its header has more than %1 elements").arg(maximumElements));
+        return damaged(Clause::saying("its header has more than %1 elements", maximumElements));
     }
 
     /// DCMTK keeps elements in a sorted list, which it searches from the back, and the owners of
@@ -215,7 +215,7 @@ private:
             m_sorting += level.privateCreators;
         if (m_sorting <= maximumSorting)
             return {};
-        return damaged(QStringLiteral("the elements of its header are in no order"));
+        return damaged(Clause::saying("the elements of its header are in no order"));
     }
 
     /// Keeps what promises the size of the image. The first of two counts, as for DCMTK.
@@ -256,10 +256,8 @@ private:
         const PromisedImage& image = m_facts.image;
         const std::optional<std::uint64_t> all = image.bytes();
         if (image.frameBytes() > maximumFrameBytes || !all || *all > maximumImageBytes) {
-            return damaged(QStringLiteral("an image of %1 × %2 pixels in %3 frames is too large")
-                               .arg(image.columns)
-                               .arg(image.rows)
-                               .arg(image.frames));
+            return damaged(Clause::saying("an image of %1 × %2 pixels in %3 frames is too large",
+                image.columns, image.rows, image.frames));
         }
         m_facts.hasPixels = true;
         if (element.tag != dicom_tag::pixelData)
@@ -294,7 +292,7 @@ private:
             isOffsetTable = false;
             m_at += length;
             if (m_facts.fragments.size() > maximumFragments)
-                return damaged(QStringLiteral("its pixel data are in too many pieces"));
+                return damaged(Clause::saying("its pixel data are in too many pieces"));
         }
         m_facts.pixelsCut = m_facts.pixelsCut || m_facts.fragments.empty();
         m_facts.offsetTableSound = isSound(table);

@@ -148,7 +148,7 @@ QString decodeHere(std::span<const std::uint8_t> parameters, std::span<const std
     return QStringLiteral("transfer syntax %1").arg(frame.transferSyntaxUid);
 }
 
-QString decodeFenced(const CodedFrame& frame, std::span<const std::uint8_t> bytes,
+Clause decodeFenced(const CodedFrame& frame, std::span<const std::uint8_t> bytes,
     const std::function<void(std::span<const std::uint8_t> cells)>& take)
 {
     const FrameParameters parameters = parametersOf(frame);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/base/words/Clause.h"
 #include "core/dicom/base/ImageHeader.h"
 #include "core/dicom/base/TransferSyntax.h"
 
@@ -24,7 +25,7 @@ struct CodedFrame {
 /// decoder runs here.
 /// @pre undecodableReason() has none
 /// @return why it failed, in words; empty if it did not
-[[nodiscard]] QString decodeFenced(const CodedFrame& frame, std::span<const std::uint8_t> bytes,
+[[nodiscard]] Clause decodeFenced(const CodedFrame& frame, std::span<const std::uint8_t> bytes,
     const std::function<void(std::span<const std::uint8_t> cells)>& take);
 
 /// The same in the calling process, without protection: what a decoder process does (its FencedWork

@@ -27,7 +27,7 @@ Result<void> decodeNative(const DicomFile& file, const ImageHeader& header, std:
     const std::size_t first = size * std::size_t(header.frame);
     if (bytes.size() < first + size) {
         return failure(ErrorCode::FileTruncated, header.file,
-            QStringLiteral("%1 of %2 bytes of pixel data").arg(bytes.size()).arg(first + size));
+            Clause::saying("%1 of %2 bytes of pixel data", bytes.size(), first + size));
     }
     // Big endian swaps the bytes of every word, also where a word holds two 8-bit pixels.
     if (!file.isBigEndian() || !file.pixelsAreWords()) {
@@ -43,17 +43,17 @@ Result<void> decodeNative(const DicomFile& file, const ImageHeader& header, std:
     return {};
 }
 
-QString decodeEncapsulated(
+Clause decodeEncapsulated(
     const DicomFile& file, const ImageHeader& header, std::span<std::uint16_t> stored)
 {
     const PixelCoding coding = transferSyntax(header.transferSyntaxUid).coding;
     const std::optional<Cells> found =
         encodedFrame(file.fragments(), header.frame, header.frames, coding);
     if (!found)
-        return QStringLiteral("its pieces of pixel data cannot be told apart as frames");
+        return Clause::saying("its pieces of pixel data cannot be told apart as frames");
     const Cells& frame = *found;
     if (frame.empty())
-        return QStringLiteral("it holds no pixel data");
+        return Clause::saying("it holds no pixel data");
     return decodeFenced(
         {.coding = coding, .transferSyntaxUid = header.transferSyntaxUid, .layout = header.layout},
         frame, [&](std::span<const std::uint8_t> cells) {
@@ -64,18 +64,18 @@ QString decodeEncapsulated(
 Result<void> decodeFrom(
     const DicomFile& file, const ImageHeader& header, std::span<std::uint16_t> stored)
 {
-    if (const QString reason = undecodableReason(header); !reason.isEmpty())
+    if (const Clause reason = undecodableReason(header); !reason.isEmpty())
         return failure(ErrorCode::UnsupportedFormat, header.file, reason);
     if (header.layout.floatBits != 0)
         return failure(ErrorCode::UnsupportedFormat, header.file,
-            QStringLiteral("floating-point pixels where stored ones are wanted"));
+            Clause::saying("floating-point pixels where stored ones are wanted"));
     const PixelLayout& layout = header.layout;
     const std::size_t pixels = std::size_t(layout.columns) * std::size_t(layout.rows);
     if (stored.size() != pixels)
-        return failure(ErrorCode::Internal, header.file, QStringLiteral("a frame of another size"));
+        return failure(ErrorCode::Internal, header.file, Clause::saying("a frame of another size"));
     if (!file.isEncapsulated())
         return decodeNative(file, header, pixels * (layout.bitsAllocated / 8u), stored);
-    const QString wrong = decodeEncapsulated(file, header, stored);
+    const Clause wrong = decodeEncapsulated(file, header, stored);
     if (!wrong.isEmpty())
         return failure(ErrorCode::FileUnreadable, header.file, wrong);
     return {};
@@ -91,28 +91,27 @@ template <typename Number> void readNumbers(DicomBytes bytes, std::span<double> 
     }
 }
 
-QString unreadableFloats(const PixelLayout& layout, PixelCoding coding, bool bigEndian)
+Clause unreadableFloats(const PixelLayout& layout, PixelCoding coding, bool bigEndian)
 {
     if (coding != PixelCoding::Native || bigEndian)
-        return QStringLiteral("floating-point pixels that are compressed or big endian");
+        return Clause::saying("floating-point pixels that are compressed or big endian");
     return layout.bitsAllocated == layout.floatBits
-        ? QString()
-        : QStringLiteral("floating-point pixels of %1 bits").arg(layout.bitsAllocated);
+        ? Clause()
+        : Clause::saying("floating-point pixels of %1 bits", layout.bitsAllocated);
 }
 
 } // namespace
 
-QString undecodableReason(const ImageHeader& header)
+Clause undecodableReason(const ImageHeader& header)
 {
     const PixelLayout& layout = header.layout;
     constexpr int longestSide = 32768;
     if (transferSyntax(header.transferSyntaxUid).coding == PixelCoding::Unknown)
-        return QStringLiteral("transfer syntax %1").arg(header.transferSyntaxUid);
+        return Clause::saying("transfer syntax %1", header.transferSyntaxUid);
     if (layout.rows < 1 || layout.columns < 1 || layout.rows > longestSide
         || layout.columns > longestSide) {
-        return QStringLiteral("an image of %1 × %2 pixels (Rows, Columns)")
-            .arg(layout.columns)
-            .arg(layout.rows);
+        return Clause::saying(
+            "an image of %1 × %2 pixels (Rows, Columns)", layout.columns, layout.rows);
     }
     if (layout.floatBits != 0) {
         const TransferSyntax& syntax = transferSyntax(header.transferSyntaxUid);
@@ -122,24 +121,22 @@ QString undecodableReason(const ImageHeader& header)
         && layout.bitsStored >= 1 && layout.bitsStored <= layout.bitsAllocated
         && layout.highBit >= layout.bitsStored - 1 && layout.highBit < layout.bitsAllocated;
     if (!sensible) {
-        return QStringLiteral("pixels of %1 bits (%2 stored, high bit %3)")
-            .arg(layout.bitsAllocated)
-            .arg(layout.bitsStored)
-            .arg(layout.highBit);
+        return Clause::saying("pixels of %1 bits (%2 stored, high bit %3)", layout.bitsAllocated,
+            layout.bitsStored, layout.highBit);
     }
     return {};
 }
 
 Result<void> FrameFile::decodeFloats(const ImageHeader& header, std::span<double> values) const
 {
-    if (const QString reason = undecodableReason(header); !reason.isEmpty())
+    if (const Clause reason = undecodableReason(header); !reason.isEmpty())
         return failure(ErrorCode::UnsupportedFormat, header.file, reason);
     const DicomBytes bytes = m_file->pixels();
     const std::size_t size = values.size() * std::size_t(header.layout.floatBits / 8);
     const std::size_t first = size * std::size_t(header.frame);
     if (m_file->floatBits() != header.layout.floatBits || bytes.size() < first + size) {
         return failure(ErrorCode::FileTruncated, header.file,
-            QStringLiteral("%1 of %2 bytes of pixel data").arg(bytes.size()).arg(first + size));
+            Clause::saying("%1 of %2 bytes of pixel data", bytes.size(), first + size));
     }
     if (header.layout.floatBits == 32)
         readNumbers<float>(bytes.subspan(first, size), values);
@@ -181,7 +178,7 @@ Result<void> FrameFile::decode(const ImageHeader& header, std::span<std::uint16_
 
 Result<void> decodeFrame(const ImageHeader& header, std::span<std::uint16_t> stored)
 {
-    if (const QString reason = undecodableReason(header); !reason.isEmpty())
+    if (const Clause reason = undecodableReason(header); !reason.isEmpty())
         return failure(ErrorCode::UnsupportedFormat, header.file, reason);
     const Result<FrameFile> file = FrameFile::open(header.file);
     if (!file)

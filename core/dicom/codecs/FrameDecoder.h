@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/Result.h"
+#include "core/base/words/Clause.h"
 #include "core/dicom/base/ImageHeader.h"
 
 #include <cstdint>
@@ -13,7 +14,7 @@ namespace core {
 class DicomFile;
 
 /// Why Burin cannot decode this image, in words; empty if it can, as far as the header shows.
-[[nodiscard]] QString undecodableReason(const ImageHeader& header);
+[[nodiscard]] Clause undecodableReason(const ImageHeader& header);
 
 /// An open file whose frames are decoded one by one. It is checked and mapped once, whatever the
 /// number of frames. Several threads may use it at once.

@@ -39,7 +39,7 @@ public:
     }
 
     /// @return what must not be there; empty if nothing is
-    QString in(DcmItem& item)
+    Clause in(DcmItem& item)
     {
         for (unsigned long i = 0; i < item.card(); ++i) {
             DcmElement& element = *item.getElement(i);
@@ -48,14 +48,14 @@ public:
                                      .arg(tag.getGroup(), 4, 16, QLatin1Char('0'))
                                      .arg(tag.getElement(), 4, 16, QLatin1Char('0'));
             if (tag.getGroup() % 2 != 0)
-                return QStringLiteral("the private attribute %1 is there").arg(name);
+                return Clause::saying("the private attribute %1 is there", name);
             if (auto* sequence = dynamic_cast<DcmSequenceOfItems*>(&element)) {
                 for (unsigned long k = 0; k < sequence->card(); ++k) {
-                    if (const QString what = in(*sequence->getItem(k)); !what.isEmpty())
+                    if (const Clause what = in(*sequence->getItem(k)); !what.isEmpty())
                         return what;
                 }
             } else if (isText(element.ident()) && !isKeyword(element) && identifies(element)) {
-                return QStringLiteral("attribute %1 tells who the patient is").arg(name);
+                return Clause::saying("attribute %1 tells who the patient is", name);
             }
         }
         return {};
@@ -111,9 +111,9 @@ Result<ReportLine> checkDeidentified(const QString& file, const Deidentifier& by
     set.findAndGetOFString(DCM_PatientID, patient);
     if (removed != "YES" || QString::fromUtf8(patient.c_str()) != by.patientId())
         return failure(ErrorCode::ExportMismatch, file,
-            QStringLiteral("it does not say that the patient was taken out of it"));
+            Clause::saying("it does not say that the patient was taken out of it"));
     Search search(by.words());
-    if (const QString what = search.in(set); !what.isEmpty())
+    if (const Clause what = search.in(set); !what.isEmpty())
         return failure(ErrorCode::ExportMismatch, file, what);
     return ReportSentence{ReportCode::TextsTellNobody, {std::int64_t(search.looked())}};
 }

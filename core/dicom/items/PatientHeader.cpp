@@ -148,7 +148,7 @@ QString singleValueText(const QString& text, int length)
     return clean.trimmed().left(length).trimmed();
 }
 
-tl::expected<std::unique_ptr<DcmDataset>, QString> cleanPatientHeader(
+tl::expected<std::unique_ptr<DcmDataset>, Clause> cleanPatientHeader(
     DcmDataset& source, ReportLines& notes)
 {
     const auto bytesOf = [&](const DcmTagKey& tag) {
@@ -172,7 +172,7 @@ tl::expected<std::unique_ptr<DcmDataset>, QString> cleanPatientHeader(
         const auto clean = normalised(text, attribute.kind);
         if (!clean) {
             if (attribute.kind == Kind::Uid)
-                return tl::unexpected(QStringLiteral("its %1 is not valid").arg(name));
+                return tl::unexpected(Clause::saying("its %1 is not valid", name));
             notes += ReportSentence{ReportCode::ValueLeftOut, {name}};
             continue;
         }
@@ -181,7 +181,7 @@ tl::expected<std::unique_ptr<DcmDataset>, QString> cleanPatientHeader(
         header->putAndInsertString(attribute.tag, clean->toStdString().c_str());
     }
     if (!header->tagExists(DCM_StudyInstanceUID))
-        return tl::unexpected(QStringLiteral("it has no Study Instance UID"));
+        return tl::unexpected(Clause::saying("it has no Study Instance UID"));
     return header;
 }
 

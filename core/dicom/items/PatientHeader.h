@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/base/words/Clause.h"
 #include "core/dicom/items/ConditionChain.h"
 #include "core/titles/ReportSentence.h"
 
@@ -20,7 +21,7 @@ namespace core {
 ///
 /// @param notes receives a sentence for each value that differs from the source
 /// @returns the error is the reason why no object may refer to this source
-tl::expected<std::unique_ptr<DcmDataset>, QString> cleanPatientHeader(
+tl::expected<std::unique_ptr<DcmDataset>, Clause> cleanPatientHeader(
     DcmDataset& source, ReportLines& notes);
 
 /// Adds, without values, attributes that every object must have (type 2) and that

@@ -116,7 +116,7 @@ Result<RtStructFile> readRtStruct(const QString& path)
     const ItemReader reader(&set);
     if (reader.text(DCM_SOPClassUID) != QLatin1String(UID_RTStructureSetStorage))
         return failure(
-            ErrorCode::UnsupportedFormat, path, QStringLiteral("not a DICOM RT Structure Set"));
+            ErrorCode::UnsupportedFormat, path, Clause::saying("not a DICOM RT Structure Set"));
 
     RtStructFile read;
     read.patient = readHeaderPatient(set);
@@ -147,7 +147,7 @@ Result<RtStructFile> readRtStruct(const QString& path)
         const auto roi = roiOf.constFind(item.integer(DCM_ReferencedROINumber).value_or(-1));
         return roi == roiOf.constEnd() ? nullptr : &read.rois[*roi];
     };
-    QString wrong;
+    Clause wrong;
     forEachItem(set, DCM_ROIContourSequence, [&](DcmItem& item) {
         RtRoi* roi = named(ItemReader(&item));
         if (roi == nullptr) {
@@ -159,8 +159,8 @@ Result<RtStructFile> readRtStruct(const QString& path)
             if (!wrong.isEmpty())
                 return;
             if (!readContour(contour, roi->contours.emplace_back()))
-                wrong = QStringLiteral("a contour of '%1' has numbers that are no points")
-                            .arg(roi->name);
+                wrong =
+                    Clause::saying("a contour of '%1' has numbers that are no points", roi->name);
         });
     });
     if (!wrong.isEmpty())

@@ -54,7 +54,7 @@ Result<void> setType(SegFile& seg, const ItemReader& reader, const QString& path
     // DCMTK 3.6.7 does not know it yet.
     const bool labelMap = sopClass == QLatin1String("1.2.840.10008.5.1.4.1.1.66.7");
     if (!labelMap && sopClass != QLatin1String(UID_SegmentationStorage))
-        return failure(ErrorCode::UnsupportedFormat, path, QStringLiteral("not a DICOM SEG"));
+        return failure(ErrorCode::UnsupportedFormat, path, Clause::saying("not a DICOM SEG"));
     const QString type = reader.text(DCM_SegmentationType);
     seg.bitsPerPixel = reader.integer(DCM_BitsAllocated).value_or(0);
     bool fits = seg.bitsPerPixel == 1;
@@ -67,25 +67,24 @@ Result<void> setType(SegFile& seg, const ItemReader& reader, const QString& path
         fits = seg.bitsPerPixel == 8 && seg.fullPixel >= 1;
     } else if (type != QLatin1String("BINARY")) {
         return failure(
-            ErrorCode::UnsupportedFormat, path, QStringLiteral("of type '%1'").arg(type.left(20)));
+            ErrorCode::UnsupportedFormat, path, Clause::saying("of type '%1'", type.left(20)));
     }
     if (fits)
         return {};
     return failure(ErrorCode::UnsupportedFormat, path,
-        QStringLiteral("of type %1 with %2 bits a pixel").arg(type).arg(seg.bitsPerPixel));
+        Clause::saying("of type %1 with %2 bits a pixel", type, seg.bitsPerPixel));
 }
 
 Result<std::vector<std::uint8_t>> bitsIn(
     const DicomFile& file, const QString& path, std::uint64_t needed)
 {
     if (!file.hasPixels())
-        return failure(ErrorCode::FileTruncated, path, QStringLiteral("no pixel data"));
+        return failure(ErrorCode::FileTruncated, path, Clause::saying("no pixel data"));
     const DicomFile::Bytes pixels = file.pixels();
     if (pixels.size() < needed)
         return failure(ErrorCode::FileTruncated, path,
-            QStringLiteral("%1 bytes of pixel data where the frames need %2")
-                .arg(pixels.size())
-                .arg(needed));
+            Clause::saying(
+                "%1 bytes of pixel data where the frames need %2", pixels.size(), needed));
     std::vector<std::uint8_t> bits(pixels.begin(), pixels.end());
     // Bits are numbered in a byte stream; words are brought back to it, low byte first.
     for (std::size_t i = 0; file.isBigEndian() && file.pixelsAreWords() && i + 1 < bits.size();
@@ -140,10 +139,10 @@ Result<SegFile> readSeg(const QString& path)
     seg.columns = reader.integer(DCM_Columns).value_or(0);
     const int frameCount = reader.integer(DCM_NumberOfFrames).value_or(0);
     if (seg.rows < 1 || seg.columns < 1 || frameCount < 1)
-        return failure(ErrorCode::FileUnreadable, path, QStringLiteral("rows, columns or frames"));
+        return failure(ErrorCode::FileUnreadable, path, Clause::saying("rows, columns or frames"));
     if (reader.itemCount(DCM_PerFrameFunctionalGroupsSequence) != frameCount)
         return failure(
-            ErrorCode::InvalidGeometry, path, QStringLiteral("not every frame is described"));
+            ErrorCode::InvalidGeometry, path, Clause::saying("not every frame is described"));
 
     for (int i = 0; i < reader.itemCount(DCM_SegmentSequence); ++i)
         seg.segments.push_back(segmentIn(reader.item(DCM_SegmentSequence, i)));
@@ -157,7 +156,7 @@ Result<SegFile> readSeg(const QString& path)
         const auto plane = readHeaderPlane(reader, i);
         if (!plane)
             return failure(ErrorCode::InvalidGeometry, path,
-                QStringLiteral("frame %1 has no position, orientation or spacing").arg(i + 1));
+                Clause::saying("frame %1 has no position, orientation or spacing", i + 1));
         SegFrame frame;
         frame.plane = *plane;
         frame.segment = reader.functionalGroup(DCM_SegmentIdentificationSequence, i)

@@ -76,7 +76,7 @@ Result<SrFile> readSr(const QString& path)
     set.convertToUTF8();
     const ItemReader reader(&set);
     if (codeIn(reader, DCM_ConceptNameCodeSequence) != QLatin1String("126000"))
-        return failure(ErrorCode::UnsupportedFormat, path, QStringLiteral("no measurement report"));
+        return failure(ErrorCode::UnsupportedFormat, path, Clause::saying("no measurement report"));
     report.studyUid = reader.text(DCM_StudyInstanceUID);
     const ItemReader evidence = reader.item(DCM_CurrentRequestedProcedureEvidenceSequence);
     for (int i = 0; i < evidence.itemCount(DCM_ReferencedSeriesSequence); ++i) {

@@ -69,7 +69,7 @@ Result<KeptHeaders> keepHeaders(const std::vector<SourceSlice>& slices, const Pr
             trimGroups(kept, DCM_PerFrameFunctionalGroupsSequence);
             const QByteArray bytes = bytesOf(kept);
             if (bytes.isEmpty())
-                return failure(ErrorCode::Internal, QStringLiteral("header of ") + file);
+                return failure(ErrorCode::Internal, Clause::saying("header of %1", file));
             headers[file] = bytes;
             return {};
         });

@@ -64,7 +64,7 @@ std::string plainText(DcmItem& item, const DcmTagKey& tag)
 }
 
 /// @returns what is missing or wrong; empty if nothing is
-QString readSlice(DcmItem& dataset, int frame, SegSlice& slice)
+Clause readSlice(DcmItem& dataset, int frame, SegSlice& slice)
 {
     slice.frame = frame;
     slice.multiFrame = dataset.tagExists(DCM_NumberOfFrames)
@@ -77,24 +77,24 @@ QString readSlice(DcmItem& dataset, int frame, SegSlice& slice)
             {"Series Instance UID", &slice.seriesUid}}};
     for (const auto& uid : uids) {
         if (uid.second->empty() || DcmUniqueIdentifier::checkStringValue(*uid.second, "1").bad())
-            return QStringLiteral("it has no valid %1").arg(QLatin1String(uid.first));
+            return Clause::saying("it has no valid %1", QLatin1String(uid.first));
     }
 
     DcmItem& measures = *macroItem(dataset, DCM_PixelMeasuresSequence, frame);
     if (!decimalTexts(*macroItem(dataset, DCM_PlanePositionSequence, frame),
             DCM_ImagePositionPatient, slice.position))
-        return QStringLiteral("it has no Image Position (Patient)");
+        return Clause::saying("it has no Image Position (Patient)");
     if (!decimalTexts(*macroItem(dataset, DCM_PlaneOrientationSequence, frame),
             DCM_ImageOrientationPatient, slice.orientation))
-        return QStringLiteral("it has no Image Orientation (Patient)");
+        return Clause::saying("it has no Image Orientation (Patient)");
     if (!decimalTexts(measures, DCM_PixelSpacing, slice.spacing))
-        return QStringLiteral("it has no Pixel Spacing");
+        return Clause::saying("it has no Pixel Spacing");
     decimalText(measures, DCM_SliceThickness, 0, slice.sliceThickness);
     return {};
 }
 
 /// What the SEG takes from the first slice's header. @return why it cannot; empty if it can
-QString readCommon(DcmDataset& dataset, SegSource& source)
+Clause readCommon(DcmDataset& dataset, SegSource& source)
 {
     auto header = cleanPatientHeader(dataset, source.notes);
     if (!header)
@@ -148,15 +148,15 @@ Result<SegSource> readSegSource(
         [&](const QString& file, DcmDataset& dataset,
             const std::vector<std::size_t>& held) -> Result<void> {
             for (const std::size_t k : held) {
-                const QString missing = readSlice(dataset, sources[k].frame, source.slices[k]);
+                const Clause missing = readSlice(dataset, sources[k].frame, source.slices[k]);
                 if (!missing.isEmpty())
                     return failure(ErrorCode::UnsupportedFormat, file,
-                        missing
-                            + QStringLiteral("; no DICOM object can refer to it, NIfTI can be "
-                                             "exported instead"));
+                        Clause::saying(
+                            "%1; no DICOM object can refer to it, NIfTI can be exported instead",
+                            missing));
             }
             if (std::find(held.begin(), held.end(), std::size_t(0)) != held.end()) {
-                if (const QString reason = readCommon(dataset, source); !reason.isEmpty())
+                if (const Clause reason = readCommon(dataset, source); !reason.isEmpty())
                     return failure(ErrorCode::UnsupportedFormat, file, reason);
             }
             readLossyCompression(dataset, source);

@@ -29,7 +29,7 @@ Result<std::vector<SourceHeader>> readSourceHeaders(
                 const auto plane = readHeaderPlane(reader, slices[k].frame);
                 if (!plane)
                     return failure(ErrorCode::InvalidGeometry, file,
-                        QStringLiteral("position, orientation or pixel spacing is missing"));
+                        Clause::saying("position, orientation or pixel spacing is missing"));
                 headers[k] = common;
                 headers[k].plane = *plane;
             }

@@ -20,14 +20,14 @@ Result<void> readKept(const QString& file, const KeptHeaders& kept, DcmDataset& 
     const auto found = kept.find(file);
     if (found == kept.end())
         return failure(ErrorCode::FileUnreadable, file,
-            QStringLiteral("the session holds the image but not its header"));
+            Clause::saying("the session holds the image but not its header"));
     const QByteArray& bytes = found->second;
     const DicomBytes dataSet(
         reinterpret_cast<const std::uint8_t*>(bytes.constData()), std::size_t(bytes.size()));
     if (const auto sound = preflight(dataSet, {}, file); !sound)
         return failure(ErrorCode::FileUnreadable, file,
-            QStringLiteral("of the header that the session holds: ")
-                + sound.error().arguments.value(1));
+            Clause::saying(
+                "of the header that the session holds: %1", sound.error().arguments.value(1)));
     DcmInputBufferStream stream;
     stream.setBuffer(bytes.constData(), offile_off_t(bytes.size()));
     stream.setEos();
@@ -36,8 +36,7 @@ Result<void> readKept(const QString& file, const KeptHeaders& kept, DcmDataset& 
     dataset.transferEnd();
     if (read.bad())
         return failure(ErrorCode::FileUnreadable, file,
-            QStringLiteral("of the header that the session holds: ")
-                + QString::fromLatin1(read.text()));
+            Clause::saying("of the header that the session holds: %1", QLatin1String(read.text())));
     return {};
 }
 

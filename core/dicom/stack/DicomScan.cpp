@@ -101,7 +101,7 @@ bool takeFile(const std::vector<ImageHeader>& images, DicomScan& scan)
                 {.kind = kind, .identity = first.identity, .files = {first.file}});
         return false;
     }
-    if (const QString reason = undecodableReason(first); !reason.isEmpty()) {
+    if (const Clause reason = undecodableReason(first); !reason.isEmpty()) {
         scan.unreadable.push_back(
             {.file = first.file, .error = {ErrorCode::UnsupportedFormat, {first.file, reason}}});
         return false;
@@ -111,7 +111,7 @@ bool takeFile(const std::vector<ImageHeader>& images, DicomScan& scan)
     if (cut) {
         scan.unreadable.push_back({.file = first.file,
             .error = {ErrorCode::FileTruncated,
-                {first.file, QStringLiteral("its pixel data are incomplete")}}});
+                {first.file, Clause::saying("its pixel data are incomplete")}}});
     }
     return true;
 }

@@ -181,7 +181,7 @@ Result<ReportLines> writeCarvedSeries(
                            const std::vector<std::size_t>& slices) -> Result<void> {
         if (slices.size() != 1 || series.sources[slices.front()].frame != 0)
             return failure(ErrorCode::UnsupportedFormat, file,
-                QStringLiteral("it holds several images in one file; a carved series of single "
+                Clause::saying("it holds several images in one file; a carved series of single "
                                "images cannot be made of it, but NIfTI can"));
         const std::size_t k = slices.front();
         const Result<ImageHeader> image = readImageHeader(file);
@@ -189,14 +189,14 @@ Result<ReportLines> writeCarvedSeries(
             return tl::unexpected(image.error());
         if (image->frames > 1 || image->isEnhanced || image->modalityLut)
             return failure(ErrorCode::UnsupportedFormat, file,
-                QStringLiteral("it is no single image with a slope and an intercept; a carved "
+                Clause::saying("it is no single image with a slope and an intercept; a carved "
                                "series cannot be made of it, but NIfTI can"));
         const std::optional<int> fillStored = storedFor(series.fill, *image);
         if (!fillStored)
             return failure(ErrorCode::UnsupportedFormat, file,
-                QStringLiteral("its stored values cannot be %1 exactly; choose another fill value, "
-                               "or NIfTI")
-                    .arg(QString::fromLatin1(fill)));
+                Clause::saying("its stored values cannot be %1 exactly; choose another fill value, "
+                               "or NIfTI",
+                    QString::fromLatin1(fill)));
         std::vector<std::uint16_t> stored(area);
         if (const Result<void> decoded = decodeFrame(*image, stored); !decoded)
             return tl::unexpected(decoded.error());
@@ -218,7 +218,7 @@ Result<ReportLines> writeCarvedSeries(
         if (series.deidentifier) {
             if (bytesOf(set, DCM_BurnedInAnnotation).trimmed() == "YES")
                 return failure(ErrorCode::UnsupportedFormat, file,
-                    QStringLiteral(
+                    Clause::saying(
                         "its pixels show text (Burned In Annotation), which may name the "
                         "patient; such images are not de-identified"));
             series.deidentifier->apply(set);

@@ -198,7 +198,7 @@ Result<SegWritten> writeLabelMapSeg(
     readyDcmtk();
     if (content.segments.size() > 255)
         return failure(ErrorCode::UnsupportedFormat, path,
-            QStringLiteral("a label map of bytes holds at most 255 segments"));
+            Clause::saying("a label map of bytes holds at most 255 segments"));
     const auto source = readSegSource(content.sources, content.keptHeaders.get(), progress);
     if (!source)
         return tl::unexpected(source.error());

@@ -46,13 +46,13 @@ Result<ReportLines> writeSecondaryCapture(
     if (picture.width < 1 || picture.height < 1 || picture.width > 65535 || picture.height > 65535
         || picture.rgb.size() != std::size_t(picture.width) * std::size_t(picture.height) * samples)
         return failure(ErrorCode::UnsupportedFormat, path,
-            QStringLiteral("DICOM holds pictures of 1 to 65535 rows and columns"));
+            Clause::saying("DICOM holds pictures of 1 to 65535 rows and columns"));
     // One image of the study knows all that a picture takes over.
     const std::vector<SourceSlice> first(
         content.sources.begin(), content.sources.begin() + (content.sources.empty() ? 0 : 1));
     if (first.empty())
         return failure(ErrorCode::UnsupportedFormat, path,
-            QStringLiteral("the study was not read from DICOM images, whose patient and study a "
+            Clause::saying("the study was not read from DICOM images, whose patient and study a "
                            "Secondary Capture must name"));
     const auto source = readSegSource(first, content.keptHeaders.get(), progress);
     if (!source)
@@ -100,7 +100,7 @@ Result<SecondaryCaptureFile> readSecondaryCapture(const QString& path)
     const ItemReader reader(&set);
     if (reader.text(DCM_SOPClassUID) != QLatin1String(UID_SecondaryCaptureImageStorage)
         || reader.text(DCM_PhotometricInterpretation) != QLatin1String("RGB"))
-        return failure(ErrorCode::UnsupportedFormat, path, QStringLiteral("no picture in colours"));
+        return failure(ErrorCode::UnsupportedFormat, path, Clause::saying("no picture in colours"));
     SecondaryCaptureFile read;
     read.patient = readHeaderPatient(set);
     read.studyUid = reader.text(DCM_StudyInstanceUID);
@@ -110,7 +110,7 @@ Result<SecondaryCaptureFile> readSecondaryCapture(const QString& path)
     const std::size_t needed = std::size_t(read.width) * std::size_t(read.height) * samples;
     const DicomFile::Bytes pixels = file->pixels();
     if (!file->hasPixels() || pixels.size() < needed)
-        return failure(ErrorCode::FileTruncated, path, QStringLiteral("pixels are missing"));
+        return failure(ErrorCode::FileTruncated, path, Clause::saying("pixels are missing"));
     read.rgb.assign(pixels.begin(), pixels.begin() + std::ptrdiff_t(needed));
     return read;
 }

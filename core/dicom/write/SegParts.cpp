@@ -33,9 +33,9 @@ Result<void> checkSegCodes(const Segment& segment, const SegCodes& codes)
     if (fits)
         return {};
     return failure(ErrorCode::InvalidField, QStringLiteral("code"),
-        QStringLiteral("DICOM cannot hold the code of segment '%1': scheme and value take 1 "
-                       "to 16 characters, the meaning 1 to 64")
-            .arg(segment.name));
+        Clause::saying("DICOM cannot hold the code of segment '%1': scheme and value take 1 "
+                       "to 16 characters, the meaning 1 to 64",
+            segment.name));
 }
 
 void putSegDetails(DcmItem* segment, const SegCodes& codes, const ItemWriter& items)

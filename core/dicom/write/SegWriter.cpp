@@ -244,7 +244,7 @@ Result<SegWritten> writeSeg(
     constexpr std::size_t longestElement = 0xFFFFFFFE;
     if (content.pixels.size() > longestElement)
         return failure(ErrorCode::UnsupportedFormat, path,
-            QStringLiteral(
+            Clause::saying(
                 "its frames fill more than 4 GiB; export the segments in several files"));
     auto source = readSegSource(content.sources, content.keptHeaders.get(), progress);
     if (!source)

@@ -11,11 +11,11 @@ Result<void> checkLayer(const char* field, int id, const Document& document)
     const SculptLayer* layer = document.layer(id);
     if (!layer)
         return failure(ErrorCode::InvalidField, QLatin1String(field),
-            QStringLiteral("there is no sculpt layer %1").arg(id));
-    if (const QString why = document.whyItDoesNotCarve(*layer); !why.isEmpty())
+            Clause::saying("there is no sculpt layer %1", id));
+    if (const Clause why = document.whyItDoesNotCarve(*layer); !why.isEmpty())
         return failure(ErrorCode::InvalidField, QLatin1String(field),
-            QStringLiteral("sculpt layer '%1' %2: what is carved there would not be seen")
-                .arg(layer->name, why));
+            Clause::saying(
+                "sculpt layer '%1' %2: what is carved there would not be seen", layer->name, why));
     return {};
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/base/words/Clause.h"
 #include "core/document/Document.h"
 #include "core/edits/answers/EditAnswers.h"
 
@@ -40,7 +41,7 @@ template <class E> [[nodiscard]] Result<void> checkApplied(const E& edit, const 
     const Segment* segment = document.segment(label);
     if (!segment)
         return failure(ErrorCode::UnknownSegment, QString::number(label),
-            QStringLiteral("in field '%1'").arg(QLatin1String(field)));
+            Clause::saying("in field '%1'", QLatin1String(field)));
     if (segment->locked)
         return failure(ErrorCode::SegmentLocked, segment->name);
     return segment;

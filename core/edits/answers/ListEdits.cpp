@@ -11,13 +11,13 @@ tl::unexpected<Error> unknownSegment(int label)
 tl::unexpected<Error> unknownLayer(const char* field, int id)
 {
     return failure(ErrorCode::InvalidField, QLatin1String(field),
-        QStringLiteral("there is no sculpt layer %1").arg(id));
+        Clause::saying("there is no sculpt layer %1", id));
 }
 
 tl::unexpected<Error> unknownPiece(const char* field, int id)
 {
-    return failure(ErrorCode::InvalidField, QLatin1String(field),
-        QStringLiteral("there is no piece %1").arg(id));
+    return failure(
+        ErrorCode::InvalidField, QLatin1String(field), Clause::saying("there is no piece %1", id));
 }
 
 void removeLayer(const SculptLayer* layer, Document& document)

@@ -11,7 +11,7 @@ Result<VoxelSpan> voxelsOf(const GrowBox& box, const VolumeGeometry& geometry, c
     const glm::dvec3 from = glm::max(glm::min(a, b), glm::dvec3(0.0));
     const glm::dvec3 to = glm::min(glm::max(a, b), last);
     if (!glm::all(glm::lessThanEqual(from, to)))
-        return failure(ErrorCode::InvalidField, field, QStringLiteral("lies outside the volume"));
+        return failure(ErrorCode::InvalidField, field, Clause::saying("lies outside the volume"));
     return VoxelSpan{.from = glm::ivec3(from), .to = glm::ivec3(to)};
 }
 

@@ -18,28 +18,28 @@ Result<void> checkDirections(const BrushPath& path, const QString& name)
 {
     if (path.shape == BrushPath::Shape::Ball)
         return {};
-    const auto wrong = [&name](const char* field, const QString& why) {
+    const auto wrong = [&name](const char* field, const Clause& why) {
         return failure(ErrorCode::InvalidField, name + QLatin1String(field), why);
     };
-    const QString none = QStringLiteral("is no direction");
+    const Clause none = Clause::saying("is no direction");
     const bool square = isSquare(path.shape);
     if (!path.normalLps)
         return wrong(".normalLps",
-            square ? QStringLiteral("missing: a square or cube needs the direction of a side")
-                   : QStringLiteral("missing: a disc needs the direction across its plane"));
+            square ? Clause::saying("missing: a square or cube needs the direction of a side")
+                   : Clause::saying("missing: a disc needs the direction across its plane"));
     if (!(glm::length(*path.normalLps) > 1e-3))
         return wrong(".normalLps", none);
     if (!square)
         return {};
     if (!path.sideLps)
         return wrong(".sideLps",
-            QStringLiteral("missing: a square or cube needs the direction of another side"));
+            Clause::saying("missing: a square or cube needs the direction of another side"));
     if (!(glm::length(*path.sideLps) > 1e-3))
         return wrong(".sideLps", none);
     const glm::dvec3 across =
         glm::cross(glm::normalize(*path.normalLps), glm::normalize(*path.sideLps));
     if (!(glm::length(across) > 1e-3))
-        return wrong(".sideLps", QStringLiteral("runs along normalLps"));
+        return wrong(".sideLps", Clause::saying("runs along normalLps"));
     return {};
 }
 
@@ -76,10 +76,10 @@ Result<CapsuleFrame> capsuleFrame(
 {
     if (path.pointsLps.empty())
         return failure(ErrorCode::InvalidField, name + QStringLiteral(".pointsLps"),
-            QStringLiteral("needs at least one entry"));
+            Clause::saying("needs at least one entry"));
     if (!(path.radiusMm >= 0.01 && path.radiusMm <= 200.0))
         return failure(ErrorCode::InvalidField, name + QStringLiteral(".radiusMm"),
-            QStringLiteral("%1 is outside 0.01 … 200").arg(path.radiusMm));
+            Clause::saying("%1 is outside 0.01 … 200", path.radiusMm));
     if (const Result<void> pressed = checkPressures(path.pressures, path.pointsLps.size(), name);
         !pressed)
         return tl::unexpected(pressed.error());

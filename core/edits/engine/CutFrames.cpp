@@ -70,7 +70,7 @@ Result<CutFrame> cutFrame(
         glm::length(geometry.cornersLps().back() - geometry.cornersLps().front());
     if (std::max(std::abs(nearest), std::abs(farthest)) > 4.0 * diagonal + 1000.0)
         return failure(ErrorCode::InvalidField, edit + QStringLiteral(".view.targetLps"),
-            QStringLiteral("lies far outside the volume"));
+            Clause::saying("lies far outside the volume"));
 
     CutFrame frame;
     frame.pitch = elementPitch(geometry, options.maskReachMm);

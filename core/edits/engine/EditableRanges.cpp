@@ -21,7 +21,7 @@ Result<std::vector<PlaneLabels>> byPlane(
         const Segment* segment = document.segment(label);
         if (!segment)
             return failure(ErrorCode::UnknownSegment, QString::number(label),
-                QStringLiteral("in field '%1'").arg(field));
+                Clause::saying("in field '%1'", field));
         planes[segment->plane].set(segment->label);
     }
     std::vector<PlaneLabels> listed;
@@ -37,7 +37,7 @@ Result<CodeInterval> codesBetween(const QString& field, const std::optional<doub
 {
     if (lower && upper && !(*lower <= *upper))
         return failure(ErrorCode::InvalidField, field + QStringLiteral(".upper"),
-            QStringLiteral("%1 is below lower, %2").arg(*upper).arg(*lower));
+            Clause::saying("%1 is below lower, %2", *upper, *lower));
     return CodeInterval{.low = lower ? encoding.lowestCodeAtLeast(*lower) : 0,
         .high = upper ? encoding.highestCodeAtMost(*upper) : VoxelEncoding::codeCount - 1};
 }

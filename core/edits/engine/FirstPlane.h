@@ -12,16 +12,14 @@ namespace core {
 /// @param what it cannot do elsewhere, such as "grow"
 /// Errors: InvalidField.
 [[nodiscard]] inline Result<void> checkInFirstPlane(
-    const QString& field, const Segment& segment, const QString& what)
+    const QString& field, const Segment& segment, const Clause& what)
 {
     if (segment.plane == 0)
         return {};
     return failure(ErrorCode::InvalidField, field,
-        QStringLiteral("'%1' overlaps other segments of its file, so it lies on label plane %2; "
-                       "segments there cannot %3 yet")
-            .arg(segment.name)
-            .arg(int(segment.plane) + 1)
-            .arg(what));
+        Clause::saying("'%1' overlaps other segments of its file, so it lies on label plane %2; "
+                       "segments there cannot %3 yet",
+            segment.name, int(segment.plane) + 1, what));
 }
 
 } // namespace core

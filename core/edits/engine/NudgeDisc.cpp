@@ -11,7 +11,7 @@ Result<NudgeDisc> nudgeDisc(
 {
     if (path.shape != BrushPath::Shape::Disc)
         return failure(ErrorCode::InvalidField, name + QStringLiteral(".shape"),
-            QStringLiteral("a nudge is a disc"));
+            Clause::saying("a nudge is a disc"));
     const Result<CapsuleFrame> frame = capsuleFrame(path, geometry, name);
     if (!frame)
         return tl::unexpected(frame.error());

@@ -31,7 +31,7 @@ Result<std::vector<glm::ivec3>> seedVoxels(
         const std::optional<glm::ivec3> nearest = voxelNearest(point, geometry);
         if (!nearest)
             return failure(ErrorCode::SeedOutsideVolume, pointText(point),
-                QStringLiteral("in field 'seed.%1'").arg(QLatin1String(field)));
+                Clause::saying("in field 'seed.%1'", QLatin1String(field)));
         voxels.push_back(*nearest);
     }
     const auto slicesFirst = [](const glm::ivec3& a, const glm::ivec3& b) {
@@ -47,12 +47,12 @@ Result<glm::dmat3> viewAxes(const OrthographicView& view, const QString& field)
     const glm::dvec3 towards = view.targetLps - view.eyeLps;
     if (!(glm::length(towards) > 1e-6))
         return failure(ErrorCode::InvalidField, field,
-            QStringLiteral("eyeLps and targetLps are the same point"));
+            Clause::saying("eyeLps and targetLps are the same point"));
     const glm::dvec3 forward = glm::normalize(towards);
     const glm::dvec3 across = glm::cross(forward, view.up);
     if (!(glm::length(across) > 1e-6))
         return failure(ErrorCode::InvalidField, field + QStringLiteral(".up"),
-            QStringLiteral("points along the view direction"));
+            Clause::saying("points along the view direction"));
     const glm::dvec3 right = glm::normalize(across);
     return glm::dmat3(right, glm::cross(right, forward), forward);
 }

@@ -37,7 +37,7 @@ Result<void> checkProtected(
 {
     if (protectedSegments && restore)
         return failure(ErrorCode::InvalidField, edit + QStringLiteral(".spared"),
-            QStringLiteral("has no meaning while restoring"));
+            Clause::saying("has no meaning while restoring"));
     return {};
 }
 
@@ -50,9 +50,9 @@ Result<void> checkProtectedAreThere(
         const Segment* segment = document.segment(label);
         if (!segment)
             return failure(ErrorCode::UnknownSegment, QString::number(label),
-                QStringLiteral("in field 'spared'"));
+                Clause::saying("in field 'spared'"));
         if (const Result<void> first = checkInFirstPlane(
-                QStringLiteral("spared"), *segment, QStringLiteral("be spared by a cut"));
+                QStringLiteral("spared"), *segment, Clause::saying("be spared by a cut"));
             !first)
             return first;
     }

@@ -17,14 +17,14 @@ constexpr int maxTextLength = 256;
 
 } // namespace
 
-QString readNumbers(const QJsonValue& json, double* numbers, int count)
+Clause readNumbers(const QJsonValue& json, double* numbers, int count)
 {
     const QJsonArray array = json.toArray();
     if (!json.isArray() || array.size() != count)
-        return QStringLiteral("must be a list of %1 numbers").arg(count);
+        return Clause::saying("must be a list of %1 numbers", count);
     for (int i = 0; i < count; ++i) {
         if (!array[i].isDouble())
-            return QStringLiteral("must be a list of %1 numbers").arg(count);
+            return Clause::saying("must be a list of %1 numbers", count);
         numbers[i] = array[i].toDouble();
     }
     return {};
@@ -47,20 +47,20 @@ QJsonValue Number::write(Value value) const
     return value;
 }
 
-QString Number::read(const QJsonValue& json, Value& value) const
+Clause Number::read(const QJsonValue& json, Value& value) const
 {
     if (!json.isDouble())
-        return QStringLiteral("must be a number");
+        return Clause::saying("must be a number");
     value = json.toDouble();
     return {};
 }
 
-QString Number::check(Value value) const
+Clause Number::check(Value value) const
 {
     if (!std::isfinite(value))
-        return QStringLiteral("must be a finite number");
+        return Clause::saying("must be a finite number");
     if (value < minimum || value > maximum)
-        return QStringLiteral("%1 is outside %2 … %3").arg(value).arg(minimum).arg(maximum);
+        return Clause::saying("%1 is outside %2 … %3", value, minimum, maximum);
     return {};
 }
 
@@ -86,64 +86,64 @@ QString WholeNumber::type() const
     return QStringLiteral("whole number %1 … %2").arg(minimum).arg(maximum);
 }
 
-QString WholeNumber::read(const QJsonValue& json, Value& value) const
+Clause WholeNumber::read(const QJsonValue& json, Value& value) const
 {
     const double number = json.toDouble();
     if (!json.isDouble() || number != std::floor(number) || std::abs(number) > 2e9)
-        return QStringLiteral("must be a whole number");
+        return Clause::saying("must be a whole number");
     value = int(number);
     return {};
 }
 
-QString WholeNumber::check(Value value) const
+Clause WholeNumber::check(Value value) const
 {
     if (value >= minimum && value <= maximum)
         return {};
     if (minimum == maximum)
-        return QStringLiteral("%1 is not supported, only %2").arg(value).arg(minimum);
-    return QStringLiteral("%1 is outside %2 … %3").arg(value).arg(minimum).arg(maximum);
+        return Clause::saying("%1 is not supported, only %2", value, minimum);
+    return Clause::saying("%1 is outside %2 … %3", value, minimum, maximum);
 }
 
-QString Connectivity::read(const QJsonValue& json, Value& value) const
+Clause Connectivity::read(const QJsonValue& json, Value& value) const
 {
     return WholeNumber{6, 26}.read(json, value);
 }
 
-QString Connectivity::check(Value value) const
+Clause Connectivity::check(Value value) const
 {
     if (value == 6 || value == 18 || value == 26)
         return {};
-    return QStringLiteral("%1 is not supported, only 6, 18 and 26").arg(value);
+    return Clause::saying("%1 is not supported, only 6, 18 and 26", value);
 }
 
-QString Flag::read(const QJsonValue& json, Value& value) const
+Clause Flag::read(const QJsonValue& json, Value& value) const
 {
     if (!json.isBool())
-        return QStringLiteral("must be true or false");
+        return Clause::saying("must be true or false");
     value = json.toBool();
     return {};
 }
 
-QString Text::read(const QJsonValue& json, Value& value) const
+Clause Text::read(const QJsonValue& json, Value& value) const
 {
     if (!json.isString())
-        return QStringLiteral("must be a text");
+        return Clause::saying("must be a text");
     value = json.toString();
     return {};
 }
 
-QString Text::check(const Value& value) const
+Clause Text::check(const Value& value) const
 {
     if (value.trimmed().isEmpty())
-        return QStringLiteral("must not be empty");
+        return Clause::saying("must not be empty");
     if (value.size() > maxTextLength)
-        return QStringLiteral("is longer than %1 characters").arg(maxTextLength);
+        return Clause::saying("is longer than %1 characters", maxTextLength);
     for (const QChar character : value) {
         if (character.category() == QChar::Other_Control)
-            return QStringLiteral("must not contain control characters");
+            return Clause::saying("must not contain control characters");
     }
     if (!value.isValidUtf16())
-        return QStringLiteral("is not valid Unicode");
+        return Clause::saying("is not valid Unicode");
     return {};
 }
 
@@ -152,21 +152,21 @@ QJsonValue Colour::write(Value value) const
     return QStringLiteral("#%1").arg(value, 6, 16, QLatin1Char('0'));
 }
 
-QString Colour::read(const QJsonValue& json, Value& value) const
+Clause Colour::read(const QJsonValue& json, Value& value) const
 {
     const QString text = json.toString();
     bool isHex = json.isString() && text.size() == 7 && text.startsWith(QLatin1Char('#'));
     for (qsizetype i = 1; isHex && i < text.size(); ++i)
         isHex = QStringLiteral("0123456789abcdefABCDEF").contains(text[i]);
     if (!isHex)
-        return QStringLiteral("must be a colour like \"#e0c068\"");
+        return Clause::saying("must be a colour like \"#e0c068\"");
     value = text.mid(1).toUInt(nullptr, 16);
     return {};
 }
 
-QString Colour::check(Value value) const
+Clause Colour::check(Value value) const
 {
-    return value <= 0xFFFFFFu ? QString() : QStringLiteral("is not a 24-bit colour");
+    return value <= 0xFFFFFFu ? Clause() : Clause::saying("is not a 24-bit colour");
 }
 
 QJsonValue Code::write(const Value& value) const
@@ -174,19 +174,19 @@ QJsonValue Code::write(const Value& value) const
     return value.isSet() ? QJsonArray{value.scheme, value.value, value.meaning} : QJsonArray();
 }
 
-QString Code::read(const QJsonValue& json, Value& value) const
+Clause Code::read(const QJsonValue& json, Value& value) const
 {
     const QJsonArray array = json.toArray();
     bool wellFormed = json.isArray() && (array.isEmpty() || array.size() == 3);
     for (const QJsonValue& part : array)
         wellFormed = wellFormed && part.isString();
     if (!wellFormed)
-        return QStringLiteral("must be [scheme, value, meaning], three texts, or []");
+        return Clause::saying("must be [scheme, value, meaning], three texts, or []");
     value = {array.at(0).toString(), array.at(1).toString(), array.at(2).toString()};
-    return array.isEmpty() ? QString() : check(value);
+    return array.isEmpty() ? Clause() : check(value);
 }
 
-QString Code::check(const Value& value) const
+Clause Code::check(const Value& value) const
 {
     if (value == Value())
         return {};
@@ -200,12 +200,12 @@ QString Code::check(const Value& value) const
     for (const Part& part : {Part{"scheme", value.scheme, 16}, Part{"value", value.value, 16},
              Part{"meaning", value.meaning, 64}}) {
         const QString name = QLatin1String(part.name);
-        if (const QString reason = Text().check(part.text); !reason.isEmpty())
-            return QStringLiteral("%1 %2").arg(name, reason);
+        if (const Clause reason = Text().check(part.text); !reason.isEmpty())
+            return Clause::saying("%1 %2", name, reason);
         if (part.text.size() > part.maxLength)
-            return QStringLiteral("%1 is longer than %2 characters").arg(name).arg(part.maxLength);
+            return Clause::saying("%1 is longer than %2 characters", name, part.maxLength);
         if (part.text.contains(QLatin1Char('\\')))
-            return QStringLiteral("%1 must not contain a backslash").arg(name);
+            return Clause::saying("%1 must not contain a backslash", name);
     }
     return {};
 }
@@ -215,15 +215,15 @@ QJsonValue Point::write(const Value& value) const
     return QJsonArray{value.x, value.y, value.z};
 }
 
-QString Point::read(const QJsonValue& json, Value& value) const
+Clause Point::read(const QJsonValue& json, Value& value) const
 {
     return readNumbers(json, &value.x, 3);
 }
 
-QString Point::check(const Value& value) const
+Clause Point::check(const Value& value) const
 {
     for (int axis = 0; axis < 3; ++axis) {
-        if (const QString reason = component.check(value[axis]); !reason.isEmpty())
+        if (const Clause reason = component.check(value[axis]); !reason.isEmpty())
             return reason;
     }
     return {};
@@ -234,18 +234,18 @@ glm::dvec3 Point::rounded(const Value& value) const
     return {component.rounded(value.x), component.rounded(value.y), component.rounded(value.z)};
 }
 
-QString Row::read(const QJsonValue& json, Value& value) const
+Clause Row::read(const QJsonValue& json, Value& value) const
 {
     const double number = json.toDouble(-1.0);
     if (number < 1.0 || number > 1e15 || number != std::floor(number))
-        return QStringLiteral("must be the number of a row, 1 or more");
+        return Clause::saying("must be the number of a row, 1 or more");
     value = std::int64_t(number);
     return {};
 }
 
-QString Row::check(Value value) const
+Clause Row::check(Value value) const
 {
-    return value < 1 ? QStringLiteral("must be the number of a row, 1 or more") : QString();
+    return value < 1 ? Clause::saying("must be the number of a row, 1 or more") : Clause();
 }
 
 QString StepCount::type() const
@@ -258,7 +258,7 @@ QJsonValue StepCount::write(const Value& value) const
     return value ? QJsonValue(*value) : QJsonValue(QLatin1String(all));
 }
 
-QString StepCount::read(const QJsonValue& json, Value& value) const
+Clause StepCount::read(const QJsonValue& json, Value& value) const
 {
     if (json.isString() && json.toString() == QLatin1String(all)) {
         value.reset();
@@ -266,14 +266,14 @@ QString StepCount::read(const QJsonValue& json, Value& value) const
     }
     int count = 0;
     if (!WholeNumber{0, 0}.read(json, count).isEmpty())
-        return QStringLiteral("must be a whole number or \"%1\"").arg(QLatin1String(all));
+        return Clause::saying("must be a whole number or \"%1\"", QLatin1String(all));
     value = count;
     return {};
 }
 
-QString StepCount::check(const Value& value) const
+Clause StepCount::check(const Value& value) const
 {
-    return value ? WholeNumber{0, int(seedWord::maxGeneration)}.check(*value) : QString();
+    return value ? WholeNumber{0, int(seedWord::maxGeneration)}.check(*value) : Clause();
 }
 
 } // namespace core::editFields

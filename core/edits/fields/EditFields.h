@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/base/words/Clause.h"
 #include "core/document/Document.h"
 
 #include <QJsonValue>
@@ -34,8 +35,8 @@ struct Number {
     [[nodiscard]] QString type() const;
     [[nodiscard]] QString unit() const;
     [[nodiscard]] QJsonValue write(Value value) const;
-    [[nodiscard]] QString read(const QJsonValue& json, Value& value) const;
-    [[nodiscard]] QString check(Value value) const;
+    [[nodiscard]] Clause read(const QJsonValue& json, Value& value) const;
+    [[nodiscard]] Clause check(Value value) const;
     [[nodiscard]] Value rounded(Value value) const;
 };
 
@@ -47,8 +48,8 @@ struct WholeNumber {
     [[nodiscard]] QString type() const;
     [[nodiscard]] QString unit() const { return {}; }
     [[nodiscard]] QJsonValue write(Value value) const { return value; }
-    [[nodiscard]] QString read(const QJsonValue& json, Value& value) const;
-    [[nodiscard]] QString check(Value value) const;
+    [[nodiscard]] Clause read(const QJsonValue& json, Value& value) const;
+    [[nodiscard]] Clause check(Value value) const;
     [[nodiscard]] Value rounded(Value value) const { return value; }
 };
 
@@ -66,8 +67,8 @@ struct Connectivity {
     [[nodiscard]] QString type() const { return QStringLiteral("6, 18 or 26"); }
     [[nodiscard]] QString unit() const { return {}; }
     [[nodiscard]] QJsonValue write(Value value) const { return value; }
-    [[nodiscard]] QString read(const QJsonValue& json, Value& value) const;
-    [[nodiscard]] QString check(Value value) const;
+    [[nodiscard]] Clause read(const QJsonValue& json, Value& value) const;
+    [[nodiscard]] Clause check(Value value) const;
     [[nodiscard]] Value rounded(Value value) const { return value; }
 };
 
@@ -77,8 +78,8 @@ struct Flag {
     [[nodiscard]] QString type() const { return QStringLiteral("true or false"); }
     [[nodiscard]] QString unit() const { return {}; }
     [[nodiscard]] QJsonValue write(Value value) const { return value; }
-    [[nodiscard]] QString read(const QJsonValue& json, Value& value) const;
-    [[nodiscard]] QString check(Value) const { return {}; }
+    [[nodiscard]] Clause read(const QJsonValue& json, Value& value) const;
+    [[nodiscard]] Clause check(Value) const { return {}; }
     [[nodiscard]] Value rounded(Value value) const { return value; }
 };
 
@@ -89,8 +90,8 @@ struct Text {
     [[nodiscard]] QString type() const { return QStringLiteral("text"); }
     [[nodiscard]] QString unit() const { return {}; }
     [[nodiscard]] QJsonValue write(const Value& value) const { return value; }
-    [[nodiscard]] QString read(const QJsonValue& json, Value& value) const;
-    [[nodiscard]] QString check(const Value& value) const;
+    [[nodiscard]] Clause read(const QJsonValue& json, Value& value) const;
+    [[nodiscard]] Clause check(const Value& value) const;
     [[nodiscard]] Value rounded(const Value& value) const { return value; }
 };
 
@@ -101,8 +102,8 @@ struct Colour {
     [[nodiscard]] QString type() const { return QStringLiteral("\"#rrggbb\""); }
     [[nodiscard]] QString unit() const { return {}; }
     [[nodiscard]] QJsonValue write(Value value) const;
-    [[nodiscard]] QString read(const QJsonValue& json, Value& value) const;
-    [[nodiscard]] QString check(Value value) const;
+    [[nodiscard]] Clause read(const QJsonValue& json, Value& value) const;
+    [[nodiscard]] Clause check(Value value) const;
     [[nodiscard]] Value rounded(Value value) const { return value; }
 };
 
@@ -113,13 +114,13 @@ struct Code {
     [[nodiscard]] QString type() const { return QStringLiteral("[scheme, value, meaning]"); }
     [[nodiscard]] QString unit() const { return {}; }
     [[nodiscard]] QJsonValue write(const Value& value) const;
-    [[nodiscard]] QString read(const QJsonValue& json, Value& value) const;
-    [[nodiscard]] QString check(const Value& value) const;
+    [[nodiscard]] Clause read(const QJsonValue& json, Value& value) const;
+    [[nodiscard]] Clause check(const Value& value) const;
     [[nodiscard]] Value rounded(const Value& value) const { return value; }
 };
 
 /// Reads exactly @p count numbers from a JSON list; returns empty on success, else the reason.
-[[nodiscard]] QString readNumbers(const QJsonValue& json, double* numbers, int count);
+[[nodiscard]] Clause readNumbers(const QJsonValue& json, double* numbers, int count);
 
 /// [x, y, z]; the same rule applies to each number.
 struct Point {
@@ -129,8 +130,8 @@ struct Point {
     [[nodiscard]] QString type() const { return QStringLiteral("[x, y, z]"); }
     [[nodiscard]] QString unit() const { return component.unit(); }
     [[nodiscard]] QJsonValue write(const Value& value) const;
-    [[nodiscard]] QString read(const QJsonValue& json, Value& value) const;
-    [[nodiscard]] QString check(const Value& value) const;
+    [[nodiscard]] Clause read(const QJsonValue& json, Value& value) const;
+    [[nodiscard]] Clause check(const Value& value) const;
     [[nodiscard]] Value rounded(const Value& value) const;
 };
 
@@ -152,7 +153,7 @@ template <class E, std::size_t N> struct Choice {
     {
         return QLatin1String(names[std::size_t(value)]);
     }
-    [[nodiscard]] QString read(const QJsonValue& json, Value& value) const
+    [[nodiscard]] Clause read(const QJsonValue& json, Value& value) const
     {
         const QString text = json.toString();
         for (std::size_t i = 0; i < N; ++i) {
@@ -161,9 +162,9 @@ template <class E, std::size_t N> struct Choice {
                 return {};
             }
         }
-        return QStringLiteral("must be ") + type();
+        return Clause::saying("must be %1", type());
     }
-    [[nodiscard]] QString check(Value) const { return {}; }
+    [[nodiscard]] Clause check(Value) const { return {}; }
     [[nodiscard]] Value rounded(Value value) const { return value; }
 };
 
@@ -174,8 +175,8 @@ struct Row {
     [[nodiscard]] QString type() const { return QStringLiteral("row"); }
     [[nodiscard]] QString unit() const { return {}; }
     [[nodiscard]] QJsonValue write(Value value) const { return qint64(value); }
-    [[nodiscard]] QString read(const QJsonValue& json, Value& value) const;
-    [[nodiscard]] QString check(Value value) const;
+    [[nodiscard]] Clause read(const QJsonValue& json, Value& value) const;
+    [[nodiscard]] Clause check(Value value) const;
     [[nodiscard]] Value rounded(Value value) const { return value; }
 };
 
@@ -187,8 +188,8 @@ struct StepCount {
     [[nodiscard]] QString type() const;
     [[nodiscard]] QString unit() const { return QStringLiteral("steps"); }
     [[nodiscard]] QJsonValue write(const Value& value) const;
-    [[nodiscard]] QString read(const QJsonValue& json, Value& value) const;
-    [[nodiscard]] QString check(const Value& value) const;
+    [[nodiscard]] Clause read(const QJsonValue& json, Value& value) const;
+    [[nodiscard]] Clause check(const Value& value) const;
     [[nodiscard]] Value rounded(const Value& value) const { return value; }
 };
 

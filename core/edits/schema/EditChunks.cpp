@@ -25,29 +25,28 @@ QJsonValue ChunkOwnerList::write(const Value& value) const
     });
 }
 
-QString ChunkOwnerList::read(const QJsonValue& json, Value& value) const
+Clause ChunkOwnerList::read(const QJsonValue& json, Value& value) const
 {
-    return readEach(json, value, QStringLiteral("must be a list of segments"),
+    return readEach(json, value, Clause::saying("must be a list of segments"),
         [](const QJsonValue& entry, ChunkOwner& owner) {
             const QJsonObject object = entry.toObject();
             const bool sound =
                 ownerLabel.read(object[QStringLiteral("label")], owner.label).isEmpty()
                 && fromBase64(object[QStringLiteral("voxels")], owner.voxels) && object.size() == 2;
-            return sound ? QString()
-                         : QStringLiteral("has no label and voxels, or more than these");
+            return sound ? Clause() : Clause::saying("has no label and voxels, or more than these");
         });
 }
 
-QString ChunkOwnerList::check(const Value& value) const
+Clause ChunkOwnerList::check(const Value& value) const
 {
     if (value.empty())
-        return QStringLiteral("needs at least one entry");
+        return Clause::saying("needs at least one entry");
     int last = 0;
     for (const ChunkOwner& owner : value) {
-        if (const QString reason = ownerLabel.check(owner.label); !reason.isEmpty())
+        if (const Clause reason = ownerLabel.check(owner.label); !reason.isEmpty())
             return reason;
         if (owner.label <= last)
-            return QStringLiteral("must ascend");
+            return Clause::saying("must ascend");
         last = owner.label;
     }
     return {};
@@ -58,14 +57,14 @@ QJsonValue PackedBytes::write(const Value& value) const
     return inBase64(value);
 }
 
-QString PackedBytes::read(const QJsonValue& json, Value& value) const
+Clause PackedBytes::read(const QJsonValue& json, Value& value) const
 {
-    return fromBase64(json, value) ? QString() : QStringLiteral("must be bytes in base 64");
+    return fromBase64(json, value) ? Clause() : Clause::saying("must be bytes in base 64");
 }
 
-QString PackedBytes::check(const Value& value) const
+Clause PackedBytes::check(const Value& value) const
 {
-    return value.isEmpty() ? QStringLiteral("must not be empty") : QString();
+    return value.isEmpty() ? Clause::saying("must not be empty") : Clause();
 }
 
 QJsonValue BrickList::write(const Value& value) const
@@ -73,25 +72,25 @@ QJsonValue BrickList::write(const Value& value) const
     return writeEach(value, [](std::int64_t brick) { return QJsonValue(qint64(brick)); });
 }
 
-QString BrickList::read(const QJsonValue& json, Value& value) const
+Clause BrickList::read(const QJsonValue& json, Value& value) const
 {
     if (!json.isArray())
-        return QStringLiteral("must be a list of bricks");
+        return Clause::saying("must be a list of bricks");
     value.clear();
     for (const QJsonValue& entry : json.toArray()) {
         const double number = entry.toDouble(-1.0);
         if (number < 0.0 || number > lastBrick || number != std::floor(number))
-            return QStringLiteral("must be numbers of bricks, 0 or more");
+            return Clause::saying("must be numbers of bricks, 0 or more");
         value.push_back(std::int64_t(number));
     }
     return {};
 }
 
-QString BrickList::check(const Value& value) const
+Clause BrickList::check(const Value& value) const
 {
     if (!value.empty() && (value.front() < 0 || double(value.back()) > lastBrick))
-        return QStringLiteral("must be numbers of bricks, 0 or more");
-    return ascends(value) ? QString() : QStringLiteral("must ascend");
+        return Clause::saying("must be numbers of bricks, 0 or more");
+    return ascends(value) ? Clause() : Clause::saying("must ascend");
 }
 
 } // namespace core::editFields

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/base/words/Clause.h"
 #include "core/edits/fields/EditFields.h"
 #include "core/edits/kinds/chunks/DivideSegment.h"
 
@@ -18,8 +19,8 @@ struct ChunkOwnerList {
     [[nodiscard]] QString type() const { return QStringLiteral("[{label, voxels}, …]"); }
     [[nodiscard]] QString unit() const { return {}; }
     [[nodiscard]] QJsonValue write(const Value& value) const;
-    [[nodiscard]] QString read(const QJsonValue& json, Value& value) const;
-    [[nodiscard]] QString check(const Value& value) const;
+    [[nodiscard]] Clause read(const QJsonValue& json, Value& value) const;
+    [[nodiscard]] Clause check(const Value& value) const;
     [[nodiscard]] Value rounded(const Value& value) const { return value; }
 };
 
@@ -30,8 +31,8 @@ struct PackedBytes {
     [[nodiscard]] QString type() const { return QStringLiteral("text"); }
     [[nodiscard]] QString unit() const { return {}; }
     [[nodiscard]] QJsonValue write(const Value& value) const;
-    [[nodiscard]] QString read(const QJsonValue& json, Value& value) const;
-    [[nodiscard]] QString check(const Value& value) const;
+    [[nodiscard]] Clause read(const QJsonValue& json, Value& value) const;
+    [[nodiscard]] Clause check(const Value& value) const;
     [[nodiscard]] Value rounded(const Value& value) const { return value; }
 };
 
@@ -42,8 +43,8 @@ struct BrickList {
     [[nodiscard]] QString type() const { return QStringLiteral("[brick, …]"); }
     [[nodiscard]] QString unit() const { return {}; }
     [[nodiscard]] QJsonValue write(const Value& value) const;
-    [[nodiscard]] QString read(const QJsonValue& json, Value& value) const;
-    [[nodiscard]] QString check(const Value& value) const;
+    [[nodiscard]] Clause read(const QJsonValue& json, Value& value) const;
+    [[nodiscard]] Clause check(const Value& value) const;
     [[nodiscard]] Value rounded(const Value& value) const { return value; }
 };
 

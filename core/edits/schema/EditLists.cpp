@@ -21,12 +21,12 @@ const Number sideNormal{"", -1.0, 1.0, quantum::perDirection};
 const Number samplePressure{"", 0.0, 1.0, quantum::perPressure};
 const Number sampleSeconds{"s", 0.0, 86400.0, quantum::perSecond};
 
-QString checkLength(std::size_t length)
+Clause checkLength(std::size_t length)
 {
     if (length == 0)
-        return QStringLiteral("needs at least one entry");
+        return Clause::saying("needs at least one entry");
     if (length > std::size_t(maxListLength))
-        return QStringLiteral("has more than %1 entries").arg(maxListLength);
+        return Clause::saying("has more than %1 entries", maxListLength);
     return {};
 }
 
@@ -37,17 +37,17 @@ QJsonValue PointList::write(const Value& value) const
     return writeEach(value, [this](const glm::dvec3& entry) { return point.write(entry); });
 }
 
-QString PointList::read(const QJsonValue& json, Value& value) const
+Clause PointList::read(const QJsonValue& json, Value& value) const
 {
-    return readEach(json, value, QStringLiteral("must be a list of points [x, y, z]"),
+    return readEach(json, value, Clause::saying("must be a list of points [x, y, z]"),
         [this](const QJsonValue& each, glm::dvec3& entry) { return point.read(each, entry); });
 }
 
-QString PointList::check(const Value& value) const
+Clause PointList::check(const Value& value) const
 {
     if (value.empty() && mayBeEmpty)
         return {};
-    if (const QString reason = checkLength(value.size()); !reason.isEmpty())
+    if (const Clause reason = checkLength(value.size()); !reason.isEmpty())
         return reason;
     return checkEach(value, [this](const glm::dvec3& entry) { return point.check(entry); });
 }
@@ -63,20 +63,20 @@ QJsonValue ContourList::write(const Value& value) const
         value, [this](const PointList::Value& contour) { return PointList{point}.write(contour); });
 }
 
-QString ContourList::read(const QJsonValue& json, Value& value) const
+Clause ContourList::read(const QJsonValue& json, Value& value) const
 {
-    return readEach(json, value, QStringLiteral("must be a list of contours [[x, y, z], …]"),
+    return readEach(json, value, Clause::saying("must be a list of contours [[x, y, z], …]"),
         [this](const QJsonValue& each, PointList::Value& contour) {
             return PointList{point}.read(each, contour);
         });
 }
 
-QString ContourList::check(const Value& value) const
+Clause ContourList::check(const Value& value) const
 {
-    if (const QString reason = checkLength(value.size()); !reason.isEmpty())
+    if (const Clause reason = checkLength(value.size()); !reason.isEmpty())
         return reason;
     return checkEach(value, [this](const PointList::Value& contour) {
-        return contour.size() < 3 ? QStringLiteral("needs at least three points")
+        return contour.size() < 3 ? Clause::saying("needs at least three points")
                                   : PointList{point}.check(contour);
     });
 }
@@ -92,18 +92,18 @@ QJsonValue Outline::write(const Value& value) const
     return writeEach(value, [](const glm::dvec2& point) { return QJsonArray{point.x, point.y}; });
 }
 
-QString Outline::read(const QJsonValue& json, Value& value) const
+Clause Outline::read(const QJsonValue& json, Value& value) const
 {
-    return readEach(json, value, QStringLiteral("must be a list of points [x, y]"),
+    return readEach(json, value, Clause::saying("must be a list of points [x, y]"),
         [](const QJsonValue& each, glm::dvec2& point) { return readNumbers(each, &point.x, 2); });
 }
 
-QString Outline::check(const Value& value) const
+Clause Outline::check(const Value& value) const
 {
     if (value.size() < 3)
-        return QStringLiteral("needs at least three points");
+        return Clause::saying("needs at least three points");
     if (value.size() > std::size_t(maxOutlineLength))
-        return QStringLiteral("has more than %1 points").arg(maxOutlineLength);
+        return Clause::saying("has more than %1 points", maxOutlineLength);
     return checkEach(value, [this](const glm::dvec2& point) {
         return firstOf({component.check(point.x), component.check(point.y)});
     });
@@ -123,26 +123,26 @@ QJsonValue ClipHalfSpaceList::write(const Value& value) const
     });
 }
 
-QString ClipHalfSpaceList::read(const QJsonValue& json, Value& value) const
+Clause ClipHalfSpaceList::read(const QJsonValue& json, Value& value) const
 {
-    return readEach(json, value, QStringLiteral("must be a list of planes [x, y, z, offset]"),
+    return readEach(json, value, Clause::saying("must be a list of planes [x, y, z, offset]"),
         [](const QJsonValue& each, ClipHalfSpace& side) {
             double numbers[4]{};
-            const QString reason = readNumbers(each, numbers, 4);
+            const Clause reason = readNumbers(each, numbers, 4);
             side = {{numbers[0], numbers[1], numbers[2]}, numbers[3]};
             return reason;
         });
 }
 
-QString ClipHalfSpaceList::check(const Value& value) const
+Clause ClipHalfSpaceList::check(const Value& value) const
 {
     if (value.empty() || value.size() > std::size_t(maxClipHalfSpaces))
-        return QStringLiteral("needs 1 to %1 entries").arg(maxClipHalfSpaces);
+        return Clause::saying("needs 1 to %1 entries", maxClipHalfSpaces);
     return checkEach(value, [](const ClipHalfSpace& side) {
         const bool pointsSomewhere = glm::length(side.normalLps) > 0.01;
         return firstOf({sideNormal.check(side.normalLps.x), sideNormal.check(side.normalLps.y),
             sideNormal.check(side.normalLps.z), sampleMillimetres.check(side.offsetMm),
-            pointsSomewhere ? QString() : QStringLiteral("has no direction")});
+            pointsSomewhere ? Clause() : Clause::saying("has no direction")});
     });
 }
 
@@ -161,12 +161,12 @@ QJsonValue SampleList::write(const Value& value) const
     });
 }
 
-QString SampleList::read(const QJsonValue& json, Value& value) const
+Clause SampleList::read(const QJsonValue& json, Value& value) const
 {
-    return readEach(json, value, QStringLiteral("must be a list of samples [x, y, pressure, t]"),
+    return readEach(json, value, Clause::saying("must be a list of samples [x, y, pressure, t]"),
         [](const QJsonValue& each, PenSample& sample) {
             double numbers[4]{};
-            const QString reason = readNumbers(each, numbers, 4);
+            const Clause reason = readNumbers(each, numbers, 4);
             sample = {.xMm = numbers[0],
                 .yMm = numbers[1],
                 .pressure = numbers[2],
@@ -175,9 +175,9 @@ QString SampleList::read(const QJsonValue& json, Value& value) const
         });
 }
 
-QString SampleList::check(const Value& value) const
+Clause SampleList::check(const Value& value) const
 {
-    if (const QString reason = checkLength(value.size()); !reason.isEmpty())
+    if (const Clause reason = checkLength(value.size()); !reason.isEmpty())
         return reason;
     double earlier = 0.0;
     return checkEach(value, [&earlier](const PenSample& sample) {
@@ -185,7 +185,7 @@ QString SampleList::check(const Value& value) const
         earlier = sample.tSeconds;
         return firstOf({sampleMillimetres.check(sample.xMm), sampleMillimetres.check(sample.yMm),
             samplePressure.check(sample.pressure), sampleSeconds.check(sample.tSeconds),
-            runsOn ? QString() : QStringLiteral("time runs backwards")});
+            runsOn ? Clause() : Clause::saying("time runs backwards")});
     });
 }
 
@@ -204,17 +204,17 @@ QJsonValue PressureList::write(const Value& value) const
     return writeEach(value, [](double pressure) { return QJsonValue(pressure); });
 }
 
-QString PressureList::read(const QJsonValue& json, Value& value) const
+Clause PressureList::read(const QJsonValue& json, Value& value) const
 {
-    return readEach(json, value, QStringLiteral("must be a list of pressures"),
+    return readEach(json, value, Clause::saying("must be a list of pressures"),
         [](const QJsonValue& each, double& pressure) {
             return samplePressure.read(each, pressure);
         });
 }
 
-QString PressureList::check(const Value& value) const
+Clause PressureList::check(const Value& value) const
 {
-    if (const QString reason = checkLength(value.size()); !reason.isEmpty())
+    if (const Clause reason = checkLength(value.size()); !reason.isEmpty())
         return reason;
     return checkEach(value, [](double pressure) { return samplePressure.check(pressure); });
 }
@@ -229,27 +229,27 @@ QJsonValue RowList::write(const Value& value) const
     return writeEach(value, [](std::int64_t row) { return QJsonValue(qint64(row)); });
 }
 
-QString RowList::read(const QJsonValue& json, Value& value) const
+Clause RowList::read(const QJsonValue& json, Value& value) const
 {
     if (!json.isArray())
-        return QStringLiteral("must be a list of rows");
+        return Clause::saying("must be a list of rows");
     value.clear();
     for (const QJsonValue& entry : json.toArray()) {
         std::int64_t row = 0;
         if (!Row().read(entry, row).isEmpty())
-            return QStringLiteral("must be numbers of rows, 1 or more");
+            return Clause::saying("must be numbers of rows, 1 or more");
         value.push_back(row);
     }
     return {};
 }
 
-QString RowList::check(const Value& value) const
+Clause RowList::check(const Value& value) const
 {
-    if (const QString reason = checkLength(value.size()); !reason.isEmpty())
+    if (const Clause reason = checkLength(value.size()); !reason.isEmpty())
         return reason;
     if (value.front() < 1)
-        return QStringLiteral("must be numbers of rows, 1 or more");
-    return ascends(value) ? QString() : QStringLiteral("must ascend");
+        return Clause::saying("must be numbers of rows, 1 or more");
+    return ascends(value) ? Clause() : Clause::saying("must ascend");
 }
 
 QJsonValue PlaceList::write(const Value& value) const
@@ -257,18 +257,18 @@ QJsonValue PlaceList::write(const Value& value) const
     return RowList().write(value);
 }
 
-QString PlaceList::read(const QJsonValue& json, Value& value) const
+Clause PlaceList::read(const QJsonValue& json, Value& value) const
 {
     return RowList().read(json, value).isEmpty()
-        ? QString()
-        : QStringLiteral("must be a list of places, whole numbers from 1 on");
+        ? Clause()
+        : Clause::saying("must be a list of places, whole numbers from 1 on");
 }
 
-QString PlaceList::check(const Value& value) const
+Clause PlaceList::check(const Value& value) const
 {
     if (value.empty())
         return {};
-    return RowList().check(value).isEmpty() ? QString() : QStringLiteral("must ascend, from 1 on");
+    return RowList().check(value).isEmpty() ? Clause() : Clause::saying("must ascend, from 1 on");
 }
 
 QJsonValue CornerPair::write(const Value& value) const
@@ -276,18 +276,18 @@ QJsonValue CornerPair::write(const Value& value) const
     return PointList{point}.write({value.fromLps, value.toLps});
 }
 
-QString CornerPair::read(const QJsonValue& json, Value& value) const
+Clause CornerPair::read(const QJsonValue& json, Value& value) const
 {
     PointList::Value corners;
-    if (const QString reason = PointList{point}.read(json, corners); !reason.isEmpty())
+    if (const Clause reason = PointList{point}.read(json, corners); !reason.isEmpty())
         return reason;
     if (corners.size() != 2)
-        return QStringLiteral("must be two points [x, y, z]");
+        return Clause::saying("must be two points [x, y, z]");
     value = {.fromLps = corners.front(), .toLps = corners.back()};
     return {};
 }
 
-QString CornerPair::check(const Value& value) const
+Clause CornerPair::check(const Value& value) const
 {
     return PointList{point}.check({value.fromLps, value.toLps});
 }
@@ -302,7 +302,7 @@ QJsonValue SegmentList::write(const Value& value) const
     return writeEach(value, [](int segment) { return segment; });
 }
 
-QString SegmentList::read(const QJsonValue& json, Value& value) const
+Clause SegmentList::read(const QJsonValue& json, Value& value) const
 {
     if (mayBeEmpty && json.isArray() && json.toArray().isEmpty()) {
         value.clear();
@@ -310,22 +310,22 @@ QString SegmentList::read(const QJsonValue& json, Value& value) const
     }
     RowList::Value numbers;
     if (!RowList().read(json, numbers).isEmpty())
-        return QStringLiteral("must be a list of segments, whole numbers from 1 on");
+        return Clause::saying("must be a list of segments, whole numbers from 1 on");
     value.clear();
     for (const std::int64_t number : numbers)
         value.push_back(int(std::min<std::int64_t>(number, 256))); // check() refuses that
     return {};
 }
 
-QString SegmentList::check(const Value& value) const
+Clause SegmentList::check(const Value& value) const
 {
     if (mayBeEmpty && value.empty())
         return {};
-    if (const QString reason = checkLength(value.size()); !reason.isEmpty())
+    if (const Clause reason = checkLength(value.size()); !reason.isEmpty())
         return reason;
     if (value.front() < 1 || value.back() > 255)
-        return QStringLiteral("must be numbers of segments, 1 … 255");
-    return ascends(value) ? QString() : QStringLiteral("must ascend");
+        return Clause::saying("must be numbers of segments, 1 … 255");
+    return ascends(value) ? Clause() : Clause::saying("must ascend");
 }
 
 } // namespace core::editFields

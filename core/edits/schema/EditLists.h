@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/base/words/Clause.h"
 #include "core/edits/fields/EditFields.h"
 #include "core/edits/kinds/parts/ClipHalfSpaces.h"
 #include "core/edits/kinds/parts/GrowBox.h"
@@ -22,8 +23,8 @@ struct PointList {
     [[nodiscard]] QString type() const { return QStringLiteral("[[x, y, z], …]"); }
     [[nodiscard]] QString unit() const { return point.unit(); }
     [[nodiscard]] QJsonValue write(const Value& value) const;
-    [[nodiscard]] QString read(const QJsonValue& json, Value& value) const;
-    [[nodiscard]] QString check(const Value& value) const;
+    [[nodiscard]] Clause read(const QJsonValue& json, Value& value) const;
+    [[nodiscard]] Clause check(const Value& value) const;
     [[nodiscard]] Value rounded(const Value& value) const;
 };
 
@@ -35,8 +36,8 @@ struct ContourList {
     [[nodiscard]] QString type() const { return QStringLiteral("[[[x, y, z], …], …]"); }
     [[nodiscard]] QString unit() const { return point.unit(); }
     [[nodiscard]] QJsonValue write(const Value& value) const;
-    [[nodiscard]] QString read(const QJsonValue& json, Value& value) const;
-    [[nodiscard]] QString check(const Value& value) const;
+    [[nodiscard]] Clause read(const QJsonValue& json, Value& value) const;
+    [[nodiscard]] Clause check(const Value& value) const;
     [[nodiscard]] Value rounded(const Value& value) const;
 };
 
@@ -48,8 +49,8 @@ struct Outline {
     [[nodiscard]] QString type() const { return QStringLiteral("[[x, y], …]"); }
     [[nodiscard]] QString unit() const { return component.unit(); }
     [[nodiscard]] QJsonValue write(const Value& value) const;
-    [[nodiscard]] QString read(const QJsonValue& json, Value& value) const;
-    [[nodiscard]] QString check(const Value& value) const;
+    [[nodiscard]] Clause read(const QJsonValue& json, Value& value) const;
+    [[nodiscard]] Clause check(const Value& value) const;
     [[nodiscard]] Value rounded(const Value& value) const;
 };
 
@@ -60,8 +61,8 @@ struct ClipHalfSpaceList {
     [[nodiscard]] QString type() const { return QStringLiteral("[[x, y, z, offset], …]"); }
     [[nodiscard]] QString unit() const { return QStringLiteral("direction, mm"); }
     [[nodiscard]] QJsonValue write(const Value& value) const;
-    [[nodiscard]] QString read(const QJsonValue& json, Value& value) const;
-    [[nodiscard]] QString check(const Value& value) const;
+    [[nodiscard]] Clause read(const QJsonValue& json, Value& value) const;
+    [[nodiscard]] Clause check(const Value& value) const;
     [[nodiscard]] Value rounded(const Value& value) const;
 };
 
@@ -72,8 +73,8 @@ struct SampleList {
     [[nodiscard]] QString type() const { return QStringLiteral("[[x, y, pressure, t], …]"); }
     [[nodiscard]] QString unit() const { return QStringLiteral("mm, mm, 0 … 1, s"); }
     [[nodiscard]] QJsonValue write(const Value& value) const;
-    [[nodiscard]] QString read(const QJsonValue& json, Value& value) const;
-    [[nodiscard]] QString check(const Value& value) const;
+    [[nodiscard]] Clause read(const QJsonValue& json, Value& value) const;
+    [[nodiscard]] Clause check(const Value& value) const;
     [[nodiscard]] Value rounded(const Value& value) const;
 };
 
@@ -84,8 +85,8 @@ struct PressureList {
     [[nodiscard]] QString type() const { return QStringLiteral("[pressure, …]"); }
     [[nodiscard]] QString unit() const { return QStringLiteral("0 … 1"); }
     [[nodiscard]] QJsonValue write(const Value& value) const;
-    [[nodiscard]] QString read(const QJsonValue& json, Value& value) const;
-    [[nodiscard]] QString check(const Value& value) const;
+    [[nodiscard]] Clause read(const QJsonValue& json, Value& value) const;
+    [[nodiscard]] Clause check(const Value& value) const;
     [[nodiscard]] Value rounded(const Value& value) const;
 };
 
@@ -96,8 +97,8 @@ struct RowList {
     [[nodiscard]] QString type() const { return QStringLiteral("[row, …]"); }
     [[nodiscard]] QString unit() const { return {}; }
     [[nodiscard]] QJsonValue write(const Value& value) const;
-    [[nodiscard]] QString read(const QJsonValue& json, Value& value) const;
-    [[nodiscard]] QString check(const Value& value) const;
+    [[nodiscard]] Clause read(const QJsonValue& json, Value& value) const;
+    [[nodiscard]] Clause check(const Value& value) const;
     [[nodiscard]] Value rounded(const Value& value) const { return value; }
 };
 
@@ -108,8 +109,8 @@ struct PlaceList {
     [[nodiscard]] QString type() const { return QStringLiteral("[place, …]"); }
     [[nodiscard]] QString unit() const { return {}; }
     [[nodiscard]] QJsonValue write(const Value& value) const;
-    [[nodiscard]] QString read(const QJsonValue& json, Value& value) const;
-    [[nodiscard]] QString check(const Value& value) const;
+    [[nodiscard]] Clause read(const QJsonValue& json, Value& value) const;
+    [[nodiscard]] Clause check(const Value& value) const;
     [[nodiscard]] Value rounded(const Value& value) const { return value; }
 };
 
@@ -121,8 +122,8 @@ struct CornerPair {
     [[nodiscard]] QString type() const { return QStringLiteral("[[x, y, z], [x, y, z]]"); }
     [[nodiscard]] QString unit() const { return point.unit(); }
     [[nodiscard]] QJsonValue write(const Value& value) const;
-    [[nodiscard]] QString read(const QJsonValue& json, Value& value) const;
-    [[nodiscard]] QString check(const Value& value) const;
+    [[nodiscard]] Clause read(const QJsonValue& json, Value& value) const;
+    [[nodiscard]] Clause check(const Value& value) const;
     [[nodiscard]] Value rounded(const Value& value) const;
 };
 
@@ -134,8 +135,8 @@ struct SegmentList {
     [[nodiscard]] QString type() const { return QStringLiteral("[segment, …]"); }
     [[nodiscard]] QString unit() const { return {}; }
     [[nodiscard]] QJsonValue write(const Value& value) const;
-    [[nodiscard]] QString read(const QJsonValue& json, Value& value) const;
-    [[nodiscard]] QString check(const Value& value) const;
+    [[nodiscard]] Clause read(const QJsonValue& json, Value& value) const;
+    [[nodiscard]] Clause check(const Value& value) const;
     [[nodiscard]] Value rounded(const Value& value) const { return value; }
 };
 

@@ -18,20 +18,20 @@ constexpr int longestSide = 32768;
 
 } // namespace
 
-QString FileName::read(const QJsonValue& json, Value& value) const
+Clause FileName::read(const QJsonValue& json, Value& value) const
 {
     return Text().read(json, value);
 }
 
-QString FileName::check(const Value& value) const
+Clause FileName::check(const Value& value) const
 {
     if (value.isEmpty())
-        return QStringLiteral("must not be empty");
+        return Clause::saying("must not be empty");
     if (value.size() > longestFileName)
-        return QStringLiteral("is longer than %1 characters").arg(longestFileName);
+        return Clause::saying("is longer than %1 characters", longestFileName);
     const bool sound = std::none_of(
         value.begin(), value.end(), [](QChar character) { return character.unicode() == 0; });
-    return sound ? QString() : QStringLiteral("is not the name of a file");
+    return sound ? Clause() : Clause::saying("is not the name of a file");
 }
 
 QJsonValue SegmentReference::write(const Value& value) const
@@ -39,18 +39,18 @@ QJsonValue SegmentReference::write(const Value& value) const
     return value.number ? QJsonValue(*value.number) : QJsonValue(value.name);
 }
 
-QString SegmentReference::read(const QJsonValue& json, Value& value) const
+Clause SegmentReference::read(const QJsonValue& json, Value& value) const
 {
     if (json.isString()) {
         value.name = json.toString();
         return {};
     }
-    const QString reason = WholeNumber{1, mostSegments}.read(json, value.number.emplace());
+    const Clause reason = WholeNumber{1, mostSegments}.read(json, value.number.emplace());
     return reason.isEmpty() ? reason
-                            : QStringLiteral("must be the name or the number of a segment");
+                            : Clause::saying("must be the name or the number of a segment");
 }
 
-QString SegmentReference::check(const Value& value) const
+Clause SegmentReference::check(const Value& value) const
 {
     return value.number ? WholeNumber{1, mostSegments}.check(*value.number)
                         : Text().check(value.name);
@@ -61,20 +61,19 @@ QJsonValue GridSize::write(const Value& value) const
     return QJsonArray{value.x, value.y, value.z};
 }
 
-QString GridSize::read(const QJsonValue& json, Value& value) const
+Clause GridSize::read(const QJsonValue& json, Value& value) const
 {
     const QJsonArray sides = json.toArray();
     bool sound = sides.size() == 3;
     for (int axis = 0; sound && axis < 3; ++axis)
         sound = WholeNumber().read(sides[axis], value[axis]).isEmpty();
-    return sound ? QString() : QStringLiteral("must be three whole numbers [x, y, z]");
+    return sound ? Clause() : Clause::saying("must be three whole numbers [x, y, z]");
 }
 
-QString GridSize::check(const Value& value) const
+Clause GridSize::check(const Value& value) const
 {
     for (int axis = 0; axis < 3; ++axis) {
-        if (const QString reason = WholeNumber{1, longestSide}.check(value[axis]);
-            !reason.isEmpty())
+        if (const Clause reason = WholeNumber{1, longestSide}.check(value[axis]); !reason.isEmpty())
             return reason;
     }
     return {};
@@ -90,12 +89,12 @@ QJsonValue ImportedSegmentList::write(const Value& value) const
     });
 }
 
-QString ImportedSegmentList::read(const QJsonValue& json, Value& value) const
+Clause ImportedSegmentList::read(const QJsonValue& json, Value& value) const
 {
-    return readEach(json, value, QStringLiteral("must be a list of segments"),
+    return readEach(json, value, Clause::saying("must be a list of segments"),
         [](const QJsonValue& entry, ImportedSegment& segment) {
             const QJsonObject object = entry.toObject();
-            const QString reason =
+            const Clause reason =
                 firstOf({Text().read(object[QStringLiteral("name")], segment.name),
                     Colour().read(object[QStringLiteral("color")], segment.rgb),
                     Code().read(object[QStringLiteral("code")], segment.code)});
@@ -103,14 +102,14 @@ QString ImportedSegmentList::read(const QJsonValue& json, Value& value) const
                 fromBase64(object[QStringLiteral("voxels")], segment.voxels) && object.size() == 4;
             return whole || !reason.isEmpty()
                 ? reason
-                : QStringLiteral("has no name, color, code and voxels, or more than these");
+                : Clause::saying("has no name, color, code and voxels, or more than these");
         });
 }
 
-QString ImportedSegmentList::check(const Value& value) const
+Clause ImportedSegmentList::check(const Value& value) const
 {
     if (value.empty() || value.size() > std::size_t(mostSegments))
-        return QStringLiteral("needs 1 to %1 entries").arg(mostSegments);
+        return Clause::saying("needs 1 to %1 entries", mostSegments);
     return checkEach(value, [](const ImportedSegment& segment) {
         return firstOf(
             {Text().check(segment.name), Colour().check(segment.rgb), Code().check(segment.code)});
@@ -122,22 +121,22 @@ QJsonValue EntryOrder::write(const Value& value) const
     return writeEach(value, [](int place) { return QJsonValue(place); });
 }
 
-QString EntryOrder::read(const QJsonValue& json, Value& value) const
+Clause EntryOrder::read(const QJsonValue& json, Value& value) const
 {
-    return readEach(json, value, QStringLiteral("must be a list of places"),
+    return readEach(json, value, Clause::saying("must be a list of places"),
         [](const QJsonValue& entry, int& place) {
             return WholeNumber{1, mostSegments}.read(entry, place);
         });
 }
 
-QString EntryOrder::check(const Value& value) const
+Clause EntryOrder::check(const Value& value) const
 {
     if (value.empty() || value.size() > std::size_t(mostSegments))
-        return QStringLiteral("needs 1 to %1 entries").arg(mostSegments);
+        return Clause::saying("needs 1 to %1 entries", mostSegments);
     Value sorted = value;
     std::sort(sorted.begin(), sorted.end());
     if (std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end())
-        return QStringLiteral("names a place twice");
+        return Clause::saying("names a place twice");
     return checkEach(value, [](int place) { return WholeNumber{1, mostSegments}.check(place); });
 }
 
@@ -146,18 +145,18 @@ QJsonValue PlaneList::write(const Value& value) const
     return EntryOrder{}.write(value);
 }
 
-QString PlaneList::read(const QJsonValue& json, Value& value) const
+Clause PlaneList::read(const QJsonValue& json, Value& value) const
 {
-    return readEach(json, value, QStringLiteral("must be a list of planes"),
+    return readEach(json, value, Clause::saying("must be a list of planes"),
         [](const QJsonValue& entry, int& plane) {
             return WholeNumber{0, mostLabelPlanes - 1}.read(entry, plane);
         });
 }
 
-QString PlaneList::check(const Value& value) const
+Clause PlaneList::check(const Value& value) const
 {
     if (value.empty() || value.size() > std::size_t(mostSegments))
-        return QStringLiteral("needs 1 to %1 entries").arg(mostSegments);
+        return Clause::saying("needs 1 to %1 entries", mostSegments);
     return checkEach(value, [](int plane) {
         return WholeNumber{0, mostLabelPlanes - 1}.check(plane);
     });

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/base/words/Clause.h"
 #include "core/edits/fields/EditFields.h"
 #include "core/edits/kinds/segments/ImportMask.h"
 
@@ -17,8 +18,8 @@ struct FileName {
     [[nodiscard]] QString type() const { return QStringLiteral("text"); }
     [[nodiscard]] QString unit() const { return {}; }
     [[nodiscard]] QJsonValue write(const Value& value) const { return value; }
-    [[nodiscard]] QString read(const QJsonValue& json, Value& value) const;
-    [[nodiscard]] QString check(const Value& value) const;
+    [[nodiscard]] Clause read(const QJsonValue& json, Value& value) const;
+    [[nodiscard]] Clause check(const Value& value) const;
     [[nodiscard]] Value rounded(const Value& value) const { return value; }
 };
 
@@ -29,8 +30,8 @@ struct SegmentReference {
     [[nodiscard]] QString type() const { return QStringLiteral("text, or whole number 1 … 255"); }
     [[nodiscard]] QString unit() const { return {}; }
     [[nodiscard]] QJsonValue write(const Value& value) const;
-    [[nodiscard]] QString read(const QJsonValue& json, Value& value) const;
-    [[nodiscard]] QString check(const Value& value) const;
+    [[nodiscard]] Clause read(const QJsonValue& json, Value& value) const;
+    [[nodiscard]] Clause check(const Value& value) const;
     [[nodiscard]] Value rounded(const Value& value) const { return value; }
 };
 
@@ -41,8 +42,8 @@ struct GridSize {
     [[nodiscard]] QString type() const { return QStringLiteral("[x, y, z]"); }
     [[nodiscard]] QString unit() const { return QStringLiteral("voxels"); }
     [[nodiscard]] QJsonValue write(const Value& value) const;
-    [[nodiscard]] QString read(const QJsonValue& json, Value& value) const;
-    [[nodiscard]] QString check(const Value& value) const;
+    [[nodiscard]] Clause read(const QJsonValue& json, Value& value) const;
+    [[nodiscard]] Clause check(const Value& value) const;
     [[nodiscard]] Value rounded(const Value& value) const { return value; }
 };
 
@@ -56,8 +57,8 @@ struct ImportedSegmentList {
     }
     [[nodiscard]] QString unit() const { return {}; }
     [[nodiscard]] QJsonValue write(const Value& value) const;
-    [[nodiscard]] QString read(const QJsonValue& json, Value& value) const;
-    [[nodiscard]] QString check(const Value& value) const;
+    [[nodiscard]] Clause read(const QJsonValue& json, Value& value) const;
+    [[nodiscard]] Clause check(const Value& value) const;
     [[nodiscard]] Value rounded(const Value& value) const { return value; }
 };
 
@@ -68,8 +69,8 @@ struct EntryOrder {
     [[nodiscard]] QString type() const { return QStringLiteral("[place, …]"); }
     [[nodiscard]] QString unit() const { return {}; }
     [[nodiscard]] QJsonValue write(const Value& value) const;
-    [[nodiscard]] QString read(const QJsonValue& json, Value& value) const;
-    [[nodiscard]] QString check(const Value& value) const;
+    [[nodiscard]] Clause read(const QJsonValue& json, Value& value) const;
+    [[nodiscard]] Clause check(const Value& value) const;
     [[nodiscard]] Value rounded(const Value& value) const { return value; }
 };
 
@@ -80,8 +81,8 @@ struct PlaneList {
     [[nodiscard]] QString type() const { return QStringLiteral("[plane, …]"); }
     [[nodiscard]] QString unit() const { return {}; }
     [[nodiscard]] QJsonValue write(const Value& value) const;
-    [[nodiscard]] QString read(const QJsonValue& json, Value& value) const;
-    [[nodiscard]] QString check(const Value& value) const;
+    [[nodiscard]] Clause read(const QJsonValue& json, Value& value) const;
+    [[nodiscard]] Clause check(const Value& value) const;
     [[nodiscard]] Value rounded(const Value& value) const { return value; }
 };
 

@@ -15,24 +15,24 @@ QJsonValue SplitPartList::write(const Value& value) const
     });
 }
 
-QString SplitPartList::read(const QJsonValue& json, Value& value) const
+Clause SplitPartList::read(const QJsonValue& json, Value& value) const
 {
-    return readEach(json, value, QStringLiteral("must be a list of segments"),
+    return readEach(json, value, Clause::saying("must be a list of segments"),
         [](const QJsonValue& entry, SplitPart& part) {
             const QJsonObject object = entry.toObject();
-            const QString reason = firstOf({Text().read(object[QStringLiteral("name")], part.name),
+            const Clause reason = firstOf({Text().read(object[QStringLiteral("name")], part.name),
                 Colour().read(object[QStringLiteral("color")], part.rgb)});
             return object.size() == 2 || !reason.isEmpty()
                 ? reason
-                : QStringLiteral("has no name and color, or more than these");
+                : Clause::saying("has no name and color, or more than these");
         });
 }
 
-QString SplitPartList::check(const Value& value) const
+Clause SplitPartList::check(const Value& value) const
 {
     constexpr std::size_t most = 255;
     if (value.empty() || value.size() > most)
-        return QStringLiteral("needs 1 to %1 entries").arg(most);
+        return Clause::saying("needs 1 to %1 entries", most);
     return checkEach(value, [](const SplitPart& part) {
         return firstOf({Text().check(part.name), Colour().check(part.rgb)});
     });

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/base/words/Clause.h"
 #include "core/edits/fields/EditFields.h"
 #include "core/edits/kinds/splitting/SplitParts.h"
 
@@ -17,8 +18,8 @@ struct SplitPartList {
     [[nodiscard]] QString type() const { return QStringLiteral("[{name, color}, …]"); }
     [[nodiscard]] QString unit() const { return {}; }
     [[nodiscard]] QJsonValue write(const Value& value) const;
-    [[nodiscard]] QString read(const QJsonValue& json, Value& value) const;
-    [[nodiscard]] QString check(const Value& value) const;
+    [[nodiscard]] Clause read(const QJsonValue& json, Value& value) const;
+    [[nodiscard]] Clause check(const Value& value) const;
     [[nodiscard]] Value rounded(const Value& value) const { return value; }
 };
 

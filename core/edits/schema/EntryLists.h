@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/base/words/Clause.h"
+
 #include <QByteArray>
 #include <QJsonArray>
 #include <QJsonValue>
@@ -17,9 +19,9 @@ namespace core::editFields {
 // What kinds of fields that hold lists do alike, whatever their entries are: each takes a list
 // entry by entry, with the caller's word on one. A reason names the entry, counted from 1.
 
-[[nodiscard]] inline QString atEntry(std::size_t place, const QString& reason)
+[[nodiscard]] inline Clause atEntry(std::size_t place, const Clause& reason)
 {
-    return QStringLiteral("entry %1: %2").arg(place + 1).arg(reason);
+    return Clause::saying("entry %1: %2", place + 1, reason);
 }
 
 /// @param write JSON of one entry
@@ -35,15 +37,15 @@ template <class Entry, class Write>
 /// @param noList the reason where it is no list
 /// @param read JSON of one entry, into that entry: the reason, or empty
 template <class Entry, class Read>
-[[nodiscard]] QString readEach(
-    const QJsonValue& json, std::vector<Entry>& value, const QString& noList, const Read& read)
+[[nodiscard]] Clause readEach(
+    const QJsonValue& json, std::vector<Entry>& value, const Clause& noList, const Read& read)
 {
     if (!json.isArray())
         return noList;
     const QJsonArray array = json.toArray();
     value.assign(std::size_t(array.size()), Entry());
     for (std::size_t i = 0; i < value.size(); ++i) {
-        if (const QString reason = read(array[qsizetype(i)], value[i]); !reason.isEmpty())
+        if (const Clause reason = read(array[qsizetype(i)], value[i]); !reason.isEmpty())
             return atEntry(i, reason);
     }
     return {};
@@ -51,10 +53,10 @@ template <class Entry, class Read>
 
 /// @param check of one entry: the reason, or empty
 template <class Entry, class Check>
-[[nodiscard]] QString checkEach(const std::vector<Entry>& value, const Check& check)
+[[nodiscard]] Clause checkEach(const std::vector<Entry>& value, const Check& check)
 {
     for (std::size_t i = 0; i < value.size(); ++i) {
-        if (const QString reason = check(value[i]); !reason.isEmpty())
+        if (const Clause reason = check(value[i]); !reason.isEmpty())
             return atEntry(i, reason);
     }
     return {};
@@ -71,11 +73,11 @@ template <class Entry, class Round>
 }
 
 /// The first reason that is none of those that are empty.
-[[nodiscard]] inline QString firstOf(std::initializer_list<QString> reasons)
+[[nodiscard]] inline Clause firstOf(std::initializer_list<Clause> reasons)
 {
     const auto said = std::find_if(
-        reasons.begin(), reasons.end(), [](const QString& reason) { return !reason.isEmpty(); });
-    return said == reasons.end() ? QString() : *said;
+        reasons.begin(), reasons.end(), [](const Clause& reason) { return !reason.isEmpty(); });
+    return said == reasons.end() ? Clause() : *said;
 }
 
 /// Bytes as text, as a list's objects hold voxels.

@@ -310,7 +310,7 @@ Result<SculptEdit> revised(SculptEdit edit, const ReviseStroke& revision)
     if (missing)
         return failure(ErrorCode::InvalidField,
             QStringLiteral("reviseStroke.") + QLatin1String(missing),
-            QStringLiteral("the cut of row %1 has none").arg(revision.row));
+            Clause::saying("the cut of row %1 has none", revision.row));
     return edit;
 }
 

@@ -17,7 +17,7 @@ namespace core {
 
 namespace {
 
-tl::unexpected<Error> mismatch(const QString& file, const QString& what)
+tl::unexpected<Error> mismatch(const QString& file, const Clause& what)
 {
     return failure(ErrorCode::ExportMismatch, file, what);
 }
@@ -63,12 +63,12 @@ Result<ReportLines> checkNiftiValues(
     if (image->nx != size.x || image->ny != size.y || image->nz != size.z
         || image->nvox != volume.geometry.voxelCount() || image->sform_code <= 0
         || image->xyz_units != NIFTI_UNITS_MM)
-        return mismatch(file, QStringLiteral("the size or the sform"));
+        return mismatch(file, Clause::saying("the size or the sform"));
     const glm::dvec3 spacing = volume.geometry.spacingMm();
     const double apart =
         farthestCorner(lpsFrom(image->sto_xyz), volume.geometry.indexToWorld, size);
     if (apart > 0.1 * std::min({spacing.x, spacing.y, spacing.z}))
-        return mismatch(file, QStringLiteral("the sform puts a corner %1 mm off").arg(apart));
+        return mismatch(file, Clause::saying("the sform puts a corner %1 mm off", apart));
     std::size_t wrong = 0;
     const auto compare = [&](const auto* voxels) {
         using Voxel = std::decay_t<decltype(*voxels)>;
@@ -82,9 +82,9 @@ Result<ReportLines> checkNiftiValues(
     else if (image->datatype == DT_FLOAT32)
         compare(static_cast<const float*>(image->data));
     else
-        return mismatch(file, QStringLiteral("the type of the voxels"));
+        return mismatch(file, Clause::saying("the type of the voxels"));
     if (wrong != 0)
-        return mismatch(file, QStringLiteral("%1 voxels are not as they should be").arg(wrong));
+        return mismatch(file, Clause::saying("%1 voxels are not as they should be", wrong));
     return ReportLines{cornersAgree(apart),
         ReportSentence{ReportCode::VoxelsAsTheyShould, {std::int64_t(image->nvox)}}};
 }
@@ -97,17 +97,17 @@ Result<ReportLines> checkCarvedSeries(const QString& folder, const Volume& volum
         return tl::unexpected(read.error());
     const Volume& made = read->volume;
     if (made.geometry.size != volume.geometry.size)
-        return mismatch(folder, QStringLiteral("the size of the volume"));
+        return mismatch(folder, Clause::saying("the size of the volume"));
     const double apart = farthestCorner(
         made.geometry.indexToWorld, volume.geometry.indexToWorld, volume.geometry.size);
     if (apart > positionToleranceMm(volume.geometry))
-        return mismatch(folder, QStringLiteral("a corner lies %1 mm off").arg(apart));
+        return mismatch(folder, Clause::saying("a corner lies %1 mm off", apart));
     if (made.identity.studyUid != volume.identity.studyUid
         || made.identity.frameOfReferenceUid != volume.identity.frameOfReferenceUid
         || made.identity.patientId != volume.identity.patientId)
-        return mismatch(folder, QStringLiteral("patient, study or frame of reference"));
+        return mismatch(folder, Clause::saying("patient, study or frame of reference"));
     if (made.identity.seriesUid == volume.identity.seriesUid)
-        return mismatch(folder, QStringLiteral("the series is not a new one"));
+        return mismatch(folder, Clause::saying("the series is not a new one"));
     for (std::size_t k = 0; k < made.sources.size(); ++k) {
         const Result<ImageHeader> header = readImageHeader(made.sources[k].file);
         if (!header)
@@ -115,7 +115,7 @@ Result<ReportLines> checkCarvedSeries(const QString& folder, const Volume& volum
         if (header->sopInstanceUid == volume.sources[k].sopInstanceUid
             || header->sopClassUid != volume.sources[k].sopClassUid
             || header->imageType.value(0) != QLatin1String("DERIVED"))
-            return mismatch(made.sources[k].file, QStringLiteral("what it says it is"));
+            return mismatch(made.sources[k].file, Clause::saying("what it says it is"));
     }
     std::size_t wrong = 0;
     const double allowed = tolerance + made.encoding.maxError;
@@ -124,7 +124,7 @@ Result<ReportLines> checkCarvedSeries(const QString& folder, const Volume& volum
         wrong += std::abs(value - expected(i)) <= allowed ? 0U : 1U;
     }
     if (wrong != 0)
-        return mismatch(folder, QStringLiteral("%1 voxels are not as they should be").arg(wrong));
+        return mismatch(folder, Clause::saying("%1 voxels are not as they should be", wrong));
     return ReportLines{cornersAgree(apart),
         ReportSentence{ReportCode::SeriesAsItShould, {std::int64_t(read->codes.size())}}};
 }

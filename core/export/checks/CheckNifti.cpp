@@ -26,7 +26,7 @@ Result<ReportLines> checkNiftiExport(
 {
     const Volume& volume = expected.volume;
     const glm::ivec3 size = volume.geometry.size;
-    const auto mismatch = [&](const QString& what) {
+    const auto mismatch = [&](const Clause& what) {
         return failure(ErrorCode::ExportMismatch, file, what);
     };
     const NiftiPointer image = open(file, true);
@@ -34,33 +34,33 @@ Result<ReportLines> checkNiftiExport(
         return failure(ErrorCode::FileUnreadable, file);
     if (image->nx != size.x || image->ny != size.y || image->nz != size.z
         || image->nvox != volume.geometry.voxelCount() || image->datatype != DT_UINT8)
-        return mismatch(QStringLiteral("size or type of the voxels"));
+        return mismatch(Clause::saying("size or type of the voxels"));
 
     const auto place = labelMapPlace(file, volume, progress);
     if (!place)
         return tl::unexpected(place.error());
     if (image->sform_code <= 0)
-        return mismatch(QStringLiteral("the sform is missing"));
+        return mismatch(Clause::saying("the sform is missing"));
     const double bySform =
         farthest(cornersOf(lpsFrom(image->sto_xyz, image->xyz_units), size), place->corners);
     if (bySform > place->toleranceMm)
-        return mismatch(QStringLiteral("the sform puts a corner %1 mm away from where the source "
-                                       "has it")
-                            .arg(bySform));
+        return mismatch(Clause::saying("the sform puts a corner %1 mm away from where the source "
+                                       "has it",
+            bySform));
     double byQform = 0.0;
     if (image->qform_code > 0) {
         byQform =
             farthest(cornersOf(lpsFrom(image->qto_xyz, image->xyz_units), size), place->corners);
         if (byQform > place->toleranceMm)
-            return mismatch(QStringLiteral("the qform puts a corner %1 mm away from where the "
-                                           "source has it")
-                                .arg(byQform));
+            return mismatch(Clause::saying("the qform puts a corner %1 mm away from where the "
+                                           "source has it",
+                byQform));
     }
 
     const auto* voxels = static_cast<const std::uint8_t*>(image->data);
     const std::size_t wrong = wrongVoxels({voxels, image->nvox}, expected);
     if (wrong != 0)
-        return mismatch(QStringLiteral("%1 voxels are not as drawn").arg(wrong));
+        return mismatch(Clause::saying("%1 voxels are not as drawn", wrong));
     return ReportLines{ReportSentence{ReportCode::CornersOnSource,
                            {QString::number(std::max(bySform, byQform), 'f', 4)}},
         ReportSentence{ReportCode::VoxelsAsDrawn, {std::int64_t(image->nvox)}}};

@@ -100,7 +100,7 @@ struct Check {
     const std::vector<SourceHeader>& headers;
     QHash<QString, int> sliceOfInstance;
 
-    [[nodiscard]] tl::unexpected<Error> mismatch(const QString& what) const
+    [[nodiscard]] tl::unexpected<Error> mismatch(const Clause& what) const
     {
         return failure(ErrorCode::ExportMismatch, file, what);
     }
@@ -113,22 +113,22 @@ struct Check {
             const QString key =
                 QStringLiteral("%1/%2").arg(header.sopInstanceUid).arg(volume.sources[k].frame);
             if (sliceOfInstance.contains(key))
-                return mismatch(QStringLiteral("two slices come from one image"));
+                return mismatch(Clause::saying("two slices come from one image"));
             sliceOfInstance.insert(key, int(k));
-            if (const QString what = differenceOfPatients(set.patient, header.patient);
+            if (const Clause what = differenceOfPatients(set.patient, header.patient);
                 !what.isEmpty())
                 return mismatch(what);
             if (set.studyUid != header.studyUid)
                 return mismatch(QStringLiteral("study"));
             if (!volume.identity.frameOfReferenceUid.isEmpty()
                 && set.frameOfReferenceUid != header.frameOfReferenceUid)
-                return mismatch(QStringLiteral("frame of reference"));
+                return mismatch(Clause::saying("frame of reference"));
         }
         const std::set<QString> named(set.referencedSopUids.begin(), set.referencedSopUids.end());
         for (std::size_t k = 0; k < headers.size(); ++k) {
             if (named.count(headers[k].sopInstanceUid) == 0)
                 return mismatch(
-                    QStringLiteral("source %1 is not referenced").arg(volume.sources[k].file));
+                    Clause::saying("source %1 is not referenced", volume.sources[k].file));
         }
         return {};
     }
@@ -137,35 +137,35 @@ struct Check {
     {
         const RtRoi& roi = set.rois[index];
         const Segment& segment = expected.segments[index];
-        const auto inRoi = [&](const QString& what) {
-            return mismatch(QStringLiteral("segment '%1': %2").arg(segment.name, what));
+        const auto inRoi = [&](const Clause& what) {
+            return mismatch(Clause::saying("segment '%1': %2", segment.name, what));
         };
         if (roi.number != int(index) + 1)
-            return inRoi(QStringLiteral("its number"));
+            return inRoi(Clause::saying("its number"));
         if (roi.name.simplified() != nameOf(segment))
-            return inRoi(QStringLiteral("its name"));
+            return inRoi(Clause::saying("its name"));
         if (roi.rgb != (segment.rgb & 0xffffffU))
-            return inRoi(QStringLiteral("its colour"));
+            return inRoi(Clause::saying("its colour"));
         if (roi.frameOfReferenceUid != set.frameOfReferenceUid)
-            return inRoi(QStringLiteral("its frame of reference"));
+            return inRoi(Clause::saying("its frame of reference"));
         const LabelPlaneView* plane = nullptr;
         for (const LabelPlaneView& view : expected.planes) {
             if (view.plane == segment.plane)
                 plane = &view;
         }
         if (plane == nullptr || plane->labels.size() != expected.volume.geometry.voxelCount())
-            return mismatch(QStringLiteral("labels to compare with are missing"));
+            return mismatch(Clause::saying("labels to compare with are missing"));
 
         std::map<int, std::vector<const RtContour*>> ofSlice;
         for (const RtContour& contour : roi.contours) {
             const QString key =
                 QStringLiteral("%1/%2").arg(contour.referencedSopUid).arg(contour.referencedFrame);
             if (!sliceOfInstance.contains(key))
-                return inRoi(QStringLiteral("the image of a contour is none of the volume's"));
+                return inRoi(Clause::saying("the image of a contour is none of the volume's"));
             if (contour.saidPoints != int(contour.points.size()))
-                return inRoi(QStringLiteral("a contour has not as many points as it says"));
+                return inRoi(Clause::saying("a contour has not as many points as it says"));
             if (contour.geometricType != QLatin1String("CLOSED_PLANAR"))
-                return inRoi(QStringLiteral("a contour is not closed and planar"));
+                return inRoi(Clause::saying("a contour is not closed and planar"));
             ofSlice[sliceOfInstance.value(key)].push_back(&contour);
         }
         for (int k = 0; k < expected.volume.geometry.size.z; ++k) {
@@ -174,8 +174,8 @@ struct Check {
             const auto found = ofSlice.find(k);
             const auto contours =
                 found == ofSlice.end() ? std::vector<const RtContour*>() : found->second;
-            if (const QString what = slice(k, contours, *plane, segment.label); !what.isEmpty())
-                return inRoi(QStringLiteral("slice %1: %2").arg(k + 1).arg(what));
+            if (const Clause what = slice(k, contours, *plane, segment.label); !what.isEmpty())
+                return inRoi(Clause::saying("slice %1: %2", k + 1, what));
         }
         return {};
     }
@@ -194,7 +194,7 @@ private:
     }
 
     /// @return what is not as drawn; empty if all is
-    [[nodiscard]] QString slice(int k, const std::vector<const RtContour*>& contours,
+    [[nodiscard]] Clause slice(int k, const std::vector<const RtContour*>& contours,
         const LabelPlaneView& plane, std::uint8_t label) const
     {
         const glm::ivec2 size(expected.volume.geometry.size);
@@ -202,7 +202,7 @@ private:
         for (const RtContour* contour : contours) {
             const auto points = inPlane(contour->points, headers[std::size_t(k)].plane);
             if (!points)
-                return QStringLiteral("a contour does not lie in the plane of its image");
+                return Clause::saying("a contour does not lie in the plane of its image");
             filled.fill(*points);
         }
         const std::size_t count = std::size_t(size.x) * std::size_t(size.y);
@@ -211,7 +211,7 @@ private:
             const bool drawn = plane.labels[std::size_t(k) * count + i] == label;
             wrong += filled.count(i) != (drawn ? 1 : 0) ? 1U : 0U;
         }
-        return wrong == 0 ? QString() : QStringLiteral("%1 voxels are not as drawn").arg(wrong);
+        return wrong == 0 ? Clause() : Clause::saying("%1 voxels are not as drawn", wrong);
     }
 };
 
@@ -228,9 +228,9 @@ Result<ReportLines> checkRtStructExport(
         return tl::unexpected(headers.error());
     Check check{file, expected, *set, *headers, {}};
     if (set->rois.size() != expected.segments.size())
-        return check.mismatch(QStringLiteral("the number of segments"));
+        return check.mismatch(Clause::saying("the number of segments"));
     if (set->contoursOfNone != 0)
-        return check.mismatch(QStringLiteral("contours of a region that is not named"));
+        return check.mismatch(Clause::saying("contours of a region that is not named"));
     if (const auto same = check.sources(); !same)
         return tl::unexpected(same.error());
     std::size_t contours = 0;

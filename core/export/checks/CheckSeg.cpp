@@ -19,23 +19,21 @@ namespace {
 constexpr double copiedPositionToleranceMm = 1e-4;
 constexpr double copiedDirectionTolerance = 1e-6;
 constexpr double copiedSpacingTolerance = 1e-6; ///< relative
-QString differenceOfPlanes(const HeaderPlane& a, const HeaderPlane& b)
+Clause differenceOfPlanes(const HeaderPlane& a, const HeaderPlane& b)
 {
     if (glm::distance(a.position, b.position) > copiedPositionToleranceMm)
-        return QStringLiteral("position %1 instead of %2").arg(inMm(a.position), inMm(b.position));
+        return Clause::saying("position %1 instead of %2", inMm(a.position), inMm(b.position));
+    const auto direction = [](const glm::dvec3& of) {
+        return inMm(of).remove(QStringLiteral(" mm"));
+    };
     if (glm::distance(a.rowDirection, b.rowDirection) > copiedDirectionTolerance
         || glm::distance(a.columnDirection, b.columnDirection) > copiedDirectionTolerance)
-        return QStringLiteral("orientation %1, %2 instead of %3, %4")
-            .arg(inMm(a.rowDirection), inMm(a.columnDirection), inMm(b.rowDirection),
-                inMm(b.columnDirection))
-            .remove(QStringLiteral(" mm"));
+        return Clause::saying("orientation %1, %2 instead of %3, %4", direction(a.rowDirection),
+            direction(a.columnDirection), direction(b.rowDirection), direction(b.columnDirection));
     if (std::abs(a.rowSpacing - b.rowSpacing) > copiedSpacingTolerance * b.rowSpacing
         || std::abs(a.columnSpacing - b.columnSpacing) > copiedSpacingTolerance * b.columnSpacing)
-        return QStringLiteral("spacing %1 by %2 mm instead of %3 by %4 mm")
-            .arg(a.rowSpacing)
-            .arg(a.columnSpacing)
-            .arg(b.rowSpacing)
-            .arg(b.columnSpacing);
+        return Clause::saying("spacing %1 by %2 mm instead of %3 by %4 mm", a.rowSpacing,
+            a.columnSpacing, b.rowSpacing, b.columnSpacing);
     return {};
 }
 
@@ -90,7 +88,7 @@ private:
 };
 
 /// Compares one frame's pixels with a slice of the labels.
-QString differenceOfPixels(
+Clause differenceOfPixels(
     const SegFile& seg, std::size_t frame, const Expected& expected, std::size_t sliceOffset)
 {
     std::size_t wrong = 0;
@@ -99,18 +97,18 @@ QString differenceOfPixels(
         for (int column = 0; column < seg.columns; ++column, ++i)
             wrong += seg.value(frame, column, row) != expected.at(i) ? 1U : 0U;
     }
-    return wrong == 0 ? QString() : QStringLiteral("%1 voxels are not as drawn").arg(wrong);
+    return wrong == 0 ? Clause() : Clause::saying("%1 voxels are not as drawn", wrong);
 }
 
 /// Compares one frame of a label map with the labels of all segments.
-QString differenceOfMap(const SegFile& seg, std::size_t frame, const ExportExpectation& expected,
+Clause differenceOfMap(const SegFile& seg, std::size_t frame, const ExportExpectation& expected,
     std::size_t sliceOffset)
 {
     std::vector<Expected> segments;
     for (const Segment& segment : expected.segments) {
         segments.emplace_back(expected, segment);
         if (!segments.back().fits(expected.volume.geometry.voxelCount()))
-            return QStringLiteral("labels to compare with are missing");
+            return Clause::saying("labels to compare with are missing");
     }
     std::size_t wrong = 0;
     std::size_t i = sliceOffset;
@@ -123,7 +121,7 @@ QString differenceOfMap(const SegFile& seg, std::size_t frame, const ExportExpec
             wrong += right ? 0U : 1U;
         }
     }
-    return wrong == 0 ? QString() : QStringLiteral("%1 voxels are not as drawn").arg(wrong);
+    return wrong == 0 ? Clause() : Clause::saying("%1 voxels are not as drawn", wrong);
 }
 
 } // namespace
@@ -133,7 +131,7 @@ Result<ReportLines> checkSegExport(
 {
     const Volume& volume = expected.volume;
     const glm::ivec3 size = volume.geometry.size;
-    const auto mismatch = [&](const QString& what) {
+    const auto mismatch = [&](const Clause& what) {
         return failure(ErrorCode::ExportMismatch, file, what);
     };
     auto read = readSeg(file);
@@ -147,17 +145,17 @@ Result<ReportLines> checkSegExport(
     else if (expected.format == ExportFormat::DicomSegFractional)
         type = SegFile::Type::Fractional;
     if (seg.type != type || (type == SegFile::Type::Fractional && seg.fullPixel != 255))
-        return mismatch(QStringLiteral("the type of the segmentation"));
+        return mismatch(Clause::saying("the type of the segmentation"));
     if (isMap && !seg.segments.empty() && seg.segments.front().number == 0)
         seg.segments.erase(seg.segments.begin()); // the background is none
     if (seg.columns != size.x || seg.rows != size.y)
-        return mismatch(QStringLiteral("rows or columns"));
+        return mismatch(Clause::saying("rows or columns"));
     if (seg.segments.size() != expected.segments.size())
-        return mismatch(QStringLiteral("the number of segments"));
+        return mismatch(Clause::saying("the number of segments"));
     for (std::size_t i = 0; i < seg.segments.size(); ++i) {
         if (seg.segments[i].number != int(i) + 1
             || !(seg.segments[i].type == expected.segments[i].code))
-            return mismatch(QStringLiteral("number or code of segment %1").arg(i + 1));
+            return mismatch(Clause::saying("number or code of segment %1", i + 1));
     }
 
     const auto headers = checkedSourceHeaders(file, expected, progress);
@@ -171,10 +169,10 @@ Result<ReportLines> checkSegExport(
                                 .arg(header.sopInstanceUid)
                                 .arg(volume.sources[std::size_t(k)].frame);
         if (sliceOfInstance.contains(key))
-            return mismatch(QStringLiteral("two slices come from one image"));
+            return mismatch(Clause::saying("two slices come from one image"));
         sliceOfInstance.insert(key, k);
         if (!seg.referencedSopUids.contains(header.sopInstanceUid))
-            return mismatch(QStringLiteral("source %1 is not referenced").arg(name));
+            return mismatch(Clause::saying("source %1 is not referenced", name));
     }
 
     const std::size_t sliceVoxels = std::size_t(size.x) * std::size_t(size.y);
@@ -184,39 +182,39 @@ Result<ReportLines> checkSegExport(
             return failure(ErrorCode::Cancelled);
         progress.report(ProgressStep::CheckingFrames, int(i), int(seg.frames.size()));
         const SegFrame& frame = seg.frames[i];
-        const auto atFrame = [&](const QString& what) {
-            return mismatch(QStringLiteral("frame %1: %2").arg(i + 1).arg(what));
+        const auto atFrame = [&](const Clause& what) {
+            return mismatch(Clause::saying("frame %1: %2", i + 1, what));
         };
         const QString key =
             QStringLiteral("%1/%2").arg(frame.referencedSopUid).arg(frame.referencedFrame);
         if (!sliceOfInstance.contains(key))
-            return atFrame(QStringLiteral("its source image is none of the volume's"));
+            return atFrame(Clause::saying("its source image is none of the volume's"));
         const int k = sliceOfInstance.value(key);
         const SourceHeader& header = (*headers)[std::size_t(k)];
-        if (const QString what = differenceOfPlanes(frame.plane, header.plane); !what.isEmpty())
+        if (const Clause what = differenceOfPlanes(frame.plane, header.plane); !what.isEmpty())
             return atFrame(what);
         if (seg.frameOfReferenceUid
             != (volume.identity.frameOfReferenceUid.isEmpty() ? QString()
                                                               : header.frameOfReferenceUid))
-            return atFrame(QStringLiteral("frame of reference"));
-        if (const QString what = differenceOfPatients(seg.patient, header.patient); !what.isEmpty())
+            return atFrame(Clause::saying("frame of reference"));
+        if (const Clause what = differenceOfPatients(seg.patient, header.patient); !what.isEmpty())
             return atFrame(what);
         if (seg.studyUid != header.studyUid)
             return atFrame(QStringLiteral("study"));
         const std::size_t offset = std::size_t(k) * sliceVoxels;
-        QString what = isMap ? differenceOfMap(seg, i, expected, offset) : QString();
+        Clause what = isMap ? differenceOfMap(seg, i, expected, offset) : Clause();
         if (!isMap) {
             if (frame.segment < 1 || frame.segment > int(expected.segments.size()))
-                return atFrame(QStringLiteral("segment number"));
+                return atFrame(Clause::saying("segment number"));
             const Expected pixels(expected, expected.segments[std::size_t(frame.segment - 1)]);
             if (!pixels.fits(volume.geometry.voxelCount()))
-                return mismatch(QStringLiteral("labels to compare with are missing"));
+                return mismatch(Clause::saying("labels to compare with are missing"));
             what = differenceOfPixels(seg, i, pixels, offset);
         }
         if (!what.isEmpty())
             return atFrame(what);
         if (!seen.emplace(isMap ? 0 : frame.segment, k).second)
-            return atFrame(QStringLiteral("the slice occurs twice"));
+            return atFrame(Clause::saying("the slice occurs twice"));
     }
     for (std::size_t s = 0; s < expected.segments.size(); ++s) {
         const Expected pixels(expected, expected.segments[s]);
@@ -224,9 +222,8 @@ Result<ReportLines> checkSegExport(
             if (seen.count({isMap ? 0 : int(s) + 1, k}) == 0
                 && pixels.fits(volume.geometry.voxelCount())
                 && pixels.anyIn(std::size_t(k) * sliceVoxels, sliceVoxels))
-                return mismatch(QStringLiteral("slice %1 of segment '%2' is missing")
-                                    .arg(k + 1)
-                                    .arg(expected.segments[s].name));
+                return mismatch(Clause::saying(
+                    "slice %1 of segment '%2' is missing", k + 1, expected.segments[s].name));
         }
     }
     return ReportLines{

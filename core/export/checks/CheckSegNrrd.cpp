@@ -77,13 +77,13 @@ int layerNamed(const Keys& keys, const QByteArray& prefix, int layers)
 }
 
 /// What a segment's keys say that is not so, as a word; empty if all is.
-QString differenceOfSegment(const Keys& keys, const QByteArray& prefix, const Segment& segment,
+Clause differenceOfSegment(const Keys& keys, const QByteArray& prefix, const Segment& segment,
     const QString& extent, int layers)
 {
     if (valueOf(keys, prefix + "Name") != comparable(segment.name, false))
         return QStringLiteral("name");
     if (valueOf(keys, prefix + "LabelValue") != QString::number(segment.label))
-        return QStringLiteral("label value");
+        return Clause::saying("label value");
     if (layerNamed(keys, prefix, layers) < 0)
         return QStringLiteral("layer");
     if (valueOf(keys, prefix + "Extent") != extent)
@@ -101,7 +101,7 @@ QString differenceOfSegment(const Keys& keys, const QByteArray& prefix, const Se
 }
 
 /// What the keys of the header say that is not so, as a clause; empty if all is.
-QString differenceOfKeys(const Keys& keys, const ExportExpectation& expected, int layers)
+Clause differenceOfKeys(const Keys& keys, const ExportExpectation& expected, int layers)
 {
     const glm::ivec3 size = expected.volume.geometry.size;
     const QString extent =
@@ -111,22 +111,21 @@ QString differenceOfKeys(const Keys& keys, const ExportExpectation& expected, in
         const QByteArray prefix = "Segment" + QByteArray::number(qulonglong(i)) + '_';
         const QString id = valueOf(keys, prefix + "ID");
         if (id.isEmpty() || !ids.insert(id).second)
-            return QStringLiteral("the ID of segment %1").arg(i + 1);
-        const QString what =
-            differenceOfSegment(keys, prefix, expected.segments[i], extent, layers);
+            return Clause::saying("the ID of segment %1", i + 1);
+        const Clause what = differenceOfSegment(keys, prefix, expected.segments[i], extent, layers);
         if (!what.isEmpty())
-            return QStringLiteral("the %1 of segment %2").arg(what).arg(i + 1);
+            return Clause::saying("the %1 of segment %2", what, i + 1);
     }
     const QByteArray next =
         "Segment" + QByteArray::number(qulonglong(expected.segments.size())) + "_ID";
     if (keys.contains(next))
-        return QStringLiteral("the number of segments");
+        return Clause::saying("the number of segments");
     for (const char* key : {"MasterRepresentation", "SourceRepresentation"}) {
         if (valueOf(keys, QByteArray("Segmentation_") + key) != QLatin1String("Binary labelmap"))
-            return QStringLiteral("the representation");
+            return Clause::saying("the representation");
     }
     if (valueOf(keys, "Segmentation_ReferenceImageExtentOffset") != QLatin1String("0 0 0"))
-        return QStringLiteral("the offset of the extent");
+        return Clause::saying("the offset of the extent");
     return {};
 }
 
@@ -136,7 +135,7 @@ Result<ReportLines> checkSegNrrdExport(
     const QString& file, const ExportExpectation& expected, const Progress& progress)
 {
     const VolumeGeometry& geometry = expected.volume.geometry;
-    const auto mismatch = [&](const QString& what) {
+    const auto mismatch = [&](const Clause& what) {
         return failure(ErrorCode::ExportMismatch, file, what);
     };
     const Result<NrrdHeader> header = readNrrdHeader(file);
@@ -147,10 +146,10 @@ Result<ReportLines> checkSegNrrdExport(
         return tl::unexpected(read.error());
     const GridFile* grid = &read->grid;
     if (grid->geometry.size != geometry.size || grid->voxels.type != ScalarType::UInt8)
-        return mismatch(QStringLiteral("size or type of the voxels"));
+        return mismatch(Clause::saying("size or type of the voxels"));
     if (header->field("space") != "left-posterior-superior")
-        return mismatch(QStringLiteral("the space is not left-posterior-superior"));
-    if (const QString what = differenceOfKeys(header->keyValues, expected, read->layers);
+        return mismatch(Clause::saying("the space is not left-posterior-superior"));
+    if (const Clause what = differenceOfKeys(header->keyValues, expected, read->layers);
         !what.isEmpty())
         return mismatch(what);
 
@@ -160,17 +159,17 @@ Result<ReportLines> checkSegNrrdExport(
     const GridCorners corners = cornersOf(grid->geometry.indexToWorld, geometry.size);
     const double off = farthest(corners, place->corners);
     if (off > place->toleranceMm)
-        return mismatch(QStringLiteral("the space directions put a corner %1 mm away from where "
-                                       "the source has it")
-                            .arg(off));
+        return mismatch(Clause::saying("the space directions put a corner %1 mm away from where "
+                                       "the source has it",
+            off));
     if (farthest(corners, cornersOf(geometry.indexToWorld, geometry.size)) > writtenToleranceMm)
-        return mismatch(QStringLiteral("the space directions are not those of the volume"));
+        return mismatch(Clause::saying("the space directions are not those of the volume"));
 
     const Result<VoxelBytes> bytes = readVoxels(grid->voxels, progress);
     if (!bytes)
         return tl::unexpected(bytes.error());
     if (bytes->surplus)
-        return mismatch(QStringLiteral("the file holds more than its voxels"));
+        return mismatch(Clause::saying("the file holds more than its voxels"));
     const auto* voxels = reinterpret_cast<const std::uint8_t*>(bytes->data.get());
     std::vector<int> layerOf;
     for (std::size_t i = 0; i < expected.segments.size(); ++i)
@@ -178,7 +177,7 @@ Result<ReportLines> checkSegNrrdExport(
             header->keyValues, "Segment" + QByteArray::number(qulonglong(i)) + '_', read->layers));
     const std::size_t wrong = wrongVoxels({voxels, bytes->size}, expected, layerOf, read->layers);
     if (wrong != 0)
-        return mismatch(QStringLiteral("%1 voxels are not as drawn").arg(wrong));
+        return mismatch(Clause::saying("%1 voxels are not as drawn", wrong));
     return ReportLines{ReportSentence{ReportCode::CornersOnSource, {QString::number(off, 'f', 4)}},
         ReportSentence{ReportCode::NamesAsGiven,
             {countedInReport(ReportCode::Segments, std::int64_t(expected.segments.size()))}},

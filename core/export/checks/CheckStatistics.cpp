@@ -183,17 +183,15 @@ bool agree(double a, double b, double tolerance)
 }
 
 /// @return what differs; empty if nothing does
-QString differenceOf(const SegmentNumbers& said, const Numbers& right, double tolerance)
+Clause differenceOf(const SegmentNumbers& said, const Numbers& right, double tolerance)
 {
     for (const auto& [name, number] : right) {
         const auto found = said.numbers.find(name);
         if (found == said.numbers.end())
-            return QStringLiteral("%1 of '%2' is missing").arg(name, said.name);
+            return Clause::saying("%1 of '%2' is missing", name, said.name);
         if (!agree(found->second, number, tolerance))
-            return QStringLiteral("%1 of '%2' is %3 instead of %4")
-                .arg(name, said.name)
-                .arg(found->second)
-                .arg(number);
+            return Clause::saying(
+                "%1 of '%2' is %3 instead of %4", name, said.name, found->second, number);
     }
     return {};
 }
@@ -233,17 +231,17 @@ std::vector<std::map<QString, double>> measuredAnew(const ExportExpectation& exp
 }
 
 /// @return what differs in the groups behind those of the segments; empty if nothing does
-QString differenceOfMeasured(const SrFile& report, const ExportExpectation& expected)
+Clause differenceOfMeasured(const SrFile& report, const ExportExpectation& expected)
 {
     const std::vector<std::map<QString, double>> right = measuredAnew(expected);
     if (report.groups.size() != expected.segments.size() + right.size())
-        return QStringLiteral("the number of measurement groups");
+        return Clause::saying("the number of measurement groups");
     for (std::size_t i = 0; i < right.size(); ++i) {
         const SrFileGroup& group = report.groups[expected.segments.size() + i];
         for (const auto& [code, number] : right[i]) {
             const auto found = group.numbers.find(code);
             if (found == group.numbers.end() || !agree(found->second, number, reportTolerance))
-                return QStringLiteral("%1 of '%2'").arg(code, group.name);
+                return Clause::saying("%1 of '%2'", code, group.name);
         }
     }
     return {};
@@ -252,7 +250,7 @@ QString differenceOfMeasured(const SrFile& report, const ExportExpectation& expe
 Result<std::vector<SegmentNumbers>> saidInReport(
     const QString& file, const ExportExpectation& expected, const Progress& progress)
 {
-    const auto mismatch = [&](const QString& what) {
+    const auto mismatch = [&](const Clause& what) {
         return failure(ErrorCode::ExportMismatch, file, what);
     };
     const auto headers = checkedSourceHeaders(file, expected, progress);
@@ -261,21 +259,21 @@ Result<std::vector<SegmentNumbers>> saidInReport(
     const auto report = readSr(file);
     if (!report)
         return tl::unexpected(report.error());
-    if (const QString what = differenceOfPatients(report->patient, headers->front().patient);
+    if (const Clause what = differenceOfPatients(report->patient, headers->front().patient);
         !what.isEmpty())
         return mismatch(what);
     if (report->studyUid != headers->front().studyUid)
         return mismatch(QStringLiteral("study"));
     for (const SourceHeader& header : *headers) {
         if (!report->evidence.contains(header.sopInstanceUid))
-            return mismatch(QStringLiteral("a source image is not among the evidence"));
+            return mismatch(Clause::saying("a source image is not among the evidence"));
     }
     std::vector<SegmentNumbers> all;
     for (std::size_t i = 0; i < report->groups.size() && i < expected.segments.size(); ++i) {
         const SrFileGroup& group = report->groups[i];
         if (group.segmentNumber != int(i) + 1 || !report->evidence.contains(group.segUid)
             || group.sourceSeriesUid != headers->front().seriesUid)
-            return mismatch(QStringLiteral("what measurement group %1 refers to").arg(i + 1));
+            return mismatch(Clause::saying("what measurement group %1 refers to", i + 1));
         SegmentNumbers said{.label = expected.segments[i].label, .name = group.name, .numbers = {}};
         const std::map<QString, QString> names{
             {QStringLiteral("118565006"), QStringLiteral("volumeMl")},
@@ -294,7 +292,7 @@ Result<std::vector<SegmentNumbers>> saidInReport(
         }
         all.push_back(said);
     }
-    if (const QString what = differenceOfMeasured(*report, expected); !what.isEmpty())
+    if (const Clause what = differenceOfMeasured(*report, expected); !what.isEmpty())
         return mismatch(what);
     return all;
 }
@@ -304,7 +302,7 @@ Result<std::vector<SegmentNumbers>> saidInReport(
 Result<ReportLines> checkStatisticsExport(
     const QString& file, const ExportExpectation& expected, const Progress& progress)
 {
-    const auto mismatch = [&](const QString& what) {
+    const auto mismatch = [&](const Clause& what) {
         return failure(ErrorCode::ExportMismatch, file, what);
     };
     const bool isReport = expected.format == ExportFormat::Sr;
@@ -326,12 +324,12 @@ Result<ReportLines> checkStatisticsExport(
         all = expected.format == ExportFormat::Csv ? saidInCsv(text) : saidInJson(text);
     }
     if (all.size() != expected.segments.size())
-        return mismatch(QStringLiteral("the number of segments"));
+        return mismatch(Clause::saying("the number of segments"));
     std::size_t numbers = 0;
     for (std::size_t i = 0; i < all.size(); ++i) {
         const Segment& segment = expected.segments[i];
         if (all[i].label != segment.label || (!isReport && all[i].name != segment.name))
-            return mismatch(QStringLiteral("name or label of segment %1").arg(i + 1));
+            return mismatch(Clause::saying("name or label of segment %1", i + 1));
         Numbers right = countedAnew(expected, segment);
         if (isReport) {
             std::erase_if(right, [](const auto& each) {
@@ -343,7 +341,7 @@ Result<ReportLines> checkStatisticsExport(
                 return !kept.contains(each.first);
             });
         }
-        const QString what =
+        const Clause what =
             differenceOf(all[i], right, isReport ? reportTolerance : relativeTolerance);
         if (!what.isEmpty())
             return mismatch(what);

@@ -196,14 +196,14 @@ QString plainName(const QString& name)
 }
 
 /// What of a part is not its segment's, as a word; empty if all is.
-QString differenceOfPart(const ReadMeshPart& part, const Segment& segment)
+Clause differenceOfPart(const ReadMeshPart& part, const Segment& segment)
 {
     if (part.name != plainName(segment.name))
-        return QStringLiteral("its name");
+        return Clause::saying("its name");
     if (part.rgb != (segment.rgb & 0xffffffU))
-        return QStringLiteral("its colour");
+        return Clause::saying("its colour");
     if (part.label && *part.label != segment.label)
-        return QStringLiteral("its label");
+        return Clause::saying("its label");
     return {};
 }
 
@@ -212,7 +212,7 @@ QString differenceOfPart(const ReadMeshPart& part, const Segment& segment)
 Result<ReportLines> checkSurfaceExport(ExportFormat format, const QString& file,
     const ExportExpectation& expected, const Progress& progress)
 {
-    const auto mismatch = [&](const QString& what) {
+    const auto mismatch = [&](const Clause& what) {
         return failure(ErrorCode::ExportMismatch, file, what);
     };
     const auto mesh = read(format, file);
@@ -221,10 +221,10 @@ Result<ReportLines> checkSurfaceExport(ExportFormat format, const QString& file,
     const QString space =
         expected.space == MeshSpace::Ras ? QStringLiteral("RAS") : QStringLiteral("LPS");
     if (mesh->space != space)
-        return mismatch(QStringLiteral("it does not say that its axes are %1").arg(space));
+        return mismatch(Clause::saying("it does not say that its axes are %1", space));
     const bool inOne = format == ExportFormat::Stl;
     if (mesh->parts.size() != (inOne ? 1 : expected.segments.size()))
-        return mismatch(QStringLiteral("the number of segments"));
+        return mismatch(Clause::saying("the number of segments"));
     if (const auto place = labelMapPlace(file, expected.volume, progress); !place)
         return tl::unexpected(place.error());
     const ToIndex toIndex(expected.volume.geometry, expected.space);
@@ -234,16 +234,16 @@ Result<ReportLines> checkSurfaceExport(ExportFormat format, const QString& file,
         const ReadMeshPart& part = mesh->parts[i];
         const std::span<const Segment> segments =
             inOne ? std::span(expected.segments) : std::span(expected.segments).subspan(i, 1);
-        const QString what = inOne ? QString() : differenceOfPart(part, segments[0]);
+        const Clause what = inOne ? Clause() : differenceOfPart(part, segments[0]);
         if (!what.isEmpty())
-            return mismatch(QStringLiteral("segment '%1': %2").arg(segments[0].name, what));
+            return mismatch(Clause::saying("segment '%1': %2", segments[0].name, what));
         if (!isClosed(part))
-            return mismatch(QStringLiteral("a surface is not closed"));
+            return mismatch(Clause::saying("a surface is not closed"));
         const auto wrong = wrongVoxels(part, segments, expected, toIndex, progress);
         if (!wrong)
             return tl::unexpected(wrong.error());
         if (*wrong != 0)
-            return mismatch(QStringLiteral("%1 voxels are not as drawn").arg(*wrong));
+            return mismatch(Clause::saying("%1 voxels are not as drawn", *wrong));
         triangles += part.triangles.size();
     }
     return ReportLines{ReportSentence{ReportCode::TrianglesClosed, {std::int64_t(triangles)}},

@@ -30,30 +30,30 @@ QString digits(QString date)
 }
 
 /// The slice's header against the volume as it was shown and drawn on.
-QString differenceFromVolume(const SourceHeader& header, const Volume& volume, int k)
+Clause differenceFromVolume(const SourceHeader& header, const Volume& volume, int k)
 {
     const VolumeGeometry& geometry = volume.geometry;
     const StudyIdentity& identity = volume.identity;
     const HeaderPatient shown{.name = identity.patientName,
         .id = identity.patientId,
         .birthDate = digits(identity.birthDate)};
-    if (const QString what = differenceOfPatients(header.patient, shown); !what.isEmpty())
-        return what + QStringLiteral(" is not that of the study that was opened");
+    if (const Clause what = differenceOfPatients(header.patient, shown); !what.isEmpty())
+        return Clause::saying("%1 is not that of the study that was opened", what);
     if (header.studyUid != identity.studyUid)
-        return QStringLiteral("the study is not the one that was opened");
+        return Clause::saying("the study is not the one that was opened");
     // Slices without a frame of reference in common have none in the volume (nor in the export).
     if (!identity.frameOfReferenceUid.isEmpty()
         && header.frameOfReferenceUid != identity.frameOfReferenceUid)
-        return QStringLiteral("the frame of reference is not the one that was opened");
+        return Clause::saying("the frame of reference is not the one that was opened");
     if (header.sopInstanceUid != volume.sources[std::size_t(k)].sopInstanceUid)
-        return QStringLiteral("the file now holds another image");
+        return Clause::saying("the file now holds another image");
     if (header.columns != geometry.size.x || header.rows != geometry.size.y)
-        return QStringLiteral("rows or columns are not those of the volume");
+        return Clause::saying("rows or columns are not those of the volume");
 
     const glm::dvec3 origin = sliceOrigin(geometry, k);
     if (glm::distance(header.plane.position, origin) > positionToleranceMm(geometry))
-        return QStringLiteral("its header puts it at %1, the volume has it at %2")
-            .arg(inMm(header.plane.position), inMm(origin));
+        return Clause::saying("its header puts it at %1, the volume has it at %2",
+            inMm(header.plane.position), inMm(origin));
     for (const glm::ivec2 corner :
         {glm::ivec2(geometry.size.x - 1, 0), glm::ivec2(0, geometry.size.y - 1)}) {
         const glm::dvec3 inVolume =
@@ -62,8 +62,8 @@ QString differenceFromVolume(const SourceHeader& header, const Volume& volume, i
         const double tolerance = positionToleranceMm(geometry)
             + cornerToleranceVoxels * std::min(geometry.spacingMm().x, geometry.spacingMm().y);
         if (glm::distance(inVolume, inHeader) > tolerance)
-            return QStringLiteral("its header puts a corner at %1, the volume has it at %2")
-                .arg(inMm(inHeader), inMm(inVolume));
+            return Clause::saying("its header puts a corner at %1, the volume has it at %2",
+                inMm(inHeader), inMm(inVolume));
     }
     return {};
 }
@@ -75,15 +75,15 @@ QString inMm(const glm::dvec3& point)
     return QStringLiteral("(%1, %2, %3) mm").arg(point.x).arg(point.y).arg(point.z);
 }
 
-QString differenceOfPatients(const HeaderPatient& a, const HeaderPatient& b)
+Clause differenceOfPatients(const HeaderPatient& a, const HeaderPatient& b)
 {
     if (nameParts(a.name) != nameParts(b.name))
-        return QStringLiteral("the patient's name");
+        return Clause::saying("the patient's name");
     if (a.id.simplified() != b.id.simplified())
-        return QStringLiteral("the patient ID");
+        return Clause::saying("the patient ID");
     // A birth date that DICOM cannot hold is left out of the export, and said so.
     if (!a.birthDate.isEmpty() && !b.birthDate.isEmpty() && a.birthDate != b.birthDate)
-        return QStringLiteral("the patient's birth date");
+        return Clause::saying("the patient's birth date");
     return {};
 }
 
@@ -106,10 +106,10 @@ Result<std::vector<SourceHeader>> checkedSourceHeaders(
     if (!headers)
         return headers;
     for (std::size_t k = 0; k < headers->size(); ++k) {
-        const QString what = differenceFromVolume((*headers)[k], volume, int(k));
+        const Clause what = differenceFromVolume((*headers)[k], volume, int(k));
         if (!what.isEmpty())
             return failure(ErrorCode::ExportMismatch, file,
-                QStringLiteral("source %1: %2").arg(volume.sources[k].file, what));
+                Clause::saying("source %1: %2", volume.sources[k].file, what));
     }
     return headers;
 }

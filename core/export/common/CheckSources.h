@@ -3,6 +3,7 @@
 
 #include "core/base/Progress.h"
 #include "core/base/Result.h"
+#include "core/base/words/Clause.h"
 #include "core/dicom/source/SourceHeader.h"
 #include "core/export/common/CheckExport.h"
 #include "core/volume/Volume.h"
@@ -26,7 +27,7 @@ Result<std::vector<SourceHeader>> checkedSourceHeaders(
     const QString& file, const ExportExpectation& expected, const Progress& progress);
 
 /// The difference between two patients, as a clause; empty if there is none.
-[[nodiscard]] QString differenceOfPatients(const HeaderPatient& a, const HeaderPatient& b);
+[[nodiscard]] Clause differenceOfPatients(const HeaderPatient& a, const HeaderPatient& b);
 
 /// The greatest allowed difference between positions in a header and in the volume. It covers
 /// rounding in decimal strings and of the least-squares line through the slices, and is far below

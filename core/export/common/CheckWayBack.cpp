@@ -57,19 +57,16 @@ private:
     std::vector<glm::dvec3> m_positions;
 };
 
-QString differenceAt(const glm::ivec3& voxel, const QString& what)
+Clause differenceAt(const glm::ivec3& voxel, const Clause& what)
 {
-    return QStringLiteral("on the way back to slice %1, voxel (%2, %3): %4")
-        .arg(voxel.z + 1)
-        .arg(voxel.x)
-        .arg(voxel.y)
-        .arg(what);
+    return Clause::saying(
+        "on the way back to slice %1, voxel (%2, %3): %4", voxel.z + 1, voxel.x, voxel.y, what);
 }
 
 } // namespace
 
-QString differenceOfWayBack(const WayBack& back, const Volume& volume,
-    const ExportRequest& onSlices, const ExportRequest& repaired)
+Clause differenceOfWayBack(const WayBack& back, const Volume& volume, const ExportRequest& onSlices,
+    const ExportRequest& repaired)
 {
     const VolumeGeometry& slices = back.slices().geometry;
     const glm::ivec3 repairedSize = volume.geometry.size;
@@ -85,13 +82,13 @@ QString differenceOfWayBack(const WayBack& back, const Volume& volume,
                 const glm::ivec3 taken = first + glm::ivec3(i, j, 0);
                 const glm::dvec3 away = glm::abs(place - glm::dvec3(taken));
                 if (std::max({away.x, away.y, away.z}) > mostVoxelsAway)
-                    return differenceAt({i, j, k}, QStringLiteral("it lies elsewhere"));
+                    return differenceAt({i, j, k}, Clause::saying("it lies elsewhere"));
                 if (!volume.geometry.contains(taken))
-                    return differenceAt({i, j, k}, QStringLiteral("it lies outside"));
+                    return differenceAt({i, j, k}, Clause::saying("it lies outside"));
                 for (std::size_t p = 0; p < onSlices.planes.size(); ++p) {
                     if (onSlices.planes[p].labels[indexIn(slices.size, {i, j, k})]
                         != repaired.planes[p].labels[indexIn(repairedSize, taken)])
-                        return differenceAt({i, j, k}, QStringLiteral("it holds something else"));
+                        return differenceAt({i, j, k}, Clause::saying("it holds something else"));
                 }
             }
         }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/base/words/Clause.h"
 #include "core/export/common/ExportMask.h"
 #include "core/repair/WayBack.h"
 
@@ -13,7 +14,7 @@ namespace core {
 /// @param onSlices the labels that were transferred back
 /// @param repaired the labels as drawn
 /// @return the difference, as a clause; empty if there is none
-[[nodiscard]] QString differenceOfWayBack(const WayBack& back, const Volume& volume,
+[[nodiscard]] Clause differenceOfWayBack(const WayBack& back, const Volume& volume,
     const ExportRequest& onSlices, const ExportRequest& repaired);
 
 /// Sentences on what was drawn where there is no image: on interpolated slices, and outside the

@@ -148,15 +148,15 @@ QStringList exportFormatNames()
     return names;
 }
 
-QString exportNameObstacle(ExportFormat format, const QString& file)
+Clause exportNameObstacle(ExportFormat format, const QString& file)
 {
     const ExportFormatFacts& facts = factsOf(format);
     if (facts.anyEnding || endsIn(file, facts.ending) || endsIn(file, facts.otherEnding))
         return {};
     if (format == ExportFormat::Nifti)
-        return QStringLiteral("the name of a NIfTI file ends in .nii or .nii.gz");
-    return QStringLiteral("the name of a %1 ends in %2")
-        .arg(QLatin1String(facts.title), QLatin1String(facts.ending));
+        return Clause::saying("the name of a NIfTI file ends in .nii or .nii.gz");
+    return Clause::saying(
+        "the name of a %1 ends in %2", QLatin1String(facts.title), QLatin1String(facts.ending));
 }
 
 } // namespace core

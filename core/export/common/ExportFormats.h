@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/base/words/Clause.h"
+
 #include <QString>
 #include <QStringList>
 
@@ -54,6 +56,6 @@ struct ExportFormatFacts {
 /// "dicom-seg", "nifti" …
 [[nodiscard]] QStringList exportFormatNames();
 /// Why a file of this format cannot have that name, as a clause; empty if it can.
-[[nodiscard]] QString exportNameObstacle(ExportFormat format, const QString& file);
+[[nodiscard]] Clause exportNameObstacle(ExportFormat format, const QString& file);
 
 } // namespace core

@@ -44,10 +44,7 @@ namespace {
 /// Names the user's file where a step knew only the temporary one.
 Error renamed(Error error, const StagedFile& staged, const QString& file)
 {
-    for (QString& argument : error.arguments) {
-        if (argument == staged.path())
-            argument = file;
-    }
+    error.arguments.exchange(staged.path(), file);
     return error;
 }
 
@@ -124,7 +121,7 @@ ExportRequest neutral(ExportRequest request)
 Result<StagedExport> stageOn(const Volume& volume, const ExportRequest& request,
     const Progress& progress, ExportReport report)
 {
-    if (const QString obstacle = exportNameObstacle(request.format, request.file);
+    if (const Clause obstacle = exportNameObstacle(request.format, request.file);
         !obstacle.isEmpty())
         return failure(ErrorCode::UnsupportedFormat, request.file, obstacle);
     const auto selection = selectMask(volume, request);
@@ -139,10 +136,10 @@ Result<StagedExport> stageOn(const Volume& volume, const ExportRequest& request,
     if (factsOf(request.format).isStatistics
         && request.codes.size() != volume.geometry.voxelCount())
         return failure(ErrorCode::UnsupportedFormat, request.file,
-            QStringLiteral("the values of the study are not at hand"));
+            Clause::saying("the values of the study are not at hand"));
     if (isSourceFile(volume, request.file))
         return failure(ErrorCode::FileUnwritable, request.file,
-            QStringLiteral("it is a file of the study itself"));
+            Clause::saying("it is a file of the study itself"));
     auto staged = StagedFile::create(request.file, request.force);
     if (!staged)
         return tl::unexpected(staged.error());
@@ -231,7 +228,7 @@ Result<ExportReport> exportOnSlices(const WayBack& back, const Volume& volume,
 {
     if (factsOf(request.format).isStatistics)
         return failure(ErrorCode::UnsupportedFormat, request.file,
-            QStringLiteral("a report names the images, on which the repaired voxels do not lie; "
+            Clause::saying("a report names the images, on which the repaired voxels do not lie; "
                            "CSV and JSON can be written"));
     std::vector<std::vector<std::uint8_t>> labels;
     ExportRequest onSlices = request;
@@ -242,12 +239,11 @@ Result<ExportReport> exportOnSlices(const WayBack& back, const Volume& volume,
     for (LabelPlaneView& plane : onSlices.planes) {
         if (plane.labels.size() != volume.geometry.voxelCount())
             return failure(ErrorCode::UnknownSegment, QString(),
-                QStringLiteral("its label plane is not there"));
+                Clause::saying("its label plane is not there"));
         labels.push_back(back.labels(plane.labels));
         plane.labels = labels.back();
     }
-    if (const QString wrong = differenceOfWayBack(back, volume, onSlices, request);
-        !wrong.isEmpty())
+    if (const Clause wrong = differenceOfWayBack(back, volume, onSlices, request); !wrong.isEmpty())
         return failure(ErrorCode::ExportMismatch, request.file, wrong);
     ExportReport report;
     report.file = request.file;
@@ -266,32 +262,34 @@ CodedConcept anatomicalStructure()
         .meaning = QStringLiteral("Anatomical Structure")};
 }
 
-QString dicomSegObstacle(const Volume& volume)
+Clause dicomSegObstacle(const Volume& volume)
 {
     if (const std::optional<WayBack> back = WayBack::of(volume))
         return dicomSegObstacle(back->slices());
-    const QString instead = QStringLiteral("; NIfTI can be exported instead");
+    const auto orNifti = [](const Clause& why) {
+        return Clause::saying("%1; NIfTI can be exported instead", why);
+    };
     if (volume.sourceFormat != QLatin1String("DICOM")
         || volume.sources.size() != std::size_t(volume.geometry.size.z))
-        return QStringLiteral("the study was not read from DICOM images, which a DICOM SEG or "
-                              "RTSTRUCT must name")
-            + instead;
+        return orNifti(
+            Clause::saying("the study was not read from DICOM images, which a DICOM SEG or "
+                           "RTSTRUCT must name"));
     if (volume.identity.studyUid.isEmpty())
-        return QStringLiteral("the source images carry no Study Instance UID, so a DICOM SEG or "
-                              "RTSTRUCT could not say to which study it belongs")
-            + instead;
+        return orNifti(
+            Clause::saying("the source images carry no Study Instance UID, so a DICOM SEG or "
+                           "RTSTRUCT could not say to which study it belongs"));
     if (volume.identity.seriesUid.isEmpty())
-        return QStringLiteral("the source images carry no Series Instance UID, so a DICOM SEG or "
-                              "RTSTRUCT could not say on which series it was drawn")
-            + instead;
+        return orNifti(
+            Clause::saying("the source images carry no Series Instance UID, so a DICOM SEG or "
+                           "RTSTRUCT could not say on which series it was drawn"));
     for (const SourceSlice& slice : volume.sources) {
         if (slice.sopInstanceUid.isEmpty() || slice.sopClassUid.isEmpty())
-            return QStringLiteral("the source images carry no SOP Instance UID, so a DICOM SEG or "
-                                  "RTSTRUCT could not say on which image it was drawn")
-                + instead;
+            return orNifti(
+                Clause::saying("the source images carry no SOP Instance UID, so a DICOM SEG or "
+                               "RTSTRUCT could not say on which image it was drawn"));
     }
     if (std::max(volume.geometry.size.x, volume.geometry.size.y) > 65535)
-        return QStringLiteral("DICOM holds at most 65535 rows and columns") + instead;
+        return orNifti(Clause::saying("DICOM holds at most 65535 rows and columns"));
     return {};
 }
 
@@ -300,7 +298,7 @@ Result<ExportReport> exportMask(
 {
     const ExportRequest request = neutral(asked);
     if (factsOf(request.format).namesSourceImages) {
-        if (const QString obstacle = dicomSegObstacle(volume); !obstacle.isEmpty())
+        if (const Clause obstacle = dicomSegObstacle(volume); !obstacle.isEmpty())
             return failure(ErrorCode::UnsupportedFormat, request.file, obstacle);
         if (const std::optional<WayBack> back = WayBack::of(volume))
             return exportOnSlices(*back, volume, request, progress);

@@ -3,6 +3,7 @@
 
 #include "core/base/Progress.h"
 #include "core/base/Result.h"
+#include "core/base/words/Clause.h"
 #include "core/brick/VoxelRuns.h"
 #include "core/dicom/write/SegSettings.h"
 #include "core/document/Document.h"
@@ -98,6 +99,6 @@ Result<ExportReport> exportMask(
 
 /// Why a DICOM SEG or RTSTRUCT cannot be written for this volume, as a clause; empty if it can.
 /// Reads no file.
-[[nodiscard]] QString dicomSegObstacle(const Volume& volume);
+[[nodiscard]] Clause dicomSegObstacle(const Volume& volume);
 
 } // namespace core

@@ -30,16 +30,15 @@ Result<LabelMap> emptyMap(const Volume& volume, const ExportRequest& request,
     const MaskSelection& selection, const QString& format, ExportReport& report)
 {
     const VolumeGeometry& geometry = volume.geometry;
-    const auto unsupported = [&](const QString& what) {
+    const auto unsupported = [&](const Clause& what) {
         return failure(ErrorCode::UnsupportedFormat, request.file, what);
     };
     const double uneven = unevennessMm(geometry);
     if (uneven > unevenLimit * geometry.spacingMm().z)
         return unsupported(
-            QStringLiteral("%1 has one step for all slices, and these stray from it by up to %2 "
-                           "mm; DICOM SEG keeps every slice in its place")
-                .arg(format)
-                .arg(uneven, 0, 'f', 2));
+            Clause::saying("%1 has one step for all slices, and these stray from it by up to %2 "
+                           "mm; DICOM SEG keeps every slice in its place",
+                format, QString::number(uneven, 'f', 2)));
     if (uneven > 0.0)
         report.cautions +=
             ReportSentence{ReportCode::UnevenInFile, {format, QString::number(uneven, 'f', 3)}};
@@ -49,10 +48,9 @@ Result<LabelMap> emptyMap(const Volume& volume, const ExportRequest& request,
     for (const Segment& segment : selection.segments) {
         if (used.test(segment.label))
             return unsupported(
-                QStringLiteral("two of the segments have label %1, which one %2 label map cannot "
-                               "hold; export them one by one, or as DICOM SEG")
-                    .arg(segment.label)
-                    .arg(format));
+                Clause::saying("two of the segments have label %1, which one %2 label map cannot "
+                               "hold; export them one by one, or as DICOM SEG",
+                    segment.label, format));
         used.set(segment.label);
         map.names += QStringLiteral("%1 %2").arg(segment.label).arg(segment.name);
     }
@@ -89,7 +87,7 @@ Result<LabelMap> labelMapOf(const Volume& volume, const ExportRequest& request,
     Result<LabelMap> map = emptyMap(volume, request, selection, format, report);
     if (!map)
         return map;
-    if (const QString why = whyNoLabelMap(request, selection.segments, format); !why.isEmpty())
+    if (const Clause why = whyNoLabelMap(request, selection.segments, format); !why.isEmpty())
         return failure(ErrorCode::UnsupportedFormat, request.file, why);
     fill(*map, request, selection);
     return map;
@@ -132,9 +130,9 @@ Result<LabelMapPlace> labelMapPlace(
     const double ofVolume = farthest(*corners, cornersOf(geometry.indexToWorld, geometry.size));
     if (ofVolume > tolerance)
         return failure(ErrorCode::ExportMismatch, file,
-            QStringLiteral("the source's own header puts a corner %1 mm away from where the volume "
-                           "has it")
-                .arg(ofVolume));
+            Clause::saying("the source's own header puts a corner %1 mm away from where the volume "
+                           "has it",
+                ofVolume));
     return LabelMapPlace{.corners = *corners, .toleranceMm = tolerance};
 }
 

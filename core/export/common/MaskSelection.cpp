@@ -36,7 +36,7 @@ const LabelPlaneView* planeOf(const ExportRequest& request, const Segment& segme
     return nullptr;
 }
 
-QString whyNoLabelMap(
+Clause whyNoLabelMap(
     const ExportRequest& request, const std::vector<Segment>& segments, const QString& format)
 {
     for (std::size_t a = 0; a < segments.size(); ++a) {
@@ -49,9 +49,9 @@ QString whyNoLabelMap(
             for (std::size_t i = 0; i < std::min(first.size(), second.size()); ++i)
                 shared += first[i] == segments[a].label && second[i] == segments[b].label ? 1U : 0U;
             if (shared != 0)
-                return QStringLiteral("'%1' and '%2' overlap in %3 voxels, which one %4 label map "
-                                      "cannot hold; export them one by one, or as binary DICOM SEG")
-                    .arg(segments[a].name, segments[b].name, QString::number(shared), format);
+                return Clause::saying("'%1' and '%2' overlap in %3 voxels, which one %4 label map "
+                                      "cannot hold; export them one by one, or as binary DICOM SEG",
+                    segments[a].name, segments[b].name, QString::number(shared), format);
         }
     }
     return {};
@@ -78,7 +78,7 @@ Result<MaskSelection> selectMask(const Volume& volume, const ExportRequest& requ
         const LabelPlaneView* plane = planeOf(request, segment);
         if (plane == nullptr || plane->labels.size() != volume.geometry.voxelCount())
             return failure(ErrorCode::UnknownSegment, segment.name,
-                QStringLiteral("its label plane is not there"));
+                Clause::saying("its label plane is not there"));
         auto [present, isNew] = presentInPlane.try_emplace(segment.plane);
         if (isNew)
             present->second = labelsBySlice(volume, *plane);
@@ -96,8 +96,8 @@ Result<MaskSelection> selectMask(const Volume& volume, const ExportRequest& requ
     }
     if (selection.segments.empty())
         return failure(ErrorCode::NothingToExport, request.file,
-            request.segments.empty() ? QStringLiteral("no segment is chosen")
-                                     : QStringLiteral("the chosen segments are empty"));
+            request.segments.empty() ? Clause::saying("no segment is chosen")
+                                     : Clause::saying("the chosen segments are empty"));
     return selection;
 }
 

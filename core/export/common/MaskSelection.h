@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/files/StagedFile.h"
+#include "core/base/words/Clause.h"
 #include "core/export/common/ExportMask.h"
 
 namespace core {
@@ -30,7 +31,7 @@ const LabelPlaneView* planeOf(const ExportRequest& request, const Segment& segme
 /// Why segments that overlap cannot be one map of numbers, in words: which two, and in how many
 /// voxels. Empty if none of them shares a voxel with another.
 /// @param format "NRRD", …
-QString whyNoLabelMap(
+Clause whyNoLabelMap(
     const ExportRequest& request, const std::vector<Segment>& segments, const QString& format);
 
 std::size_t voxelsPerSlice(const Volume& volume);

@@ -85,7 +85,7 @@ Result<GridCorners> sourceCorners(
             repairedGeometry(volume.asIs->geometry, *SeriesRepair::fromText(volume.repair));
         if (lattice.size != size)
             return failure(ErrorCode::ExportMismatch, file,
-                QStringLiteral("the repair of the source gives another grid"));
+                Clause::saying("the repair of the source gives another grid"));
         return cornersOf(lattice.indexToWorld, size);
     }
     if (volume.sources.empty()) {
@@ -94,7 +94,7 @@ Result<GridCorners> sourceCorners(
             return tl::unexpected(source.error());
         if (source->size != size)
             return failure(ErrorCode::ExportMismatch, volume.sourcePath,
-                QStringLiteral("its size is not that of the volume that was opened"));
+                Clause::saying("its size is not that of the volume that was opened"));
         // Pictures do not say how far apart their voxels are: who opened them did.
         const std::optional<SeriesRepair> given = SeriesRepair::fromText(volume.repair);
         return cornersOf(

@@ -114,7 +114,7 @@ void removeUnbelievable(const QDir& folder)
 tl::unexpected<Error> taken(const QString& target)
 {
     return failure(ErrorCode::FileUnwritable, target,
-        QStringLiteral("there is something else, which stays as it is"));
+        Clause::saying("there is something else, which stays as it is"));
 }
 
 } // namespace
@@ -137,7 +137,7 @@ Result<DownloadFolder> DownloadFolder::open(const QString& target)
     folder.m_lock->setStaleLockTime(0);
     if (!folder.m_lock->tryLock()) {
         return failure(
-            ErrorCode::FileUnwritable, target, QStringLiteral("another download goes there"));
+            ErrorCode::FileUnwritable, target, Clause::saying("another download goes there"));
     }
     removeUnbelievable(QDir(folder.m_gathering));
     writeNote(QDir(folder.m_gathering), thisStart());
@@ -226,7 +226,7 @@ Result<QString> soundObject(const QString& path)
         return tl::unexpected<Error>(file.error());
     if (file->pixelsCut()) {
         return failure(
-            ErrorCode::FileTruncated, path, QStringLiteral("its pixel data are incomplete"));
+            ErrorCode::FileTruncated, path, Clause::saying("its pixel data are incomplete"));
     }
     DcmDataset set;
     if (const Result<void> read = file->readInto(set); !read)
@@ -243,7 +243,7 @@ Result<void> checkObject(const QString& path, const QString& sopInstanceUid)
         return tl::unexpected<Error>(uid.error());
     if (*uid != sopInstanceUid) {
         return failure(
-            ErrorCode::FileUnreadable, path, QStringLiteral("it is another object than was asked"));
+            ErrorCode::FileUnreadable, path, Clause::saying("it is another object than was asked"));
     }
     return {};
 }

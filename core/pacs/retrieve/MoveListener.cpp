@@ -52,7 +52,7 @@ Result<std::unique_ptr<MoveListener>> MoveListener::start(
 {
     if (node.tls.wanted()) {
         return failure(ErrorCode::InvalidField, QStringLiteral("move"),
-            QStringLiteral("with TLS objects come by C-GET only"));
+            Clause::saying("with TLS objects come by C-GET only"));
     }
     readyDcmtk();
     std::unique_ptr<MoveListener> listener(new MoveListener(node, intake));
@@ -64,7 +64,7 @@ Result<std::unique_ptr<MoveListener>> MoveListener::start(
         ASC_initializeNetwork(NET_ACCEPTOR, port, node.timeoutSeconds, &listener->m_network);
     if (open.bad()) {
         return failure(ErrorCode::InvalidField, QStringLiteral("move"),
-            QStringLiteral("nobody can listen on port %1; it may be taken").arg(port));
+            Clause::saying("nobody can listen on port %1; it may be taken", port));
     }
     ASC_setTransportLayer(listener->m_network, listener->m_layer.get(), 0);
     listener->m_thread.emplace();
@@ -161,7 +161,7 @@ Result<void> MoveListener::converse(Association& association)
                 return taken;
         } else {
             return failure(ErrorCode::NodeNonsense, m_node.name(),
-                QStringLiteral("it asks what it should tell"));
+                Clause::saying("it asks what it should tell"));
         }
     }
 }

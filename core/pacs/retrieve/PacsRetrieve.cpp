@@ -79,7 +79,7 @@ Result<void> follow(
             lastObject = Patience::Clock::now();
         if (Patience::Clock::now() - lastObject > longest)
             return failure(ErrorCode::NodeTimeout, node.name(), QString::number(longest.count()),
-                QStringLiteral("it says that it is at work, and sends nothing"));
+                Clause::saying("it says that it is at work, and sends nothing"));
         std::uint8_t context = 0;
         const Result<T_DIMSE_Message> message = association.receive(context);
         if (!message)
@@ -92,7 +92,7 @@ Result<void> follow(
         }
         const bool isGet = message->CommandField == DIMSE_C_GET_RSP;
         if (!isGet && message->CommandField != DIMSE_C_MOVE_RSP) {
-            return failure(ErrorCode::NodeNonsense, node.name(), QStringLiteral("no answer"));
+            return failure(ErrorCode::NodeNonsense, node.name(), Clause::saying("no answer"));
         }
         const T_DIMSE_C_GetRSP& get = message->msg.CGetRSP;
         const T_DIMSE_C_MoveRSP& move = message->msg.CMoveRSP;
@@ -191,7 +191,7 @@ tl::unexpected<Error> incomplete(
 {
     const qsizetype missing = std::max(intake.missing().size(), qsizetype(conclusion.failed));
     if (!intake.refusal() && conclusion.status != 0 && intake.received() == 0) {
-        return failure(ErrorCode::NodeFailed, node.name(), QStringLiteral("the download"),
+        return failure(ErrorCode::NodeFailed, node.name(), Clause::saying("the download"),
             statusText(conclusion.status));
     }
     Error error{ErrorCode::TransferIncomplete,

@@ -66,7 +66,7 @@ Result<SimplexMesh> dualOf(
     for (const glm::uvec3& triangle : triangles) {
         if (glm::any(glm::greaterThanEqual(triangle, glm::uvec3(std::uint32_t(pointsLps.size())))))
             return failure(
-                ErrorCode::Internal, QStringLiteral("a triangle names a point that is not there"));
+                ErrorCode::Internal, Clause::saying("a triangle names a point that is not there"));
     }
     std::vector<glm::dvec3> middles;
     middles.reserve(triangles.size());
@@ -83,7 +83,7 @@ Result<SimplexMesh> dualOf(
         rings.push_back(fanOf(std::span(spokes.spokes).subspan(begin, count)));
         if (rings.back().empty())
             return failure(ErrorCode::Internal,
-                QStringLiteral("the triangles at point %1 do not close around it").arg(point));
+                Clause::saying("the triangles at point %1 do not close around it", point));
     }
     return SimplexMesh::make(std::move(middles), std::move(rings));
 }

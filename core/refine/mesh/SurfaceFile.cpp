@@ -33,7 +33,7 @@ Result<void> writeSurfaceFile(
         std::find(endings.begin(), endings.end(), QFileInfo(path).suffix().toLower());
     if (known == endings.end())
         return failure(ErrorCode::UnsupportedFormat, path,
-            QStringLiteral("a surface is written as .stl, .ply, .obj or .glb"));
+            Clause::saying("a surface is written as .stl, .ply, .obj or .glb"));
     Result<StagedFile> file = StagedFile::create(path, replaces);
     if (!file)
         return tl::unexpected(file.error());
@@ -44,8 +44,7 @@ Result<void> writeSurfaceFile(
     const MeshWriter write = writers[std::size_t(known - endings.begin())];
     if (const Result<void> written = write(file->path(), {part}, QStringLiteral("LPS")); !written) {
         Error error = written.error();
-        for (QString& argument : error.arguments)
-            argument.replace(file->path(), path);
+        error.arguments.replace(file->path(), path);
         return tl::unexpected(error);
     }
     return file->commit();

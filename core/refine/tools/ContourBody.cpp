@@ -133,7 +133,7 @@ public:
             draw(contour);
         if (m_drawn.empty())
             return failure(ErrorCode::InvalidField, QStringLiteral("contours"),
-                QStringLiteral("they have no length"));
+                Clause::saying("they have no length"));
         leaveOutSound();
         thin();
         Result<VariationalBody> first = solve();

@@ -87,7 +87,7 @@ std::vector<double> weightsThrough(const std::vector<Place>& places,
 tl::unexpected<Error> noneThrough()
 {
     return failure(ErrorCode::InvalidField, QStringLiteral("contours"),
-        QStringLiteral("no surface runs through these points"));
+        Clause::saying("no surface runs through these points"));
 }
 
 } // namespace

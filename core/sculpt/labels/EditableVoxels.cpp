@@ -27,7 +27,7 @@ Result<void> checkSound(const std::optional<EditableVoxels>& editable)
     if ((editable->inside && !planesAreSound(*editable->inside))
         || !planesAreSound(editable->outside))
         return failure(
-            ErrorCode::InvalidField, QStringLiteral("editable"), QStringLiteral("is not sound"));
+            ErrorCode::InvalidField, QStringLiteral("editable"), Clause::saying("is not sound"));
     return {};
 }
 

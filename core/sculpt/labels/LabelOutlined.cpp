@@ -142,7 +142,7 @@ Result<void> checkSound(const LabelOutlined& edit, const BrickGrid& grid)
 {
     if (edit.target.label == 0)
         return failure(
-            ErrorCode::InvalidField, QStringLiteral("label"), QStringLiteral("0 is no segment"));
+            ErrorCode::InvalidField, QStringLiteral("label"), Clause::saying("0 is no segment"));
     const auto inReach = [](int each) {
         return each >= -LabelOutlined::reach && each <= LabelOutlined::reach;
     };
@@ -150,12 +150,12 @@ Result<void> checkSound(const LabelOutlined& edit, const BrickGrid& grid)
         || !std::all_of(edit.corners.begin(), edit.corners.end(),
             [&inReach](const glm::ivec2& each) { return inReach(each.x) && inReach(each.y); }))
         return failure(
-            ErrorCode::InvalidField, QStringLiteral("corners"), QStringLiteral("are not sound"));
+            ErrorCode::InvalidField, QStringLiteral("corners"), Clause::saying("are not sound"));
     const glm::ivec3& size = grid.volumeSize;
     if (edit.halfThickness < 0 || !staysInReach(edit.origin, 1) || !staysInReach(edit.perI, size.x)
         || !staysInReach(edit.perJ, size.y) || !staysInReach(edit.perK, size.z))
         return failure(
-            ErrorCode::InvalidField, QStringLiteral("plane"), QStringLiteral("is not sound"));
+            ErrorCode::InvalidField, QStringLiteral("plane"), Clause::saying("is not sound"));
     return checkSound(edit.editable);
 }
 

@@ -7,7 +7,7 @@ Result<void> checkSound(const LabelThreshold& edit, const BrickGrid&)
 {
     if (edit.target.label == 0)
         return failure(
-            ErrorCode::InvalidField, QStringLiteral("label"), QStringLiteral("0 is no segment"));
+            ErrorCode::InvalidField, QStringLiteral("label"), Clause::saying("0 is no segment"));
     return checkSound(edit.editable);
 }
 

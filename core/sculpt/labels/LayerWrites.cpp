@@ -11,7 +11,7 @@ Result<void> checkLabel(std::uint8_t label)
 {
     if (label == 0)
         return failure(
-            ErrorCode::InvalidField, QStringLiteral("label"), QStringLiteral("0 is no segment"));
+            ErrorCode::InvalidField, QStringLiteral("label"), Clause::saying("0 is no segment"));
     return {};
 }
 
@@ -53,7 +53,7 @@ bool areSound(const std::vector<VoxelBound>& bounds, const glm::ivec3& size)
 tl::unexpected<Error> unsoundBricks()
 {
     return failure(
-        ErrorCode::InvalidField, QStringLiteral("bricks"), QStringLiteral("are not sound"));
+        ErrorCode::InvalidField, QStringLiteral("bricks"), Clause::saying("are not sound"));
 }
 
 } // namespace
@@ -69,7 +69,7 @@ Result<void> checkSound(const LabelSeen& edit, const BrickGrid& grid)
 {
     if (!areSound(edit.bounds, grid.volumeSize))
         return failure(
-            ErrorCode::InvalidField, QStringLiteral("bounds"), QStringLiteral("are not sound"));
+            ErrorCode::InvalidField, QStringLiteral("bounds"), Clause::saying("are not sound"));
     if (const Result<void> sound = checkSound(edit.editable); !sound)
         return sound;
     return checkLabel(edit.target.label);
@@ -95,7 +95,7 @@ Result<void> checkSound(const LabelPlanes& edit, const BrickGrid& grid)
     }
     if (last < 0 || last > 255)
         return failure(
-            ErrorCode::InvalidField, QStringLiteral("planes"), QStringLiteral("are not sound"));
+            ErrorCode::InvalidField, QStringLiteral("planes"), Clause::saying("are not sound"));
     return {};
 }
 
@@ -119,7 +119,7 @@ Result<void> checkSound(const FoldLayer& edit, const BrickGrid&)
 {
     if (edit.into == edit.layer)
         return failure(
-            ErrorCode::InvalidField, QStringLiteral("into"), QStringLiteral("is the layer itself"));
+            ErrorCode::InvalidField, QStringLiteral("into"), Clause::saying("is the layer itself"));
     return {};
 }
 

@@ -63,8 +63,7 @@ void Relabelling::leaveNoRow(SessionState& state)
     if (m_again != 0)
         state.fail({ErrorCode::SessionDamaged,
             {state.file ? state.file->path() : QString(),
-                QStringLiteral("row %1 changes nothing when it is carried out again")
-                    .arg(m_again)}});
+                Clause::saying("row %1 changes nothing when it is carried out again", m_again)}});
 }
 
 void Relabelling::giveUp(SessionState& state, const Error& error)

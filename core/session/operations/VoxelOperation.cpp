@@ -309,8 +309,8 @@ void VoxelOperation::finish(SessionState& state, EngineResult&& result)
         if (m_again != 0 && !result.error && !m_failed)
             state.fail({ErrorCode::SessionDamaged,
                 {state.file ? state.file->path() : QString(),
-                    QStringLiteral("row %1 changes nothing when it is carried out again")
-                        .arg(m_again)}});
+                    Clause::saying(
+                        "row %1 changes nothing when it is carried out again", m_again)}});
         return;
     }
     if (m_again != 0) {

@@ -150,7 +150,7 @@ Result<void> nameWhatGrowthReads(Edit& edit, const History& history, const Docum
         std::optional<Rules> rules = recentRules(history);
         if (!rules)
             return failure(ErrorCode::InvalidField, editName(edit),
-                QStringLiteral("nothing has grown before"));
+                Clause::saying("nothing has grown before"));
         if (const Result<void> left = dropGone(rules->criteria, document); !left)
             return left;
         if (resume) {

@@ -26,12 +26,12 @@ tl::unexpected<Error> tooLarge(const VoxelBox& box)
 {
     if (box.empty()) // it is not even known
         return failure(ErrorCode::OutOfMemory,
-            QStringLiteral("what belongs to whom around the segment cannot be unpacked here"));
+            Clause::saying("what belongs to whom around the segment cannot be unpacked here"));
     const glm::ivec3 size = box.maximum - box.minimum;
     return failure(ErrorCode::OutOfMemory,
-        QStringLiteral("%1 million voxels are too many to be divided into chunks here; a smaller "
-                       "margin takes less")
-            .arg((std::int64_t(size.x) * size.y * size.z >> 20) + 1));
+        Clause::saying("%1 million voxels are too many to be divided into chunks here; a smaller "
+                       "margin takes less",
+            (std::int64_t(size.x) * size.y * size.z >> 20) + 1));
 }
 
 } // namespace

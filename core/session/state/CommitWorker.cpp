@@ -120,7 +120,7 @@ Result<std::vector<BrickImage>> CommitWorker::imagesOf(RowId row)
     Result<std::vector<BrickImage>> differences = expandDelta(*delta, m_grid);
     if (!differences)
         return failure(ErrorCode::SessionDamaged, m_file->path(),
-            QStringLiteral("row %1: %2").arg(row).arg(differences.error().arguments.value(0)));
+            Clause::saying("row %1: %2", row, differences.error().arguments.value(0)));
     return differences;
 }
 

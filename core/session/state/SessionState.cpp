@@ -320,11 +320,12 @@ void SessionState::lose(const Error& why)
         return;
     const bool byEngine =
         why.code == ErrorCode::EngineLost || why.code == ErrorCode::GraphicsUnavailable;
-    m_lost = byEngine ? Error{ErrorCode::EngineLost, why.arguments}
-                      : Error{why.code,
-                          {why.arguments.value(0)
-                              + QStringLiteral("; close the study and open it again: every step so "
-                                               "far is in its session")}};
+    m_lost = byEngine
+        ? Error{ErrorCode::EngineLost, why.arguments}
+        : Error{why.code,
+            {Clause::saying(
+                "%1; close the study and open it again: every step so far is in its session",
+                why.arguments.value(0))}};
     if (why.code == ErrorCode::ContextLost)
         m_lost = why;
     m_required.clear();

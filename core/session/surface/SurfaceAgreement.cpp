@@ -66,7 +66,7 @@ public:
         const SimplexMeshDelta& change = row.step->mesh;
         if (!canUndo(change, m_mesh))
             return failure(ErrorCode::Internal,
-                QStringLiteral("the surface does not go back to how it was laid"));
+                Clause::saying("the surface does not go back to how it was laid"));
         if (!follows(row)) {
             change.undo(m_mesh);
             m_voxels.reset();

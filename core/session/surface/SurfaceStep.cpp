@@ -41,7 +41,7 @@ void add(DeltaWriter& writer, const SurfaceStep::Target& target)
 tl::unexpected<Error> damaged()
 {
     return failure(ErrorCode::SessionDamaged,
-        QStringLiteral("what changed of the surface is cut short or garbled"));
+        Clause::saying("what changed of the surface is cut short or garbled"));
 }
 
 std::optional<std::uint32_t> takeNumber(DeltaReader& reader)

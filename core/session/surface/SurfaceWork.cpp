@@ -301,7 +301,7 @@ Result<SurfaceWork::Outcome> SurfaceWork::carryOut(const LaySurface& edit, Endin
     VoxelRuns voxels = labelRuns(m_labels, m_segment.label);
     if (voxels.empty())
         return failure(ErrorCode::InvalidField, QStringLiteral("surface.segment"),
-            QStringLiteral("'%1' has no voxels").arg(m_segment.name));
+            Clause::saying("'%1' has no voxels", m_segment.name));
     Result<MeasuredFit> fit = measuredFit(voxels, m_surface.geometry(),
         edit.vertices == 0 ? std::nullopt : std::optional(edit.vertices), m_progress,
         keepsApart(edit.rules));
@@ -327,7 +327,7 @@ Result<SurfaceWork::Outcome> SurfaceWork::carryOut(const FollowMask& edit, Endin
     VoxelRuns voxels = labelRuns(m_labels, m_segment.label);
     if (voxels.empty())
         return failure(ErrorCode::InvalidField, QStringLiteral("followMask"),
-            QStringLiteral("'%1' has no voxels any more").arg(m_segment.name));
+            Clause::saying("'%1' has no voxels any more", m_segment.name));
     if (voxels == m_surface.target->voxels())
         return Outcome();
     SurfaceStep::TargetChange target{.before = m_surface.followed(),

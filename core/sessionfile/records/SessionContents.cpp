@@ -13,7 +13,7 @@ Error SessionDamage::error(const QString& path) const
 
 std::optional<SessionDamage> SessionDamage::of(const Error& error)
 {
-    const QStringList& arguments = error.arguments;
+    const Clauses& arguments = error.arguments;
     if (error.code != ErrorCode::SessionDamaged || arguments.size() != 5)
         return std::nullopt;
     return SessionDamage{.row = arguments[2].toLongLong(),

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/Error.h"
+#include "core/base/words/Clause.h"
 #include "core/history/History.h"
 #include "core/sessionfile/records/Keyframe.h"
 #include "core/sessionfile/records/SessionSource.h"
@@ -20,7 +21,7 @@ struct SessionDamage {
     RowId row = 0; ///< the first row that is lost; 0: no row is, but the position
     QString name; ///< its name as the file has it; may be empty
     std::int64_t after = 0; ///< rows after it that are lost with it; −1: unknown
-    QString reason;
+    Clause reason;
 
     /// SessionDamaged with five arguments: the file, the reason, row, name and after.
     [[nodiscard]] Error error(const QString& path) const;
@@ -52,8 +53,8 @@ struct SessionContents {
     /// Rows without a sound difference whose edit and hash are sound, so they can be carried out
     /// again. Only checkSession() finds them.
     std::vector<SessionDamage> redo;
-    QString cutOff; ///< how much of the file is there, if not all of it
-    QString leftOpen; ///< why the last steps may be missing although no row is damaged
+    Clause cutOff; ///< how much of the file is there, if not all of it
+    Clause leftOpen; ///< why the last steps may be missing although no row is damaged
 
     /// Whether work can continue in the file as it is.
     [[nodiscard]] bool isWhole() const { return !damage && redo.empty() && cutOff.isEmpty(); }

@@ -157,7 +157,7 @@ Result<QString> SessionDatabase::copyPrivately()
     m_copy = std::make_unique<QTemporaryDir>(); // for its owner only
     if (!m_copy->isValid())
         return failure(ErrorCode::FileUnreadable, m_path,
-            QStringLiteral("no room for a private copy: ") + m_copy->errorString());
+            Clause::saying("no room for a private copy: %1", m_copy->errorString()));
     const QString copy = m_copy->filePath(QStringLiteral("session.burin"));
     if (const Result<void> copied = copySession(m_path, copy); !copied)
         return tl::unexpected(copied.error());
@@ -186,15 +186,14 @@ Result<void> SessionDatabase::checkFormat()
         return failure(ErrorCode::SessionDamaged, m_path, m_loss.cutOff);
     if (application != applicationId)
         return failure(
-            ErrorCode::UnsupportedFormat, m_path, QStringLiteral("it is no session of Burin"));
+            ErrorCode::UnsupportedFormat, m_path, Clause::saying("it is no session of Burin"));
     const int version = m_connection.number("user_version");
     if (version < SessionFormat::oldest || version > SessionFormat::newest)
         return failure(ErrorCode::UnsupportedFormat, m_path,
             version > SessionFormat::newest
-                ? QStringLiteral("a newer Burin wrote it (session format %1; this one reads %2)")
-                      .arg(version)
-                      .arg(int(SessionFormat::newest))
-                : QStringLiteral("sessions of format %1 are not known here").arg(version));
+                ? Clause::saying("a newer Burin wrote it (session format %1; this one reads %2)",
+                    version, int(SessionFormat::newest))
+                : Clause::saying("sessions of format %1 are not known here", version));
     return checkSchema(version);
 }
 
@@ -208,11 +207,11 @@ Result<void> SessionDatabase::checkSchema(int format)
         return {};
     if (!deviations.table.isEmpty())
         return failure(ErrorCode::UnsupportedFormat, m_path,
-            QStringLiteral("its table '%1' is not that of a session").arg(deviations.table));
+            Clause::saying("its table '%1' is not that of a session", deviations.table));
     if (deviations.foreign.isEmpty())
         return {};
     m_loss.foreign =
-        QStringLiteral("it holds a %1, which is no part of a session").arg(deviations.foreign);
+        Clause::saying("it holds a %1, which is no part of a session", deviations.foreign);
     return m_readOnly ? Result<void>() : failure(ErrorCode::SessionDamaged, m_path, m_loss.foreign);
 }
 
@@ -231,8 +230,8 @@ Result<void> SessionDatabase::checkStructure()
         });
     if (read && said == QLatin1String("ok"))
         return {};
-    m_loss.structure = QStringLiteral("its structure is damaged: %1")
-                           .arg((read ? said : reason()).simplified().left(200));
+    m_loss.structure = Clause::saying(
+        "its structure is damaged: %1", (read ? said : reason()).simplified().left(200));
     return m_readOnly ? Result<void>()
                       : failure(ErrorCode::SessionDamaged, m_path, m_loss.structure);
 }
@@ -301,13 +300,13 @@ tl::unexpected<Error> SessionDatabase::failed() const
     case 5: // SQLITE_BUSY
     case 6: // SQLITE_LOCKED
         return failure(ErrorCode::FileUnreadable, m_path,
-            QStringLiteral("it is open already, in this window or another program"));
+            Clause::saying("it is open already, in this window or another program"));
     case 9: // SQLITE_INTERRUPT
     case 11: // SQLITE_CORRUPT
         return failure(ErrorCode::SessionDamaged, m_path, reason());
     case 26: // SQLITE_NOTADB
         return failure(
-            ErrorCode::UnsupportedFormat, m_path, QStringLiteral("it is no session of Burin"));
+            ErrorCode::UnsupportedFormat, m_path, Clause::saying("it is no session of Burin"));
     case 8: // SQLITE_READONLY
     case 13: // SQLITE_FULL
         return failure(ErrorCode::FileUnwritable, m_path, reason());

@@ -147,7 +147,7 @@ Result<void> writeImages(const QString& path, const LoadedVolume& study, const P
     return {};
 }
 
-tl::unexpected<Error> damaged(const QString& path, const QString& reason)
+tl::unexpected<Error> damaged(const QString& path, const Clause& reason)
 {
     return failure(ErrorCode::SessionDamaged, path, reason);
 }
@@ -169,9 +169,9 @@ Result<ImageRow> readRow(SessionDatabase& database, const QString& path)
         return damaged(path, database.reason());
     if (row.text.isEmpty())
         return failure(
-            ErrorCode::NoImages, path, QStringLiteral("the session was saved without them"));
+            ErrorCode::NoImages, path, Clause::saying("the session was saved without them"));
     if (sha256(row.text.toUtf8()) != row.textSha256)
-        return damaged(path, QStringLiteral("what describes its images was changed"));
+        return damaged(path, Clause::saying("what describes its images was changed"));
     return row;
 }
 
@@ -187,13 +187,13 @@ Result<QByteArray> readPiece(
                 bytes = answer.value(1).toByteArray();
                 return true;
             });
-    const QString which = QStringLiteral("piece %1 of %2 of its images").arg(piece + 1).arg(pieces);
+    const Clause which = Clause::saying("piece %1 of %2 of its images", piece + 1, pieces);
     if (!read)
-        return damaged(path, QStringLiteral("%1 cannot be read: %2").arg(which, database.reason()));
+        return damaged(path, Clause::saying("%1 cannot be read: %2", which, database.reason()));
     if (expected.isEmpty())
-        return damaged(path, which + QStringLiteral(" is missing"));
+        return damaged(path, Clause::saying("%1 is missing", which));
     if (sha256(bytes) != expected)
-        return damaged(path, which + QStringLiteral(" was changed after it was written"));
+        return damaged(path, Clause::saying("%1 was changed after it was written", which));
     return bytes;
 }
 
@@ -203,17 +203,17 @@ Result<Volume> volumeOf(const ImageRow& row, const QString& path)
     const QJsonObject json = parsed(row.text);
     std::optional<Volume> volume = volumeFromJson(json[QStringLiteral("volume")].toObject());
     if (!volume || json[QStringLiteral("pieces")].toInteger() != qint64(pieceCount(*volume)))
-        return damaged(path, QStringLiteral("what describes its images makes no sense"));
-    if (const QString difference = row.source.differenceFrom(*volume); !difference.isEmpty())
+        return damaged(path, Clause::saying("what describes its images makes no sense"));
+    if (const Clause difference = row.source.differenceFrom(*volume); !difference.isEmpty())
         return damaged(
-            path, QStringLiteral("the images it holds are of another study: ") + difference);
+            path, Clause::saying("the images it holds are of another study: %1", difference));
     const std::optional<QByteArray> bytes = unpacked(row.headers, mostHeaderBytes);
     std::optional<KeptHeaders> headers =
         bytes && sha256(row.headers) == json[QStringLiteral("headersSha256")].toString()
         ? headersFromBytes(*bytes)
         : std::nullopt;
     if (!headers)
-        return damaged(path, QStringLiteral("the headers of its images were changed"));
+        return damaged(path, Clause::saying("the headers of its images were changed"));
     volume->keptHeaders = std::make_shared<const KeptHeaders>(*std::move(headers));
     return *std::move(volume);
 }
@@ -231,10 +231,7 @@ bool agrees(const LoadedVolume& loaded, const SessionSource& source)
 
 Error renamed(Error error, const QString& from, const QString& to)
 {
-    for (QString& argument : error.arguments) {
-        if (argument == from)
-            argument = to;
-    }
+    error.arguments.exchange(from, to);
     return error;
 }
 
@@ -283,13 +280,11 @@ Result<LoadedVolume> loadSessionImages(const QString& sessionFile, const Progres
         if (!unpackPiece(*bytes,
                 {loaded.codes.data() + piece * voxelsPerPiece, sizeOfPiece(loaded.volume, piece)}))
             return damaged(sessionFile,
-                QStringLiteral("piece %1 of %2 of its images is no piece")
-                    .arg(piece + 1)
-                    .arg(pieces));
+                Clause::saying("piece %1 of %2 of its images is no piece", piece + 1, pieces));
     }
     if (!agrees(loaded, row->source))
         return damaged(
-            sessionFile, QStringLiteral("the images it holds are not those that it was made on"));
+            sessionFile, Clause::saying("the images it holds are not those that it was made on"));
     return loaded;
 }
 

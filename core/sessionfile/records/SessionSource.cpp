@@ -97,35 +97,35 @@ std::optional<SessionSource> SessionSource::fromJson(const QJsonObject& json)
     return source;
 }
 
-QString SessionSource::differenceFrom(const Volume& volume) const
+Clause SessionSource::differenceFrom(const Volume& volume) const
 {
     const auto repairText = [](const QString& words) {
         return words.isEmpty() ? QStringLiteral("as it is") : QStringLiteral("repaired: ") + words;
     };
     if (volume.repair != repair)
-        return QStringLiteral("its series is repaired otherwise (%1; the session's is %2)")
-            .arg(repairText(volume.repair), repairText(repair));
+        return Clause::saying("its series is repaired otherwise (%1; the session's is %2)",
+            repairText(volume.repair), repairText(repair));
     if (volume.geometry.size != size)
-        return QStringLiteral("its size is another (%1 voxels; the session was made on %2)")
-            .arg(sizeText(volume.geometry.size), sizeText(size));
+        return Clause::saying("its size is another (%1 voxels; the session was made on %2)",
+            sizeText(volume.geometry.size), sizeText(size));
     for (int column = 0; column < 4; ++column) {
         for (int row = 0; row < 4; ++row) {
             const double other = volume.geometry.indexToWorld[column][row];
             if (!(std::abs(other - indexToWorld[column][row]) <= 1e-6))
-                return QStringLiteral("it lies elsewhere in the patient (its first voxel at %1, the"
-                                      " session's at %2; LPS mm)")
-                    .arg(pointText(volume.geometry.indexToWorld[3]), pointText(indexToWorld[3]));
+                return Clause::saying("it lies elsewhere in the patient (its first voxel at %1, the"
+                                      " session's at %2; LPS mm)",
+                    pointText(volume.geometry.indexToWorld[3]), pointText(indexToWorld[3]));
         }
     }
     if (!voxelsSha256.isEmpty() && !volume.voxelsSha256.isEmpty()
         && voxelsSha256 != volume.voxelsSha256)
-        return QStringLiteral("its voxels are others (SHA-256 %1…, the session's %2…)")
-            .arg(QString::fromLatin1(volume.voxelsSha256.left(12)),
-                QString::fromLatin1(voxelsSha256.left(12)));
+        return Clause::saying("its voxels are others (SHA-256 %1…, the session's %2…)",
+            QString::fromLatin1(volume.voxelsSha256.left(12)),
+            QString::fromLatin1(voxelsSha256.left(12)));
     if (!seriesUid.isEmpty() && !volume.identity.seriesUid.isEmpty()
         && seriesUid != volume.identity.seriesUid)
-        return QStringLiteral("its series UID is another (%1; the session's is %2)")
-            .arg(volume.identity.seriesUid, seriesUid);
+        return Clause::saying("its series UID is another (%1; the session's is %2)",
+            volume.identity.seriesUid, seriesUid);
     return {};
 }
 

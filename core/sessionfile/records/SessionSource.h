@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/base/words/Clause.h"
 #include "core/volume/Volume.h"
 
 #include <QJsonObject>
@@ -31,7 +32,7 @@ struct SessionSource {
     [[nodiscard]] static std::optional<SessionSource> fromJson(const QJsonObject& json);
 
     /// The reason why @p volume is another one; empty if it is the same.
-    [[nodiscard]] QString differenceFrom(const Volume& volume) const;
+    [[nodiscard]] Clause differenceFrom(const Volume& volume) const;
 };
 
 } // namespace core

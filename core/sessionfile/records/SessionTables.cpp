@@ -89,7 +89,7 @@ Result<SessionContents> SessionTables::open(SessionAccess access)
         return tl::unexpected(contents->damage->error(m_path));
     if (!m_deltasReadable)
         return failure(ErrorCode::SessionDamaged, m_path,
-            QStringLiteral("what its rows changed cannot be read"));
+            Clause::saying("what its rows changed cannot be read"));
     return contents;
 }
 
@@ -264,7 +264,7 @@ Result<BrickDelta> SessionTables::readDelta(RowId row)
     if (!read)
         return damaged(row, m_database->reason());
     if (sha256(delta) != expected)
-        return damaged(row, QStringLiteral("its difference was changed"));
+        return damaged(row, Clause::saying("its difference was changed"));
     return delta;
 }
 
@@ -295,7 +295,7 @@ Result<SessionSource> SessionTables::readSource()
         return damaged(0,
             !loss.cutOff.isEmpty()         ? loss.cutOff
                 : !loss.leftOpen.isEmpty() ? loss.leftOpen
-                                           : QStringLiteral("it does not say what it was made on"));
+                                           : Clause::saying("it does not say what it was made on"));
     }
     m_chains = {firstChain(json)};
     return *std::move(source);
@@ -304,13 +304,13 @@ Result<SessionSource> SessionTables::readSource()
 void SessionTables::readRows(SessionContents& contents)
 {
     std::vector<HistoryRow>& rows = contents.rows;
-    QString problem;
+    Clause problem;
     const bool read = m_database->query(
         QStringLiteral("SELECT id, parent, iif(length(name) > 1000000, NULL, name), edit,"
                        " statistics, growthGeneration, chain, stateHash, deltaSha256, seal, at,"
                        " author, program FROM row ORDER BY id"),
         {}, [this, &rows, &problem](const QSqlQuery& answer) {
-            tl::expected<HistoryRow, QString> row = readRow(answer, RowId(rows.size()) + 1);
+            tl::expected<HistoryRow, Clause> row = readRow(answer, RowId(rows.size()) + 1);
             if (!row) {
                 problem = row.error();
                 return false;
@@ -321,7 +321,7 @@ void SessionTables::readRows(SessionContents& contents)
     if (!read)
         problem = m_database->reason();
     // What is cut off in the middle of a page reads as zeros.
-    if (const QString& cutOff = m_database->loss().cutOff; !problem.isEmpty() && !cutOff.isEmpty())
+    if (const Clause& cutOff = m_database->loss().cutOff; !problem.isEmpty() && !cutOff.isEmpty())
         problem = cutOff;
     if (!problem.isEmpty())
         contents.damage = damageAt(RowId(rows.size()) + 1, problem);
@@ -340,7 +340,7 @@ void SessionTables::readDeltaSizes(SessionContents& contents)
             });
 }
 
-tl::expected<HistoryRow, QString> SessionTables::readRow(const QSqlQuery& answer, RowId expectedId)
+tl::expected<HistoryRow, Clause> SessionTables::readRow(const QSqlQuery& answer, RowId expectedId)
 {
     const RowText text{.id = answer.value(0).toLongLong(),
         .parent = answer.value(1).toLongLong(),
@@ -352,21 +352,21 @@ tl::expected<HistoryRow, QString> SessionTables::readRow(const QSqlQuery& answer
         .author = answer.value(11).toString(),
         .program = answer.value(12).toString()};
     if (text.id != expectedId || text.parent < 0 || text.parent >= text.id)
-        return tl::unexpected(QStringLiteral("it is missing or out of order"));
+        return tl::unexpected(Clause::saying("it is missing or out of order"));
     // The chain does not cover what stands beside a missing time.
     const bool unbound = text.at.isEmpty() && !(text.author + text.program).isEmpty();
     const QString chain = text.chain(m_chains.back());
     if (unbound || chain != answer.value(6).toString())
-        return tl::unexpected(QStringLiteral("it was changed after it was written"));
+        return tl::unexpected(Clause::saying("it was changed after it was written"));
 
     Result<HistoryRow> row = text.row();
     if (!row)
-        return tl::unexpected(QStringLiteral("its edit is not known here: ")
-            + row.error().arguments.join(QStringLiteral(", ")));
+        return tl::unexpected(Clause::saying(
+            "its edit is not known here: %1", row.error().arguments.join(QStringLiteral(", "))));
     if (!answer.value(9).isNull()) {
         const QString stateHash = answer.value(7).toString();
         if (answer.value(9).toString() != seal(chain, stateHash, answer.value(8).toString()))
-            return tl::unexpected(QStringLiteral("its hash was changed after it was written"));
+            return tl::unexpected(Clause::saying("its hash was changed after it was written"));
         row->stateHash = stateHash.toLatin1();
     }
     m_chains.push_back(chain);
@@ -386,7 +386,7 @@ void SessionTables::readState(SessionContents& contents)
             takeState(key, answer.value(1).toString(), contents);
             return true;
         });
-    const QString& cutOff = m_database->loss().cutOff;
+    const Clause& cutOff = m_database->loss().cutOff;
     if (!placed || (!cutOff.isEmpty() && !told && !contents.rows.empty()))
         contents.position = -1;
     const bool read = placed
@@ -396,7 +396,7 @@ void SessionTables::readState(SessionContents& contents)
                     answer.value(0).toLongLong(), answer.value(1).toLongLong());
                 return true;
             });
-    const QString endless = checkEnd(end, contents);
+    const Clause endless = checkEnd(end, contents);
     const RowId position = contents.position;
     const std::size_t steps = contents.visited.size();
     contents.cut(contents.damage.value_or(SessionDamage{}));
@@ -407,14 +407,14 @@ void SessionTables::readState(SessionContents& contents)
         contents.damage->reason = m_database->reason();
     else if (contents.position != position || contents.visited.size() != steps)
         contents.damage->reason =
-            cutOff.isEmpty() ? QStringLiteral("its position is no row") : cutOff;
+            cutOff.isEmpty() ? Clause::saying("its position is no row") : cutOff;
     else if (!endless.isEmpty())
         contents.damage->reason = endless;
     else
         contents.damage.reset();
 }
 
-QString SessionTables::checkEnd(const QString& end, SessionContents& contents)
+Clause SessionTables::checkEnd(const QString& end, SessionContents& contents)
 {
     // Sessions of builds before have no such line, and where they went on rows may lie behind it.
     if (end.isEmpty())
@@ -422,7 +422,7 @@ QString SessionTables::checkEnd(const QString& end, SessionContents& contents)
     bool isNumber = false;
     const RowId last = end.section(QLatin1Char(' '), 0, 0).toLongLong(&isNumber);
     if (!isNumber || last < 1)
-        return QStringLiteral("how many rows it has is not said");
+        return Clause::saying("how many rows it has is not said");
     const auto count = RowId(contents.rows.size());
     std::optional<SessionDamage>& damage = contents.damage;
     if (damage)
@@ -431,13 +431,13 @@ QString SessionTables::checkEnd(const QString& end, SessionContents& contents)
         damage = {.row = count + 1,
             .name = {},
             .after = last - count - 1,
-            .reason = QStringLiteral("it is missing; the session had %1 rows").arg(last)};
+            .reason = Clause::saying("it is missing; the session had %1 rows", last)};
     else if (m_chains[std::size_t(last)] != end.section(QLatin1Char(' '), 1))
-        damage = damageAt(last, QStringLiteral("it is not the row that stood there last"));
+        damage = damageAt(last, Clause::saying("it is not the row that stood there last"));
     return {};
 }
 
-SessionDamage SessionTables::damageAt(RowId row, const QString& reason)
+SessionDamage SessionTables::damageAt(RowId row, const Clause& reason)
 {
     SessionDamage damage{.row = row, .name = {}, .after = -1, .reason = reason};
     m_database->query(QStringLiteral("SELECT substr(name, 1, 200) FROM row WHERE id=?"),
@@ -488,10 +488,10 @@ void SessionTables::readTitles(SessionContents& contents)
         });
 }
 
-tl::unexpected<Error> SessionTables::damaged(RowId row, const QString& reason) const
+tl::unexpected<Error> SessionTables::damaged(RowId row, const Clause& reason) const
 {
     return failure(ErrorCode::SessionDamaged, m_path,
-        row == 0 ? reason : QStringLiteral("row %1: %2").arg(row).arg(reason));
+        row == 0 ? reason : Clause::saying("row %1: %2", row, reason));
 }
 
 } // namespace core

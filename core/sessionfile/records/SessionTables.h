@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/base/words/Clause.h"
 #include "core/sessionfile/records/RowText.h"
 #include "core/sessionfile/records/SessionContents.h"
 #include "core/sessionfile/records/SessionDatabase.h"
@@ -44,7 +45,7 @@ public:
     [[nodiscard]] QByteArray readKeyframe(RowId row); ///< empty: none
 
 private:
-    [[nodiscard]] tl::unexpected<Error> damaged(RowId row, const QString& reason) const;
+    [[nodiscard]] tl::unexpected<Error> damaged(RowId row, const Clause& reason) const;
     [[nodiscard]] Result<void> write(const std::function<bool()>& work);
     bool writeTitle(const RowText& row);
     bool writePosition(RowId position);
@@ -56,14 +57,14 @@ private:
     /// Read separately, so that damage there costs no row: the row can be carried out again.
     void readDeltaSizes(SessionContents& contents);
     /// The row, or the reason why it cannot be trusted.
-    [[nodiscard]] tl::expected<HistoryRow, QString> readRow(
+    [[nodiscard]] tl::expected<HistoryRow, Clause> readRow(
         const QSqlQuery& answer, RowId expectedId);
     void readState(SessionContents& contents);
     /// Checks that the last row is the one that @p end names. @return why that is impossible
-    [[nodiscard]] QString checkEnd(const QString& end, SessionContents& contents);
+    [[nodiscard]] Clause checkEnd(const QString& end, SessionContents& contents);
     void readKeyframes(SessionContents& contents);
     void readTitles(SessionContents& contents);
-    [[nodiscard]] SessionDamage damageAt(RowId row, const QString& reason);
+    [[nodiscard]] SessionDamage damageAt(RowId row, const Clause& reason);
 
     QString m_path;
     std::unique_ptr<SessionDatabase> m_database;

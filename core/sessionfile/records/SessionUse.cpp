@@ -99,7 +99,7 @@ Result<SessionUse> SessionUse::begin(const QString& path)
     const QString key = keyOf(path);
     if (used.contains(key))
         return failure(
-            ErrorCode::FileUnreadable, path, QStringLiteral("it is open already, in this window"));
+            ErrorCode::FileUnreadable, path, Clause::saying("it is open already, in this window"));
     used.insert(key);
     use.m_key = key;
     use.m_file = FileInUse({path}, FileInUse::As::Session);
@@ -127,13 +127,13 @@ Result<void> checkReplacedSession(const QString& path)
         return {};
     if (isSessionInUse(path))
         return failure(
-            ErrorCode::FileUnwritable, path, QStringLiteral("it is open in another window"));
+            ErrorCode::FileUnwritable, path, Clause::saying("it is open in another window"));
     if (!isSessionFile(path))
         return failure(ErrorCode::FileUnwritable, path,
-            QStringLiteral("it is no session, and nothing else is replaced by one"));
+            Clause::saying("it is no session, and nothing else is replaced by one"));
     if (isSessionUnfinished(path))
         return failure(ErrorCode::FileUnwritable, path,
-            QStringLiteral("it was not closed properly; open it once, or take another name"));
+            Clause::saying("it was not closed properly; open it once, or take another name"));
     return {};
 }
 
@@ -198,8 +198,7 @@ SessionLoss sessionLoss(const QString& path)
         return {};
     SessionLoss loss;
     if (head.size() < headBytes) {
-        loss.cutOff =
-            QStringLiteral("the file is cut off: only %1 bytes are there").arg(head.size());
+        loss.cutOff = Clause::saying("the file is cut off: only %1 bytes are there", head.size());
         return loss;
     }
     const auto number = [&head](int at, int bytes) {
@@ -212,14 +211,13 @@ SessionLoss sessionLoss(const QString& path)
     const qint64 whole = pageBytes * number(28, 4);
     // The count of pages is kept by whoever changes the counter.
     if (number(24, 4) == number(92, 4) && file.size() < whole)
-        loss.cutOff = QStringLiteral("the file is cut off: %1 of %2 bytes are there")
-                          .arg(file.size())
-                          .arg(whole);
+        loss.cutOff =
+            Clause::saying("the file is cut off: %1 of %2 bytes are there", file.size(), whole);
     const bool leftInWal = number(18, 1) == 2;
     if (leftInWal && !QFileInfo::exists(part(path, "-wal")))
-        loss.leftOpen = QStringLiteral("it was not closed, and '%1', which may hold what was "
-                                       "written last, is not beside it")
-                            .arg(QFileInfo(part(path, "-wal")).fileName());
+        loss.leftOpen = Clause::saying("it was not closed, and '%1', which may hold what was "
+                                       "written last, is not beside it",
+            QFileInfo(part(path, "-wal")).fileName());
     return loss;
 }
 
@@ -236,7 +234,7 @@ Result<void> copySession(const QString& from, const QString& to)
     const std::lock_guard lock(plainFiles);
     if (used.contains(keyOf(from)))
         return failure(
-            ErrorCode::FileUnreadable, from, QStringLiteral("it is open already, in this window"));
+            ErrorCode::FileUnreadable, from, Clause::saying("it is open already, in this window"));
     for (int i = 0; i < attempts; ++i) {
         const auto before = look(from);
         if (const Result<void> copied = copyParts(from, to); !copied)
@@ -245,7 +243,7 @@ Result<void> copySession(const QString& from, const QString& to)
             return {};
     }
     return failure(
-        ErrorCode::FileUnreadable, from, QStringLiteral("another program writes it without pause"));
+        ErrorCode::FileUnreadable, from, Clause::saying("another program writes it without pause"));
 }
 
 } // namespace core

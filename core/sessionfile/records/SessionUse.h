@@ -3,6 +3,7 @@
 
 #include "core/base/Result.h"
 #include "core/base/files/FileInUse.h"
+#include "core/base/words/Clause.h"
 
 #include <QString>
 
@@ -48,10 +49,10 @@ private:
 /// The reasons why a session file that is not in use is incomplete; all empty: it is complete, or
 /// that is unknown.
 struct SessionLoss {
-    QString cutOff; ///< "the file is cut off: 40960 of 81920 bytes are there"
-    QString foreign; ///< "it holds a trigger 't', which is no part of a session"
-    QString structure; ///< "its structure is damaged: …"; not set by sessionLoss()
-    QString leftOpen; ///< its program left it open, and the file with its last writes is missing
+    Clause cutOff; ///< "the file is cut off: 40960 of 81920 bytes are there"
+    Clause foreign; ///< "it holds a trigger 't', which is no part of a session"
+    Clause structure; ///< "its structure is damaged: …"; not set by sessionLoss()
+    Clause leftOpen; ///< its program left it open, and the file with its last writes is missing
 };
 /// Reads only the header of the file.
 [[nodiscard]] SessionLoss sessionLoss(const QString& path);

@@ -157,13 +157,13 @@ bool SqliteConnection::query(const QString& sql, const QVariantList& values,
     // A failure while stepping through an answer ends next() like the last row does.
     if (statement.lastError().isValid()) {
         m_failure.reason =
-            m_explanation.isEmpty() ? statement.lastError().databaseText() : m_explanation;
+            m_explanation.isEmpty() ? Clause(statement.lastError().databaseText()) : m_explanation;
         m_failure.code = statement.lastError().nativeErrorCode();
         // What follows from it must not be taken for what the file says.
         if ((m_failure.code.toInt() & 0xFF) == 7) // SQLITE_NOMEM
             throw std::bad_alloc();
         if (m_failure.code == QLatin1String("9"))
-            m_failure.reason = QStringLiteral("reading it would not end");
+            m_failure.reason = Clause::saying("reading it would not end");
         return false;
     }
     return good;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/base/words/Clause.h"
+
 #include <QString>
 #include <QVariant>
 
@@ -17,7 +19,7 @@ namespace core {
 class SqliteConnection {
 public:
     struct Failure {
-        QString reason;
+        Clause reason;
         QString code; ///< SQLite's result code
     };
 
@@ -40,7 +42,7 @@ public:
     /// fewer pages than its header states.
     void readCutOff();
     /// Replaces SQLite's message for later failures; empty: use SQLite's.
-    void explainBy(const QString& reason) { m_explanation = reason; }
+    void explainBy(const Clause& reason) { m_explanation = reason; }
 
     /// Runs one statement with its values for `?`. @return false: see failure()
     bool run(const QString& sql, const QVariantList& values = {});
@@ -62,7 +64,7 @@ private:
 
     QString m_name; ///< name of the connection in Qt
     QString m_file;
-    QString m_explanation;
+    Clause m_explanation;
     Failure m_failure;
     std::int64_t m_work = 0; ///< of the running statement, in SQLite's instructions
 };

@@ -273,7 +273,7 @@ void FencedDecoderTest::systemCallsAreStopped_data()
 void FencedDecoderTest::systemCallsAreStopped()
 {
     QFETCH(QByteArray, how);
-    QString why;
+    core::Clause why;
     const auto worker = WorkerProcess::start(selfAs(misbehave), milliseconds(10000), why);
     QVERIFY2(worker, qPrintable(why));
     if (!worker->isFiltered())

@@ -59,7 +59,7 @@ private Q_SLOTS:
     {
         QFETCH(QString, words);
         QFETCH(QString, named);
-        QString why;
+        core::Clause why;
         QVERIFY(!SeriesRepair::fromText(words, &why));
         QVERIFY2(why.contains(named), qPrintable(why));
     }

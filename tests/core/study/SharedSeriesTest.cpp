@@ -49,7 +49,7 @@ std::vector<Opened> openAll(const QStringList& folders)
             for (const core::SeriesEntry& entry : one.series) {
                 opened.volumes.push_back(core::volumeFacts(opened.study, entry));
                 if (!opened.volumes.back().loaded)
-                    qWarning() << opened.volumes.back().loaded.error().arguments;
+                    qWarning() << opened.volumes.back().loaded.error().arguments.join(u' ');
             }
         }
     }

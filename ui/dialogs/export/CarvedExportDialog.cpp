@@ -9,6 +9,7 @@
 #include "ui/dialogs/export/ExportRun.h"
 #include "ui/dialogs/export/TargetRow.h"
 #include "ui/dialogs/study/StudyBlock.h"
+#include "ui/texts/ClauseText.h"
 #include "ui/texts/ReportTexts.h"
 #include "ui/workspace/Workspace.h"
 
@@ -100,7 +101,7 @@ void CarvedExportDialog::build()
         tr("Only the coverage of layer '%1', as NIfTI").arg(layer ? layer->name : QString()), this);
     m_coverage->setObjectName(QStringLiteral("carvedCoverage"));
     m_coverage->setEnabled(layer);
-    const QString obstacle = core::carvedSeriesObstacle(volume);
+    const QString obstacle = clauseText(core::carvedSeriesObstacle(volume));
     auto* why = line(this, tr("A DICOM series is not possible: %1").arg(obstacle), "secondary");
     why->setVisible(!obstacle.isEmpty());
     m_series->setEnabled(obstacle.isEmpty());

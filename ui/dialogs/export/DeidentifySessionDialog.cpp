@@ -152,8 +152,7 @@ void DeidentifySessionDialog::write(
             return [this, target, folder, done, sum] {
                 if (!done) {
                     core::Error error = done.error();
-                    error.arguments.replaceInStrings(
-                        copyIn(*folder), m_workspace.session()->file());
+                    error.arguments.replace(copyIn(*folder), m_workspace.session()->file());
                     return showFailure(error);
                 }
                 m_run->showReport({.file = target,

@@ -5,6 +5,7 @@
 #include "core/session/past/SegmentLayers.h"
 #include "ui/base/Theme.h"
 #include "ui/dialogs/export/DeidentifyBox.h"
+#include "ui/texts/ClauseText.h"
 #include "ui/workspace/Workspace.h"
 
 #include <QCheckBox>
@@ -118,7 +119,7 @@ void ExportOptions::putInto(core::ExportRequest& request) const
 void ExportOptions::fillFormats()
 {
     const core::Volume* volume = m_workspace.volume();
-    const QString obstacle = volume ? core::dicomSegObstacle(*volume) : QString();
+    const QString obstacle = volume ? clauseText(core::dicomSegObstacle(*volume)) : QString();
     auto* model = qobject_cast<QStandardItemModel*>(m_format->model());
     int first = -1;
     for (const core::ExportFormatFacts& facts : core::exportFormats()) {

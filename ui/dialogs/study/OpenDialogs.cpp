@@ -7,6 +7,7 @@
 #include "ui/dialogs/study/SpacingDialog.h"
 #include "ui/frame/MessageBar.h"
 #include "ui/settings/StudyOpener.h"
+#include "ui/texts/ClauseText.h"
 
 #include <QFileDialog>
 #include <QFileInfo>
@@ -81,7 +82,7 @@ void offerToFindStudy(const LostStudy& lost, MessageBar& bar, StudyOpener& opene
               .arg(name, why.arguments.value(1),
                   why.arguments.size() > 2
                       ? QStringLiteral(", and its own images cannot be used (%1)")
-                            .arg(why.arguments[2])
+                            .arg(clauseText(why.arguments[2]))
                       : QString())
         : errorText(why) + QLatin1Char('.');
     const auto ask = [file = lost.sessionFile, name, folder = isFolder(lost), &opener, &parent] {

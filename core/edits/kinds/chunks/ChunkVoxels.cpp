@@ -12,7 +12,7 @@ namespace core {
 
 namespace {
 
-tl::unexpected<Error> wrong(const char* field, const QString& reason)
+tl::unexpected<Error> wrong(const char* field, const Clause& reason)
 {
     return failure(ErrorCode::InvalidField, QLatin1String(field), reason);
 }
@@ -28,10 +28,9 @@ Result<void> checkSize(const VoxelBox& box)
     if (voxelsOf(box) <= mostChunkVoxels)
         return {};
     return wrong("chunks.marginMm",
-        QStringLiteral("the box around the segment has %1 million voxels, at most %2 million are "
-                       "divided")
-            .arg(voxelsOf(box) >> 20)
-            .arg(mostChunkVoxels >> 20));
+        Clause::saying("the box around the segment has %1 million voxels, at most %2 million are "
+                       "divided",
+            voxelsOf(box) >> 20, mostChunkVoxels >> 20));
 }
 
 /// Calls @p visit(place in the volume, place in the box) for every row of the box.
@@ -88,8 +87,8 @@ Result<std::vector<ChunkOwner>> chunkOwners(
     const std::optional<VoxelBox> box =
         ChunkMap::boxAround(labels, std::uint8_t(edit.segment), geometry, edit.marginMm);
     if (!box)
-        return wrong("chunks.segment",
-            QStringLiteral("segment %1 has no voxels to divide").arg(edit.segment));
+        return wrong(
+            "chunks.segment", Clause::saying("segment %1 has no voxels to divide", edit.segment));
     if (const Result<void> checked = checkSize(*box); !checked)
         return tl::unexpected(checked.error());
     std::array<VoxelRuns, 256> runs;
@@ -113,7 +112,7 @@ Result<std::vector<ChunkOwner>> chunkOwners(
         ChunkOwner owner{.label = label, .voxels = packedRuns(voxels)};
         if (owner.voxels.isEmpty())
             return wrong("chunks.marginMm",
-                QStringLiteral("segment %1 is too ragged there to be divided").arg(label));
+                Clause::saying("segment %1 is too ragged there to be divided", label));
         owners.push_back(std::move(owner));
     }
     return owners;
@@ -127,8 +126,8 @@ Result<OwnedBox> ownedBox(const DivideSegment& edit, const VolumeGeometry& geome
         std::optional<VoxelRuns> voxels = unpackedRuns(owner.voxels, geometry.voxelCount());
         if (!voxels || voxels->empty())
             return wrong("chunks.owners",
-                QStringLiteral("the voxels of label %1 are damaged, or of another volume")
-                    .arg(owner.label));
+                Clause::saying(
+                    "the voxels of label %1 are damaged, or of another volume", owner.label));
         if (owner.label == edit.segment) {
             owned.box = boxAround(*voxels, geometry, edit.marginMm);
             owned.segment = numberOf(owner.label, *edit.owners);
@@ -136,8 +135,7 @@ Result<OwnedBox> ownedBox(const DivideSegment& edit, const VolumeGeometry& geome
         runs.push_back(*std::move(voxels));
     }
     if (owned.box.empty())
-        return wrong(
-            "chunks.owners", QStringLiteral("segment %1 is not among them").arg(edit.segment));
+        return wrong("chunks.owners", Clause::saying("segment %1 is not among them", edit.segment));
     if (const Result<void> checked = checkSize(owned.box); !checked)
         return tl::unexpected(checked.error());
     owned.owners.assign(std::size_t(voxelsOf(owned.box)), 0);
@@ -178,7 +176,7 @@ Result<std::vector<std::uint8_t>> probabilitiesOf(
     auto map = ProbabilityMap::unpacked(*edit.probabilities, geometry.voxelCount());
     if (!map)
         return wrong("chunks.probabilities",
-            QStringLiteral("the probability map is damaged, or of another volume"));
+            Clause::saying("the probability map is damaged, or of another volume"));
     return *std::move(map);
 }
 
@@ -188,15 +186,15 @@ Result<ChunkClick> chunkClick(const ChunkToggle& edit, const Document& document)
     if (!target)
         return tl::unexpected(target.error());
     if (!document.chunks)
-        return wrong("chunkToggle.segment", QStringLiteral("nothing is divided into chunks"));
+        return wrong("chunkToggle.segment", Clause::saying("nothing is divided into chunks"));
     const Segment* divided = document.segment(document.chunks->segment);
     if (!divided || divided->plane != target->plane)
         return wrong(
-            "chunkToggle.segment", QStringLiteral("the chunks are of another plane of labels"));
+            "chunkToggle.segment", Clause::saying("the chunks are of another plane of labels"));
     Result<std::vector<glm::ivec3>> voxels =
         seedVoxels(edit.pointsLps, document.volumes.front().geometry);
     if (!voxels)
-        return wrong("chunkToggle.pointsLps", QStringLiteral("a point lies outside the volume"));
+        return wrong("chunkToggle.pointsLps", Clause::saying("a point lies outside the volume"));
     return ChunkClick{.target = *target, .voxels = *std::move(voxels)};
 }
 

@@ -19,12 +19,12 @@ Result<void> check(const DivideSegment& edit, const Document& document)
         return applied;
     if (edit.probabilityFile)
         return failure(ErrorCode::InvalidField, QStringLiteral("chunks.probabilityFile"),
-            QStringLiteral("its file has not been read"));
+            Clause::saying("its file has not been read"));
     const VolumeGeometry& geometry = document.volumes.front().geometry;
     // Whether it can be unpacked shows where it is, beside the session's thread.
     if (edit.probabilities && !ProbabilityMap::isOf(*edit.probabilities, geometry.voxelCount()))
         return failure(ErrorCode::InvalidField, QStringLiteral("chunks.probabilities"),
-            QStringLiteral("the probability map is damaged, or of another volume"));
+            Clause::saying("the probability map is damaged, or of another volume"));
     if (!edit.owners)
         return {};
     return discardValue(ownedBox(edit, geometry));

@@ -22,7 +22,7 @@ using namespace rowWords;
 
 namespace {
 
-tl::unexpected<Error> contourFieldError(const char* field, const QString& reason)
+tl::unexpected<Error> contourFieldError(const char* field, const Clause& reason)
 {
     return failure(ErrorCode::InvalidField,
         QStringLiteral("evolveContour.%1").arg(QLatin1String(field)), reason);
@@ -40,15 +40,13 @@ Result<std::optional<Bubble>> bubbleOf(const EvolveContour& edit, const VolumeGe
         return std::nullopt;
     const std::optional<glm::ivec3> middle = voxelNearest(*edit.bubbleLps, geometry);
     if (!middle)
-        return contourFieldError("bubbleLps",
-            QStringLiteral("%1 lies outside the volume").arg(pointText(*edit.bubbleLps)));
+        return contourFieldError(
+            "bubbleLps", Clause::saying("%1 lies outside the volume", pointText(*edit.bubbleLps)));
     if (!(edit.bubbleMm > 0.0))
-        return contourFieldError("bubbleMm", QStringLiteral("is no length"));
+        return contourFieldError("bubbleMm", Clause::saying("is no length"));
     if (ballVoxels(geometry, edit.bubbleMm) > mostBallVoxels)
         return contourFieldError("bubbleMm",
-            QStringLiteral("%1 mm are more than %2 voxels here")
-                .arg(edit.bubbleMm)
-                .arg(mostBallVoxels));
+            Clause::saying("%1 mm are more than %2 voxels here", edit.bubbleMm, mostBallVoxels));
     return Bubble{.middle = *middle, .ball = ballOf(geometry, edit.bubbleMm)};
 }
 
@@ -105,9 +103,9 @@ Result<ContourRule> contourRule(const EvolveContour& edit, const Document& docum
     if (!codes)
         return tl::unexpected(codes.error());
     if (!(edit.softness >= 0.0))
-        return contourFieldError("softness", QStringLiteral("is less than nothing"));
+        return contourFieldError("softness", Clause::saying("is less than nothing"));
     if (edit.edge > 0 && !(edit.edgeGradient > 0.0))
-        return contourFieldError("edgeGradient", QStringLiteral("is no edge"));
+        return contourFieldError("edgeGradient", Clause::saying("is no edge"));
     if (const auto bubble = bubbleOf(edit, volume.geometry); !bubble)
         return tl::unexpected(bubble.error());
     ContourRule rule{.region = edit.region,

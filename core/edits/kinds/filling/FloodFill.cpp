@@ -19,7 +19,7 @@ Result<void> check(const FloodFill& edit, const Document& document)
 {
     if (!(edit.tolerance >= 0.0))
         return failure(ErrorCode::InvalidField, QStringLiteral("floodFill.tolerance"),
-            QStringLiteral("is less than nothing"));
+            Clause::saying("is less than nothing"));
     if (const auto first = firstVoxel(edit, document.volumes.front().geometry); !first)
         return tl::unexpected(first.error());
     return checkEditable(edit.segment, edit.editable, document, "floodFill");
@@ -71,7 +71,7 @@ Result<glm::ivec3> firstVoxel(const FloodFill& edit, const VolumeGeometry& geome
     const std::optional<glm::ivec3> voxel = voxelNearest(edit.placeLps, geometry);
     if (!voxel)
         return failure(ErrorCode::InvalidField, QStringLiteral("floodFill.placeLps"),
-            QStringLiteral("%1 lies outside the volume").arg(pointText(edit.placeLps)));
+            Clause::saying("%1 lies outside the volume", pointText(edit.placeLps)));
     return *voxel;
 }
 

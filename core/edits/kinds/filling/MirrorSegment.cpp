@@ -40,7 +40,7 @@ Result<MirrorPlane> mirrorPlane(const MirrorSegment& edit, const VolumeGeometry&
     const double cell = 0.5; // what a voxel reaches from its centre
     if (!(index >= -cell && index <= double(geometry.size[axis]) - cell))
         return failure(ErrorCode::InvalidField, QStringLiteral("mirrorSegment.placeLps"),
-            QStringLiteral("lies outside the volume"));
+            Clause::saying("lies outside the volume"));
     return MirrorPlane{axis, int(std::floor(2.0 * index + 0.5))};
 }
 

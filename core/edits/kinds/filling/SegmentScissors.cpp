@@ -20,7 +20,7 @@ using namespace rowWords;
 
 namespace {
 
-tl::unexpected<Error> scissorsFailure(const char* field, const QString& reason)
+tl::unexpected<Error> scissorsFailure(const char* field, const Clause& reason)
 {
     return failure(ErrorCode::InvalidField,
         QStringLiteral("segmentScissors.%1").arg(QLatin1String(field)), reason);
@@ -53,11 +53,10 @@ Result<std::bitset<256>> erasedLabels(
         if (!other)
             return tl::unexpected(other.error());
         if (label == edit.segment)
-            return scissorsFailure("others", QStringLiteral("names the segment itself"));
+            return scissorsFailure("others", Clause::saying("names the segment itself"));
         if ((*other)->plane != segment.plane)
             return scissorsFailure("others",
-                QStringLiteral("segment %1 lies on another label plane than the segment")
-                    .arg(label));
+                Clause::saying("segment %1 lies on another label plane than the segment", label));
         labels.set((*other)->label);
     }
     return labels;
@@ -95,9 +94,9 @@ Result<LabelScissors> labelScissors(const SegmentScissors& edit, const Document&
     if (!codes)
         return tl::unexpected(codes.error());
     if (edit.others && !edit.erase)
-        return scissorsFailure("others", QStringLiteral("has no meaning while filling"));
+        return scissorsFailure("others", Clause::saying("has no meaning while filling"));
     if (edit.depthMm && edit.outside)
-        return scissorsFailure("depthMm", QStringLiteral("has no meaning outside of the curve"));
+        return scissorsFailure("depthMm", Clause::saying("has no meaning outside of the curve"));
     Result<LabelScissors> scissors = underCurve(edit, document);
     if (!scissors)
         return scissors;

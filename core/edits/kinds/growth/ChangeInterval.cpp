@@ -37,7 +37,7 @@ Result<GrowBurst> growBurst(const ChangeInterval& change, const Document& docume
     burst->opening = change.fromSeeds.value_or(false) ? GrowOpening::Restart : GrowOpening::Narrow;
     if (burst->opening == GrowOpening::Narrow && isAsked(burst->limits.passage))
         return failure(ErrorCode::InvalidField, QStringLiteral("interval.fromSeeds"),
-            QStringLiteral("must be true with a passage width"));
+            Clause::saying("must be true with a passage width"));
     burst->guard = guardRule(change.guard, document.volumes.front().geometry);
     return burst;
 }

@@ -70,7 +70,7 @@ EditEffects effects(const GrowFromSeeds& edit)
 
 Result<SpreadLabels> spreadLabels(const GrowFromSeeds& edit, const Document& document)
 {
-    const auto wrong = [](const char* field, const QString& reason) {
+    const auto wrong = [](const char* field, const Clause& reason) {
         return failure(ErrorCode::InvalidField,
             QStringLiteral("growFromSeeds.") + QLatin1String(field), reason);
     };
@@ -86,11 +86,11 @@ Result<SpreadLabels> spreadLabels(const GrowFromSeeds& edit, const Document& doc
             const Segment* segment = document.segment(label);
             if (!segment)
                 return failure(ErrorCode::UnknownSegment, QString::number(label),
-                    QStringLiteral("in field 'growFromSeeds.segments'"));
+                    Clause::saying("in field 'growFromSeeds.segments'"));
             if (segment->locked)
                 return failure(ErrorCode::SegmentLocked, segment->name);
             if (const Result<void> grows = checkInFirstPlane(
-                    QStringLiteral("growFromSeeds.segments"), *segment, QStringLiteral("grow"));
+                    QStringLiteral("growFromSeeds.segments"), *segment, Clause::saying("grow"));
                 !grows)
                 return tl::unexpected(grows.error());
             spread.seeds.set(std::size_t(label));
@@ -103,11 +103,11 @@ Result<SpreadLabels> spreadLabels(const GrowFromSeeds& edit, const Document& doc
         spread.overwritable = unlocked & ~spread.seeds;
     if (spread.seeds.count() < 2)
         return wrong(
-            "segments", QStringLiteral("at least two that are not locked are needed to compete"));
+            "segments", Clause::saying("at least two that are not locked are needed to compete"));
     if (edit.box) {
         spread.box = boxBetween(*edit.box, volume.geometry);
         if (spread.box->empty())
-            return wrong("box", QStringLiteral("it lies outside the volume"));
+            return wrong("box", Clause::saying("it lies outside the volume"));
     }
     return spread;
 }

@@ -104,8 +104,8 @@ Result<GrowLimits> growLimits(
         // A number typed from what the limit is shown as may be rounded up.
         if (*criteria.passage > greatestPassageMm(volume.geometry) * (1.0 + 1e-9))
             return failure(ErrorCode::InvalidField, edit + QStringLiteral(".passage"),
-                QStringLiteral("at most %1 mm, 31 times the finest spacing of this volume")
-                    .arg(greatestPassageMm(volume.geometry)));
+                Clause::saying("at most %1 mm, 31 times the finest spacing of this volume",
+                    greatestPassageMm(volume.geometry)));
         limits.passage = passageOf(*criteria.passage, volume.geometry);
     }
     limits.onlyVisible = criteria.onlyVisible;

@@ -36,7 +36,7 @@ Result<GrowBurst> growBurst(const GrowSteps& grow, const Document& document)
         return burst;
     if (!grow.tellsHeld && isAsked(burst->limits.passage))
         return failure(ErrorCode::InvalidField, QStringLiteral("grow.tellsHeld"),
-            QStringLiteral("must be true with a passage width"));
+            Clause::saying("must be true with a passage width"));
     burst->tellsHeld = grow.tellsHeld;
     burst->guard = guardRule(grow.guard, document.volumes.front().geometry);
     return burst;

@@ -34,16 +34,16 @@ bool nothingMayChange(const Document& document, int plane)
 Result<GrowBurst> burstOf(
     const GrowCriteria& criteria, const Document& document, const QString& edit)
 {
-    const auto wrong = [&edit](const char* field, const QString& reason) {
+    const auto wrong = [&edit](const char* field, const Clause& reason) {
         return failure(
             ErrorCode::InvalidField, edit + QLatin1Char('.') + QLatin1String(field), reason);
     };
-    if (const QString reason = editFields::Connectivity().check(criteria.connectivity);
+    if (const Clause reason = editFields::Connectivity().check(criteria.connectivity);
         !reason.isEmpty())
         return wrong("connectivity", reason);
     if (!(criteria.lower <= criteria.upper))
-        return wrong("upper",
-            QStringLiteral("%1 is below lower, %2").arg(criteria.upper).arg(criteria.lower));
+        return wrong(
+            "upper", Clause::saying("%1 is below lower, %2", criteria.upper, criteria.lower));
 
     const Volume& volume = document.volumes.front();
     Result<GrowLimits> limits = growLimits(criteria, volume, edit);
@@ -72,11 +72,11 @@ Result<GrowBurst> burstOf(
         const Segment* segment = document.segment(label);
         if (!segment)
             return failure(ErrorCode::UnknownSegment, QString::number(label),
-                QStringLiteral("in field '%1.segments'").arg(edit));
+                Clause::saying("in field '%1.segments'", edit));
         if (segment->locked)
             return failure(ErrorCode::SegmentLocked, segment->name);
         if (const Result<void> grows = checkInFirstPlane(
-                edit + QStringLiteral(".segments"), *segment, QStringLiteral("grow"));
+                edit + QStringLiteral(".segments"), *segment, Clause::saying("grow"));
             !grows)
             return tl::unexpected(grows.error());
         resting.reset(std::size_t(label));
@@ -107,13 +107,13 @@ Result<CutGrowth> cutAt(const std::vector<glm::dvec3>& pointsLps, CutGrowth::How
     constexpr std::uint8_t plane = 0;
     CutGrowth command{.plane = plane, .how = how};
     if (pointsLps.empty())
-        return failure(ErrorCode::InvalidField, field, QStringLiteral("has no point"));
+        return failure(ErrorCode::InvalidField, field, Clause::saying("has no point"));
     for (const glm::dvec3& point : pointsLps) {
         const std::optional<glm::ivec3> voxel =
             voxelNearest(point, document.volumes.front().geometry);
         if (!voxel)
             return failure(ErrorCode::InvalidField, field,
-                QStringLiteral("%1 lies outside the volume").arg(pointText(point)));
+                Clause::saying("%1 lies outside the volume", pointText(point)));
         command.voxels.push_back(*voxel);
     }
     if (const Growth* growth = document.growth(plane))

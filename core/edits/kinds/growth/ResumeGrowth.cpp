@@ -29,7 +29,7 @@ EditEffects effects(const ResumeGrowth&)
 Result<EngineEdit> engineEdit(const ResumeGrowth&, const Document&)
 {
     return failure(ErrorCode::InvalidField, QStringLiteral("resume"),
-        QStringLiteral("no growth was named that it goes on with"));
+        Clause::saying("no growth was named that it goes on with"));
 }
 
 /// It is kept as the growth that it was.

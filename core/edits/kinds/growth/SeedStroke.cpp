@@ -40,13 +40,13 @@ Result<SeedPlacement> seedPlacement(const SeedStroke& stroke, const Document& do
         return tl::unexpected(unlocked.error());
     const Segment* segment = *unlocked;
     if (const Result<void> grows =
-            checkInFirstPlane(QStringLiteral("seed.segment"), *segment, QStringLiteral("grow"));
+            checkInFirstPlane(QStringLiteral("seed.segment"), *segment, Clause::saying("grow"));
         !grows)
         return tl::unexpected(grows.error());
 
     if (stroke.pointsLps.empty() && !stroke.takenLps)
         return failure(ErrorCode::InvalidField, QStringLiteral("seed.pointsLps"),
-            QStringLiteral("needs at least one entry where no seed is taken away"));
+            Clause::saying("needs at least one entry where no seed is taken away"));
     const VolumeGeometry& geometry = document.volumes.front().geometry;
     Result<std::vector<glm::ivec3>> voxels = seedVoxels(stroke.pointsLps, geometry, "pointsLps");
     if (!voxels)

@@ -35,7 +35,7 @@ Result<CutGrowth> cutGrowth(const ShrinkAt& shrink, const Document& document)
 {
     if (shrink.onlyHere && shrink.steps)
         return failure(ErrorCode::InvalidField, QStringLiteral("shrinkAt.steps"),
-            QStringLiteral("nothing but the points is taken with onlyHere"));
+            Clause::saying("nothing but the points is taken with onlyHere"));
     const CutGrowth::How how = shrink.onlyHere ? CutGrowth::How::Here
         : shrink.steps                         ? CutGrowth::How::Backwards
                                                : CutGrowth::How::Subtree;

@@ -21,7 +21,7 @@ Result<ToleranceRule> toleranceRule(
     if (growing->locked)
         return failure(ErrorCode::SegmentLocked, growing->name);
     if (const Result<void> grows = checkInFirstPlane(
-            QStringLiteral("tolerance.segment"), *growing, QStringLiteral("grow"));
+            QStringLiteral("tolerance.segment"), *growing, Clause::saying("grow"));
         !grows)
         return tl::unexpected(grows.error());
     // A majority of one voxel of 27 and a passage of one voxel ask for nothing.
@@ -36,7 +36,7 @@ Result<ToleranceRule> toleranceRule(
         if (asked)
             return failure(ErrorCode::InvalidField,
                 QStringLiteral("tolerance.") + QLatin1String(name),
-                QStringLiteral("knows no least tolerance"));
+                Clause::saying("knows no least tolerance"));
     }
     GrowCriteria anyValue = criteria;
     anyValue.lower = anyValue.upper = 0.0;

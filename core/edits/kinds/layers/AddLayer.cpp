@@ -24,8 +24,8 @@ Result<bool> apply(const AddLayer& edit, Document& document)
     const int id = document.lastLayerGiven() + 1;
     if (id > lastLayer)
         return failure(ErrorCode::InvalidField, QStringLiteral("addLayer"),
-            QStringLiteral("there are at most %1 sculpt layers, those deleted included")
-                .arg(lastLayer));
+            Clause::saying(
+                "there are at most %1 sculpt layers, those deleted included", lastLayer));
     document.layers.push_back({.id = std::uint8_t(id), .name = edit.name});
     return true;
 }

@@ -27,12 +27,12 @@ Result<bool> apply(const MergeLayers& edit, Document& document)
         return unknownLayer("mergeLayers.into", edit.into);
     if (from == into)
         return failure(ErrorCode::InvalidField, QStringLiteral("mergeLayers.into"),
-            QStringLiteral("a layer cannot be merged into itself"));
+            Clause::saying("a layer cannot be merged into itself"));
     if (document.carves(*from) != document.carves(*into)) {
         const SculptLayer& silent = document.carves(*from) ? *into : *from;
         return failure(ErrorCode::InvalidField, QStringLiteral("mergeLayers.into"),
-            QStringLiteral("sculpt layer '%1' %2 and the other is not: what is seen would change")
-                .arg(silent.name, document.whyItDoesNotCarve(silent)));
+            Clause::saying("sculpt layer '%1' %2 and the other is not: what is seen would change",
+                silent.name, document.whyItDoesNotCarve(silent)));
     }
     removeLayer(from, document);
     return true;

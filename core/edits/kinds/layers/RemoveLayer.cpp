@@ -24,7 +24,7 @@ Result<bool> apply(const RemoveLayer& edit, Document& document)
         return unknownLayer("removeLayer.layer", edit.layer);
     if (document.layers.size() == 1)
         return failure(ErrorCode::InvalidField, QStringLiteral("removeLayer.layer"),
-            QStringLiteral("'%1' is the only sculpt layer").arg(layer->name));
+            Clause::saying("'%1' is the only sculpt layer", layer->name));
     removeLayer(layer, document);
     return true;
 }

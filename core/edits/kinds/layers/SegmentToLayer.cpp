@@ -34,7 +34,7 @@ Result<CoverLabel> coverLabel(const SegmentToLayer& edit, const Document& docume
     const Segment* segment = document.segment(edit.segment);
     if (!segment)
         return failure(ErrorCode::UnknownSegment, QString::number(edit.segment),
-            QStringLiteral("in field 'segmentToLayer.segment'"));
+            Clause::saying("in field 'segmentToLayer.segment'"));
     CoverLabel cover{.layer = std::uint8_t(edit.layer),
         .plane = segment->plane,
         .label = segment->label,

@@ -11,7 +11,7 @@ Result<void> checkPressures(const PenPressures& pressures, std::size_t points, c
     if (!pressures || pressures->size() == points)
         return {};
     return failure(ErrorCode::InvalidField, name + QStringLiteral(".pressures"),
-        QStringLiteral("%1 for %2 points").arg(pressures->size()).arg(points));
+        Clause::saying("%1 for %2 points", pressures->size(), points));
 }
 
 std::vector<double> continuePressures(

@@ -15,7 +15,7 @@ Result<bool> appendPiece(Piece piece, const char* edit, Document& document)
 {
     if (std::ssize(document.pieces) >= mostPieces)
         return failure(ErrorCode::InvalidField, QLatin1String(edit),
-            QStringLiteral("there are at most %1 pieces").arg(mostPieces));
+            Clause::saying("there are at most %1 pieces", mostPieces));
     piece.id = document.lastPieceGiven() + 1;
     document.pieces.push_back(std::move(piece));
     return true;

@@ -24,8 +24,8 @@ Result<bool> apply(const CutPiece& edit, Document& document)
         return unknownLayer("cutPiece.layer", edit.layer);
     if (const Piece* other = document.pieceOfLayer(edit.layer))
         return failure(ErrorCode::InvalidField, QStringLiteral("cutPiece.layer"),
-            QStringLiteral("sculpt layer '%1' is the piece '%2' already")
-                .arg(layer->name, other->name));
+            Clause::saying(
+                "sculpt layer '%1' is the piece '%2' already", layer->name, other->name));
     return appendPiece(
         {.name = edit.name, .layer = edit.layer, .pivotLps = edit.pivotLps}, "cutPiece", document);
 }

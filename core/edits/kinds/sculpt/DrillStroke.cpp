@@ -22,7 +22,7 @@ Result<void> checkDrillRange(const char* field, double value, double minimum, do
     if (value >= minimum && value <= maximum)
         return {};
     return failure(ErrorCode::InvalidField, QStringLiteral("drill.") + QLatin1String(field),
-        QStringLiteral("%1 is outside %2 … %3").arg(value).arg(minimum).arg(maximum));
+        Clause::saying("%1 is outside %2 … %3", value, minimum, maximum));
 }
 
 /// How far a drill's mask lies from the sample at most.

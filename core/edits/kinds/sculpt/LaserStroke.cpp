@@ -28,7 +28,7 @@ Result<void> checkLaserRange(const char* field, double value, double minimum, do
     if (value >= minimum && value <= maximum)
         return {};
     return failure(ErrorCode::InvalidField, QStringLiteral("laser.") + QLatin1String(field),
-        QStringLiteral("%1 is outside %2 … %3").arg(value).arg(minimum).arg(maximum));
+        Clause::saying("%1 is outside %2 … %3", value, minimum, maximum));
 }
 
 /// The surface is looked at over half the mask, so that the beam follows its shape rather than the
@@ -85,7 +85,7 @@ Result<LaserCut> laserCut(const LaserStroke& stroke, const Document& document)
     const VolumeGeometry& geometry = document.volumes.front().geometry;
     if (glm::length(geometry.cornersLps().back() - geometry.cornersLps().front()) > largestVolumeMm)
         return failure(ErrorCode::InvalidField, QStringLiteral("laser"),
-            QStringLiteral("the volume is larger than 8 m"));
+            Clause::saying("the volume is larger than 8 m"));
     Result<OutlineRaster> mask =
         maskUnderSample(stroke.mask, frame->pitch, QStringLiteral("laser.mask"));
     if (!mask)

@@ -42,7 +42,7 @@ Result<OutlineCut> outlineCut(const ScissorsCut& cut, const Document& document)
 {
     if (cut.restore && cut.firstLayerOnly)
         return failure(ErrorCode::InvalidField, QStringLiteral("scissors.firstLayerOnly"),
-            QStringLiteral("has no meaning while restoring"));
+            Clause::saying("has no meaning while restoring"));
     Result<OutlinedPlane> plane = outlinedPlane(cut.polygonMm,
         {.view = cut.view,
             .surfaceThreshold = cut.surfaceThreshold,

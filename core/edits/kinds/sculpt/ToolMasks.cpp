@@ -120,8 +120,8 @@ Result<OutlineRaster> maskOf(const std::vector<glm::dvec2>& outlineMm, std::int3
     const OutlineRaster filled = filledExactly(vertices);
     if (filled.area() < 256)
         return failure(ErrorCode::InvalidField, field,
-            QStringLiteral("is too small: it covers less than the %1 mm that a cut resolves")
-                .arg(pitch / fixed16, 0, 'f', 2));
+            Clause::saying("is too small: it covers less than the %1 mm that a cut resolves",
+                QString::number(pitch / fixed16, 'f', 2)));
     return smoothed(filled);
 }
 

@@ -25,8 +25,8 @@ Result<bool> apply(const AddSegment& edit, Document& document)
     const int label = document.lastLabelGiven() + 1;
     if (label > lastLabel)
         return failure(ErrorCode::InvalidField, QStringLiteral("addSegment"),
-            QStringLiteral("a label plane has room for %1 segments, those deleted included")
-                .arg(lastLabel));
+            Clause::saying(
+                "a label plane has room for %1 segments, those deleted included", lastLabel));
     document.segments.push_back(
         {.label = std::uint8_t(label), .name = edit.name, .rgb = edit.rgb, .code = edit.code});
     return true;

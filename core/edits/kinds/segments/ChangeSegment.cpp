@@ -25,7 +25,7 @@ Result<bool> apply(const ChangeSegment& edit, Document& document)
         return unknownSegment(edit.segment);
     if (edit.uncarvable.value_or(false)) {
         if (const Result<void> first = checkInFirstPlane(QStringLiteral("changeSegment.protected"),
-                *segment, QStringLiteral("be protected from sculpting"));
+                *segment, Clause::saying("be protected from sculpting"));
             !first)
             return tl::unexpected(first.error());
     }

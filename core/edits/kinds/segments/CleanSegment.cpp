@@ -29,12 +29,12 @@ Result<LabelTarget> targetOf(const CleanSegment& edit, const Document& document)
         return other;
     if (other->plane != own->plane)
         return failure(ErrorCode::InvalidField, QStringLiteral("cleanSegment.to"),
-            QStringLiteral("lies on another label plane than the segment"));
+            Clause::saying("lies on another label plane than the segment"));
     other->overwritable.set(own->label);
     return other;
 }
 
-Error wrongField(const char* field, const QString& reason)
+Error wrongField(const char* field, const Clause& reason)
 {
     return {ErrorCode::InvalidField,
         {QStringLiteral("cleanSegment.%1").arg(QLatin1String(field)), reason}};
@@ -44,19 +44,19 @@ Error wrongField(const char* field, const QString& reason)
 std::optional<Error> fieldAtFault(const CleanSegment& edit)
 {
     if (edit.rule == IslandRule::RemoveSmall && !edit.mm3)
-        return wrongField("mm3", QStringLiteral("is needed to tell which islands are small"));
+        return wrongField("mm3", Clause::saying("is needed to tell which islands are small"));
     if (isOfClicked(edit.rule) && edit.mm3)
-        return wrongField("mm3", QStringLiteral("means nothing where one island is clicked"));
+        return wrongField("mm3", Clause::saying("means nothing where one island is clicked"));
     if (isOfClicked(edit.rule) != edit.islandLps.has_value())
         return wrongField("islandLps",
-            edit.islandLps ? QStringLiteral("means nothing where no island is clicked")
-                           : QStringLiteral("is needed to tell which island is meant"));
+            edit.islandLps ? Clause::saying("means nothing where no island is clicked")
+                           : Clause::saying("is needed to tell which island is meant"));
     if ((edit.rule == IslandRule::GiveClicked) != edit.to.has_value())
         return wrongField("to",
-            edit.to ? QStringLiteral("means nothing where no island is given away")
-                    : QStringLiteral("is needed to tell who receives the island"));
+            edit.to ? Clause::saying("means nothing where no island is given away")
+                    : Clause::saying("is needed to tell who receives the island"));
     if (edit.to == edit.segment)
-        return wrongField("to", QStringLiteral("is the segment itself"));
+        return wrongField("to", Clause::saying("is the segment itself"));
     return std::nullopt;
 }
 
@@ -67,8 +67,8 @@ Result<std::size_t> clickedOf(const CleanSegment& edit, const VolumeGeometry& ge
         return std::size_t(0);
     const std::optional<glm::ivec3> voxel = voxelNearest(*edit.islandLps, geometry);
     if (!voxel)
-        return tl::unexpected(wrongField("islandLps",
-            QStringLiteral("%1 lies outside the volume").arg(pointText(*edit.islandLps))));
+        return tl::unexpected(wrongField(
+            "islandLps", Clause::saying("%1 lies outside the volume", pointText(*edit.islandLps))));
     return (std::size_t(voxel->z) * std::size_t(geometry.size.y) + std::size_t(voxel->y))
         * std::size_t(geometry.size.x)
         + std::size_t(voxel->x);

@@ -44,10 +44,10 @@ Result<MapLabels> mapLabels(const CombineSegments& edit, const Document& documen
         return tl::unexpected(other.error());
     if (edit.segment == edit.with)
         return failure(ErrorCode::InvalidField, QStringLiteral("combineSegments.with"),
-            QStringLiteral("is the segment itself"));
+            Clause::saying("is the segment itself"));
     if ((*segment)->plane != (*other)->plane)
         return failure(ErrorCode::InvalidField, QStringLiteral("combineSegments.with"),
-            QStringLiteral("lies on another label plane than the segment"));
+            Clause::saying("lies on another label plane than the segment"));
     MapLabels map{.plane = (*segment)->plane};
     map.becomes[(*other)->label] = (*segment)->label;
     if (edit.how == CombineSegments::How::Swap)

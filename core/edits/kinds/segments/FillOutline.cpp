@@ -20,7 +20,7 @@ using namespace rowWords;
 
 namespace {
 
-tl::unexpected<Error> outlineFailure(const char* field, const QString& reason)
+tl::unexpected<Error> outlineFailure(const char* field, const Clause& reason)
 {
     return failure(ErrorCode::InvalidField,
         QStringLiteral("fillOutline.%1").arg(QLatin1String(field)), reason);
@@ -31,14 +31,14 @@ Result<glm::dmat3> sliceAxes(const FillOutline& edit)
 {
     constexpr double shortest = 1e-3;
     if (!(glm::length(edit.rightLps) > shortest))
-        return outlineFailure("rightLps", QStringLiteral("is no direction"));
+        return outlineFailure("rightLps", Clause::saying("is no direction"));
     if (!(glm::length(edit.upLps) > shortest))
-        return outlineFailure("upLps", QStringLiteral("is no direction"));
+        return outlineFailure("upLps", Clause::saying("is no direction"));
     const glm::dvec3 right = glm::normalize(edit.rightLps);
     const glm::dvec3 up = glm::normalize(edit.upLps);
     const glm::dvec3 across = up - glm::dot(up, right) * right;
     if (!(glm::length(across) > shortest))
-        return outlineFailure("upLps", QStringLiteral("is parallel to rightLps"));
+        return outlineFailure("upLps", Clause::saying("is parallel to rightLps"));
     const glm::dvec3 straightUp = glm::normalize(across);
     return glm::dmat3(right, straightUp, glm::cross(right, straightUp));
 }
@@ -58,17 +58,17 @@ Result<std::vector<glm::ivec2>> cornersOf(
     const std::vector<glm::dvec2>& polygonMm, const glm::dvec2& origin)
 {
     if (polygonMm.size() < 3)
-        return outlineFailure("polygonMm", QStringLiteral("needs at least three points"));
+        return outlineFailure("polygonMm", Clause::saying("needs at least three points"));
     if (polygonMm.size() > LabelOutlined::mostCorners)
         return outlineFailure(
-            "polygonMm", QStringLiteral("has more than %1 points").arg(LabelOutlined::mostCorners));
+            "polygonMm", Clause::saying("has more than %1 points", LabelOutlined::mostCorners));
     constexpr double reachMm = LabelOutlined::reach / 65536.0 - 1.0;
     std::vector<glm::ivec2> corners;
     corners.reserve(polygonMm.size());
     for (const glm::dvec2& point : polygonMm) {
         const glm::dvec2 corner = origin + point;
         if (!(std::abs(corner.x) <= reachMm && std::abs(corner.y) <= reachMm))
-            return outlineFailure("polygonMm", QStringLiteral("lies far outside the volume"));
+            return outlineFailure("polygonMm", Clause::saying("lies far outside the volume"));
         corners.emplace_back(mm16(corner.x), mm16(corner.y));
     }
     return corners;
@@ -83,7 +83,7 @@ Result<LabelOutlined> placed(const FillOutline& edit, const VolumeGeometry& geom
     const glm::dvec3& normal = (*axes)[2];
     const SlicePlane slice = slicePlane(geometry, normal, edit.originLps);
     if (!meetsVolume(slice, normal, geometry))
-        return outlineFailure("originLps", QStringLiteral("lies on a plane outside the volume"));
+        return outlineFailure("originLps", Clause::saying("lies on a plane outside the volume"));
 
     const glm::dmat3 toPlane = glm::transpose(*axes);
     const glm::dvec3 origin = toPlane * (edit.originLps - slice.middleLps);

@@ -24,7 +24,7 @@ namespace {
 
 constexpr int highestLabel = 255;
 
-tl::unexpected<Error> wrong(const char* field, const QString& reason)
+tl::unexpected<Error> wrong(const char* field, const Clause& reason)
 {
     return failure(ErrorCode::InvalidField, QLatin1String(field), reason);
 }
@@ -35,13 +35,8 @@ Result<void> isOfVolume(const ImportMask& edit, const Document& document)
     if (*edit.size == size)
         return {};
     return wrong("importMask.size",
-        QStringLiteral("its voxels are of a volume of %1 × %2 × %3, this one has %4 × %5 × %6")
-            .arg(edit.size->x)
-            .arg(edit.size->y)
-            .arg(edit.size->z)
-            .arg(size.x)
-            .arg(size.y)
-            .arg(size.z));
+        Clause::saying("its voxels are of a volume of %1 × %2 × %3, this one has %4 × %5 × %6",
+            edit.size->x, edit.size->y, edit.size->z, size.x, size.y, size.z));
 }
 
 /// What may not be written to in a plane, since segments of other planes keep their voxels.
@@ -193,7 +188,7 @@ Result<LabelPlanes> labelPlanes(const ImportMask& edit, const Document& document
                 unpackedRuns((*edit.segments)[i].voxels, geometry.voxelCount());
             if (!voxels)
                 return wrong("importMask.segments",
-                    QStringLiteral("entry %1: its voxels are damaged").arg(i + 1));
+                    Clause::saying("entry %1: its voxels are damaged", i + 1));
             for (auto& [plane, list] : lists) {
                 const bool isIts = plane == where->targets[i].plane;
                 if (isIts != freeing && (isIts || document.unlockedLabels(plane).any()))

@@ -12,7 +12,7 @@ namespace {
 
 constexpr int mostLabels = 255;
 
-tl::unexpected<Error> notSo(const char* field, const QString& reason)
+tl::unexpected<Error> notSo(const char* field, const Clause& reason)
 {
     return failure(ErrorCode::InvalidField, QLatin1String(field), reason);
 }
@@ -25,7 +25,7 @@ Result<std::optional<int>> segmentMeant(const ImportMask& edit, const Document& 
     if (edit.as->number) {
         if (!document.segment(*edit.as->number))
             return failure(ErrorCode::UnknownSegment, QString::number(*edit.as->number),
-                QStringLiteral("in field 'importMask.as'"));
+                Clause::saying("in field 'importMask.as'"));
         return edit.as->number;
     }
     const auto named = std::find_if(document.segments.begin(), document.segments.end(),
@@ -39,12 +39,11 @@ Result<void> checkPlanes(const ImportMask& edit)
     if (!edit.planes)
         return {};
     if (edit.as)
-        return notSo("importMask.planes", QStringLiteral("all becomes one segment, of one plane"));
+        return notSo("importMask.planes", Clause::saying("all becomes one segment, of one plane"));
     if (edit.planes->size() != edit.segments->size())
         return notSo("importMask.planes",
-            QStringLiteral("names %1 planes, the list has %2 segments")
-                .arg(edit.planes->size())
-                .arg(edit.segments->size()));
+            Clause::saying("names %1 planes, the list has %2 segments", edit.planes->size(),
+                edit.segments->size()));
     return {};
 }
 
@@ -58,7 +57,7 @@ std::bitset<256> overwrittenBy(const ImportMask& edit, int plane, const Document
 Result<ImportTargets> importTargets(const ImportMask& edit, const Document& document)
 {
     if (!edit.segments || !edit.size)
-        return notSo("importMask.segments", QStringLiteral("its file has not been read"));
+        return notSo("importMask.segments", Clause::saying("its file has not been read"));
     const Result<std::optional<int>> meant = segmentMeant(edit, document);
     if (!meant)
         return tl::unexpected(meant.error());
@@ -68,13 +67,11 @@ Result<ImportTargets> importTargets(const ImportMask& edit, const Document& docu
     for (const int place : edit.ahead.value_or(std::vector<int>())) {
         if (place < 1 || place > wanted)
             return notSo("importMask.ahead",
-                QStringLiteral("there is no segment %1 in its list of %2").arg(place).arg(wanted));
+                Clause::saying("there is no segment %1 in its list of %2", place, wanted));
     }
     if (result.isNew && (edit.as ? 1 : wanted) > room)
         return notSo("importMask.segments",
-            QStringLiteral("there is room for %1 segments more, it brings %2")
-                .arg(room)
-                .arg(wanted));
+            Clause::saying("there is room for %1 segments more, it brings %2", room, wanted));
     Result<LabelTarget> target =
         labelTarget({.segment = *meant, .name = {}}, edit.overwriteUnlocked, document);
     if (!target)

@@ -34,7 +34,7 @@ Result<LabelCarved> labelCarved(const LayerToSegment& edit, const Document& docu
 {
     if (!document.layer(edit.layer))
         return failure(ErrorCode::InvalidField, QStringLiteral("layerToSegment.layer"),
-            QStringLiteral("there is no sculpt layer %1").arg(edit.layer));
+            Clause::saying("there is no sculpt layer %1", edit.layer));
     Result<LabelTarget> target = labelTarget(edit.target, edit.overwriteUnlocked, document);
     if (!target)
         return tl::unexpected(target.error());

@@ -34,7 +34,7 @@ Result<void> checkTool(const PaintStroke& stroke)
     if (stroke.tool != PaintStroke::Tool::Nudge || isPlainDisc)
         return {};
     return failure(ErrorCode::InvalidField, QStringLiteral("paint.tool"),
-        QStringLiteral("a nudge is a disc without pressures and edgeTolerance"));
+        Clause::saying("a nudge is a disc without pressures and edgeTolerance"));
 }
 
 bool hasPressedTolerance(const PaintStroke& stroke)
@@ -81,7 +81,7 @@ Result<PaintLabel> paintLabel(const PaintStroke& stroke, const Document& documen
     const Segment* segment = *unlocked;
     if (stroke.seeds) {
         if (const Result<void> grows =
-                checkInFirstPlane(QStringLiteral("paint.seeds"), *segment, QStringLiteral("grow"));
+                checkInFirstPlane(QStringLiteral("paint.seeds"), *segment, Clause::saying("grow"));
             !grows)
             return tl::unexpected(grows.error());
     }
@@ -92,10 +92,10 @@ Result<PaintLabel> paintLabel(const PaintStroke& stroke, const Document& documen
         return tl::unexpected(codes.error());
     if (stroke.edgeTolerance && !(*stroke.edgeTolerance >= 0.0))
         return failure(ErrorCode::InvalidField, QStringLiteral("paint.edgeTolerance"),
-            QStringLiteral("%1 is below 0").arg(*stroke.edgeTolerance));
+            Clause::saying("%1 is below 0", *stroke.edgeTolerance));
     if (hasPressedTolerance(stroke) && !stroke.edgeTolerance)
         return failure(ErrorCode::InvalidField, QStringLiteral("paint.toleranceByPressure"),
-            QStringLiteral("needs edgeTolerance"));
+            Clause::saying("needs edgeTolerance"));
     if (const Result<void> tool = checkTool(stroke); !tool)
         return tl::unexpected(tool.error());
     Result<CapsuleFrame> frame =

@@ -22,7 +22,7 @@ using namespace rowWords;
 
 namespace {
 
-Error fieldError(const char* field, const QString& reason)
+Error fieldError(const char* field, const Clause& reason)
 {
     return {ErrorCode::InvalidField,
         {QStringLiteral("reshapeSegment.%1").arg(QLatin1String(field)), reason}};
@@ -67,34 +67,32 @@ double widestMm(const ReshapeSegment& edit)
 std::optional<Error> sidesAtFaultIn(const ReshapeSegment& edit, const VolumeGeometry& geometry)
 {
     if (edit.operation != ShapeOperation::Grow && edit.operation != ShapeOperation::Shrink)
-        return fieldError("sides", QStringLiteral("mean nothing where nothing grows or shrinks"));
+        return fieldError("sides", Clause::saying("mean nothing where nothing grows or shrinks"));
     for (const std::optional<double>& side : edit.sides.all()) {
         if (side && !(*side >= 0.0))
-            return fieldError("sides", QStringLiteral("is no length"));
+            return fieldError("sides", Clause::saying("is no length"));
     }
     if (!(widestMm(edit) > 0.0))
-        return fieldError("sides", QStringLiteral("are all nothing"));
+        return fieldError("sides", Clause::saying("are all nothing"));
     if (ballVoxels(geometry, widestMm(edit)) > mostBallVoxels)
         return fieldError("sides",
-            QStringLiteral("%1 mm are more than %2 voxels here")
-                .arg(widestMm(edit))
-                .arg(mostBallVoxels));
+            Clause::saying("%1 mm are more than %2 voxels here", widestMm(edit), mostBallVoxels));
     return std::nullopt;
 }
 
 std::optional<Error> fieldAtFaultIn(const ReshapeSegment& edit, const VolumeGeometry& geometry)
 {
     if (edit.shell && edit.operation != ShapeOperation::Hollow)
-        return fieldError("shell", QStringLiteral("means nothing where nothing is hollowed out"));
+        return fieldError("shell", Clause::saying("means nothing where nothing is hollowed out"));
     if (!(edit.mm > 0.0))
-        return fieldError("mm", QStringLiteral("is no length"));
+        return fieldError("mm", Clause::saying("is no length"));
     if (hasSides(edit)) {
         if (const std::optional<Error> error = sidesAtFaultIn(edit, geometry))
             return error;
     }
     if (ballVoxels(geometry, ballMm(edit)) > mostBallVoxels)
-        return fieldError("mm",
-            QStringLiteral("%1 mm are more than %2 voxels here").arg(edit.mm).arg(mostBallVoxels));
+        return fieldError(
+            "mm", Clause::saying("%1 mm are more than %2 voxels here", edit.mm, mostBallVoxels));
     return std::nullopt;
 }
 
@@ -108,7 +106,7 @@ Result<std::vector<std::uint8_t>> together(const ReshapeSegment& edit, const Doc
         return tl::unexpected(first.error());
     if (edit.operation != ShapeOperation::Gaussian)
         return tl::unexpected(
-            fieldError("with", QStringLiteral("means nothing where no Gaussian smooths")));
+            fieldError("with", Clause::saying("means nothing where no Gaussian smooths")));
     std::vector<std::uint8_t> labels{(*first)->label};
     for (const int label : *edit.with) {
         const Result<const Segment*> other =
@@ -117,14 +115,14 @@ Result<std::vector<std::uint8_t>> together(const ReshapeSegment& edit, const Doc
             return tl::unexpected(other.error());
         if ((*other)->plane != (*first)->plane)
             return tl::unexpected(
-                fieldError("with", QStringLiteral("lies on another label plane than the segment")));
+                fieldError("with", Clause::saying("lies on another label plane than the segment")));
         if (std::find(labels.begin(), labels.end(), (*other)->label) != labels.end())
-            return tl::unexpected(fieldError("with", QStringLiteral("names a segment twice")));
+            return tl::unexpected(fieldError("with", Clause::saying("names a segment twice")));
         labels.push_back((*other)->label);
     }
     constexpr std::size_t most = 254; // one number is needed for what no segment has
     if (labels.size() > most)
-        return tl::unexpected(fieldError("with", QStringLiteral("are more than %1").arg(most)));
+        return tl::unexpected(fieldError("with", Clause::saying("are more than %1", most)));
     std::sort(labels.begin(), labels.end());
     return labels;
 }

@@ -89,11 +89,9 @@ Result<LabelListed> labelListed(SplitIslands& edit, const Document& document,
             QString::number(room));
     if (edit.into && further->islands.size() < edit.into->size())
         return failure(ErrorCode::InvalidField, QStringLiteral("splitIslands.into"),
-            QStringLiteral("names %1 segments, and there are %2 islands beside the largest, with "
-                           "room for %3 segments more")
-                .arg(edit.into->size())
-                .arg(further->count)
-                .arg(room));
+            Clause::saying("names %1 segments, and there are %2 islands beside the largest, with "
+                           "room for %3 segments more",
+                edit.into->size(), further->count, room));
     ListedRuns listed(geometry.size);
     for (std::size_t place = 0; place < further->islands.size(); ++place)
         listed.add(

@@ -49,9 +49,7 @@ Result<void> addParts(const char* field, const std::vector<SplitPart>& parts,
 {
     if (const std::size_t room = roomForSegments(document); parts.size() > room)
         return failure(ErrorCode::InvalidField, QLatin1String(field),
-            QStringLiteral("there is room for %1 segments more, these are %2")
-                .arg(room)
-                .arg(parts.size()));
+            Clause::saying("there is room for %1 segments more, these are %2", room, parts.size()));
     const std::uint8_t plane = segment.plane; // the list may move
     for (const SplitPart& part : parts)
         document.segments.push_back({.label = std::uint8_t(document.lastLabelGiven() + 1),

@@ -24,7 +24,7 @@ Result<IntegerHalfSpace> beyondPlane(const SplitSegment& edit, const VolumeGeome
 {
     if (!(glm::length(edit.normalLps) > 0.0))
         return failure(ErrorCode::InvalidField, QStringLiteral("splitSegment.normalLps"),
-            QStringLiteral("is no direction"));
+            Clause::saying("is no direction"));
     const ClipHalfSpace half{
         .normalLps = edit.normalLps, .offsetMm = glm::dot(edit.normalLps, edit.placeLps)};
     return integerHalfSpaces(std::vector{half}, geometry).front();

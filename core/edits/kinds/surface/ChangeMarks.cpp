@@ -41,14 +41,14 @@ Result<bool> apply(const ChangeMarks& edit, Document& document)
 {
     if (edit.mark == SurfaceMark::Yellow)
         return failure(ErrorCode::InvalidField, QStringLiteral("changeMarks.mark"),
-            QStringLiteral("yellow is what is not marked"));
+            Clause::saying("yellow is what is not marked"));
     using Way = ChangeMarks::Way;
     if (edit.way == Way::Accept && edit.mark != SurfaceMark::Red)
         return failure(ErrorCode::InvalidField, QStringLiteral("changeMarks.mark"),
-            QStringLiteral("only what is red can be accepted"));
+            Clause::saying("only what is red can be accepted"));
     if (edit.nearLps && edit.way != Way::Clear && edit.way != Way::Accept)
         return failure(ErrorCode::InvalidField, QStringLiteral("changeMarks.nearLps"),
-            QStringLiteral("goes with clear and accept"));
+            Clause::saying("goes with clear and accept"));
     return changeSurface(document, false);
 }
 

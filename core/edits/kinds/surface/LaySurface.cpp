@@ -24,9 +24,8 @@ Result<bool> apply(const LaySurface& edit, Document& document)
     constexpr int fewest = 100;
     if (edit.vertices != 0 && edit.vertices < fewest)
         return failure(ErrorCode::InvalidField, QStringLiteral("surface.vertices"),
-            QStringLiteral("%1 are too few: %2 at least, or 0 for as many as it takes")
-                .arg(edit.vertices)
-                .arg(fewest));
+            Clause::saying("%1 are too few: %2 at least, or 0 for as many as it takes",
+                edit.vertices, fewest));
     document.surface = {.segment = edit.segment, .differs = false};
     return true;
 }

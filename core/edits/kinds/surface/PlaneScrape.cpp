@@ -20,7 +20,7 @@ Result<bool> apply(const PlaneScrape& edit, Document& document)
 {
     if (edit.normalLps == glm::dvec3(0.0))
         return failure(ErrorCode::InvalidField, QStringLiteral("planeScrape.normalLps"),
-            QStringLiteral("has no direction"));
+            Clause::saying("has no direction"));
     return changeSurface(document, true);
 }
 

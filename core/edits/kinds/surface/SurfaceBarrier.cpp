@@ -18,7 +18,7 @@ Result<void> check(const SurfaceBarrier& edit, const Document& document)
         document.surface ? document.segment(document.surface->segment) : nullptr;
     if (segment) {
         if (const Result<void> first = checkInFirstPlane(
-                QStringLiteral("surfaceBarrier"), *segment, QStringLiteral("keep a growth out"));
+                QStringLiteral("surfaceBarrier"), *segment, Clause::saying("keep a growth out"));
             !first)
             return first;
     }

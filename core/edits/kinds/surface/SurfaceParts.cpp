@@ -12,7 +12,7 @@ Result<bool> changeSurface(Document& document, bool deforms)
 {
     if (!document.surface)
         return failure(ErrorCode::InvalidField, QStringLiteral("surface"),
-            QStringLiteral("there is none; lay one around a segment first"));
+            Clause::saying("there is none; lay one around a segment first"));
     document.surface->differs |= deforms;
     return true;
 }

@@ -53,7 +53,7 @@ Result<bool> apply(const RemoveBookmark& edit, Document& document)
     const CameraBookmark* bookmark = document.bookmark(edit.bookmark);
     if (!bookmark)
         return failure(ErrorCode::InvalidField, QStringLiteral("removeBookmark.bookmark"),
-            QStringLiteral("there is no bookmark %1").arg(edit.bookmark));
+            Clause::saying("there is no bookmark %1", edit.bookmark));
     document.greatestRemovedBookmark = std::max(document.greatestRemovedBookmark, edit.bookmark);
     document.bookmarks.erase(document.bookmarks.begin() + (bookmark - document.bookmarks.data()));
     return true;

@@ -17,7 +17,7 @@ namespace core {
 namespace {
 
 /// @param field with its edit: "annotate.text"
-tl::unexpected<Error> unfit(const char* field, const QString& reason)
+tl::unexpected<Error> unfit(const char* field, const Clause& reason)
 {
     return failure(ErrorCode::InvalidField, QLatin1String(field), reason);
 }
@@ -30,19 +30,19 @@ Result<void> checkPoints(const Measurement& measurement, const char* field)
     const bool isOutline = measurement.kind == Kind::Outline;
     if (points.size() < least || points.size() > (isOutline ? Annotate::mostCorners : least))
         return unfit(field,
-            isOutline ? QStringLiteral("must be %1 to %2").arg(least).arg(Annotate::mostCorners)
-                      : QStringLiteral("must be %1").arg(least));
+            isOutline ? Clause::saying("must be %1 to %2", least, Annotate::mostCorners)
+                      : Clause::saying("must be %1", least));
     if (points.size() == 2 && points[0] == points[1])
-        return unfit(field, QStringLiteral("are the same point"));
+        return unfit(field, Clause::saying("are the same point"));
     if (measurement.kind == Kind::Angle && (points[0] == points[1] || points[2] == points[1]))
-        return unfit(field, QStringLiteral("have an end at the vertex"));
+        return unfit(field, Clause::saying("have an end at the vertex"));
     if (!measurement.isPlaneRegion())
         return {};
     const std::optional<PlaneShape> shape = planeShape(measurement);
     if (!shape)
-        return unfit(field, QStringLiteral("lie on one line"));
+        return unfit(field, Clause::saying("lie on one line"));
     if (shape->offPlaneMm(measurement) > PlaneShape::mostOffPlaneMm)
-        return unfit(field, QStringLiteral("do not lie in one plane"));
+        return unfit(field, Clause::saying("do not lie in one plane"));
     return {};
 }
 
@@ -122,7 +122,7 @@ Result<bool> apply(const AddMeasurement& edit, Document& document)
 {
     if (edit.fromLps == edit.toLps)
         return failure(ErrorCode::InvalidField, QStringLiteral("addMeasurement.toLps"),
-            QStringLiteral("is the same point as fromLps"));
+            Clause::saying("is the same point as fromLps"));
     if (edit.piece && !document.piece(*edit.piece))
         return unknownPiece("addMeasurement.piece", *edit.piece);
     document.measurements.push_back({.id = document.lastMeasurementGiven() + 1,
@@ -158,11 +158,11 @@ Result<bool> apply(const Annotate& edit, Document& document)
 {
     using Kind = Measurement::Kind;
     if (edit.kind == Kind::Distance)
-        return unfit("annotate.kind", QStringLiteral("is kept by addMeasurement"));
+        return unfit("annotate.kind", Clause::saying("is kept by addMeasurement"));
     if (edit.text && edit.kind != Kind::Arrow && edit.kind != Kind::Text)
-        return unfit("annotate.text", QStringLiteral("belongs to arrows and texts"));
+        return unfit("annotate.text", Clause::saying("belongs to arrows and texts"));
     if (!edit.text && edit.kind == Kind::Text)
-        return unfit("annotate.text", QStringLiteral("is missing"));
+        return unfit("annotate.text", Clause::saying("is missing"));
     if (edit.piece && !document.piece(*edit.piece))
         return unknownPiece("annotate.piece", *edit.piece);
     Measurement made = measurementOf(edit);
@@ -201,7 +201,7 @@ Result<bool> apply(const MoveMeasurement& edit, Document& document)
         [&edit](const Measurement& each) { return each.id == edit.measurement; });
     if (known == document.measurements.end())
         return failure(ErrorCode::InvalidField, QStringLiteral("moveMeasurement.measurement"),
-            QStringLiteral("there is no measurement %1").arg(edit.measurement));
+            Clause::saying("there is no measurement %1", edit.measurement));
     Measurement moved = *known;
     moved.pointsLps = edit.pointsLps;
     if (const Result<void> sound = checkPoints(moved, "moveMeasurement.pointsLps"); !sound)
@@ -244,7 +244,7 @@ Result<bool> apply(const RemoveMeasurement& edit, Document& document)
     const Measurement* known = document.measurement(edit.measurement);
     if (!known)
         return failure(ErrorCode::InvalidField, QStringLiteral("removeMeasurement.measurement"),
-            QStringLiteral("there is no measurement %1").arg(edit.measurement));
+            Clause::saying("there is no measurement %1", edit.measurement));
     document.greatestRemovedMeasurement =
         std::max(document.greatestRemovedMeasurement, edit.measurement);
     document.measurements.erase(

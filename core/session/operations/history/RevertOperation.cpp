@@ -18,7 +18,7 @@ namespace core {
 
 namespace {
 
-tl::unexpected<Error> refused(const QString& reason)
+tl::unexpected<Error> refused(const Clause& reason)
 {
     return failure(ErrorCode::StepsEntangled, reason);
 }
@@ -29,13 +29,13 @@ QString titled(const HistoryRow& row)
 }
 
 /// What an edit of the document changes there, in words.
-QString listOf(DocumentChange::What part)
+Clause listOf(DocumentChange::What part)
 {
     switch (part) {
     case DocumentChange::What::Segments:
-        return QStringLiteral("what the list of segments says");
+        return Clause::saying("what the list of segments says");
     case DocumentChange::What::Layers:
-        return QStringLiteral("what the list of sculpt layers says");
+        return Clause::saying("what the list of sculpt layers says");
     case DocumentChange::What::Pieces:
         return QStringLiteral("pieces");
     case DocumentChange::What::Bookmarks:
@@ -43,18 +43,18 @@ QString listOf(DocumentChange::What part)
     case DocumentChange::What::Measurements:
         return QStringLiteral("measurements");
     case DocumentChange::What::Surface:
-        return QStringLiteral("the surface");
+        return Clause::saying("the surface");
     case DocumentChange::What::Chunks:
-        return QStringLiteral("what is divided into chunks");
+        return Clause::saying("what is divided into chunks");
     default:
-        return QStringLiteral("the document");
+        return Clause::saying("the document");
     }
 }
 
 tl::unexpected<Error> entangled(const HistoryRow& later, const HistoryRow& earlier)
 {
-    return refused(QStringLiteral("%1 wrote or read the same place after %2")
-                       .arg(titled(later), titled(earlier)));
+    return refused(
+        Clause::saying("%1 wrote or read the same place after %2", titled(later), titled(earlier)));
 }
 
 std::vector<BrickKey> keysOf(const std::vector<BrickImage>& images)
@@ -199,32 +199,32 @@ Result<void> RevertOperation::checkRows(const SessionState& state) const
     std::map<RowId, RowId> deciding; // by row that is decided on
     for (const RowId id : m_edit.rows) {
         if (std::find(path.begin(), path.end(), id) == path.end())
-            return refused(QStringLiteral("row %1 is not among the steps done so far").arg(id));
+            return refused(Clause::saying("row %1 is not among the steps done so far", id));
         const HistoryRow& row = state.history.row(id);
         if (!std::binary_search(standing.begin(), standing.end(), id))
-            return refused(QStringLiteral("%1 was taken back before").arg(titled(row)));
+            return refused(Clause::saying("%1 was taken back before", titled(row)));
         if (changesDocumentOnly(row.edit))
             return refused(
-                QStringLiteral("%1 changed no voxel, only %2; change that back by itself")
-                    .arg(titled(row), listOf(*changedPart(row.edit))));
+                Clause::saying("%1 changed no voxel, only %2; change that back by itself",
+                    titled(row), listOf(*changedPart(row.edit))));
         if (changedPart(row.edit))
             return refused(changedPart(row.edit) == DocumentChange::What::Layers
-                    ? QStringLiteral("%1 changed the list of sculpt layers too").arg(titled(row))
-                    : QStringLiteral("%1 changed the list of segments too").arg(titled(row)));
+                    ? Clause::saying("%1 changed the list of sculpt layers too", titled(row))
+                    : Clause::saying("%1 changed the list of segments too", titled(row)));
         std::set<RowId> decided;
         addDecided(state.history, id, decided);
         for (const RowId other : m_edit.rows) {
             if (decided.count(other) != 0)
-                return refused(QStringLiteral("taking back %1 decides on %2 too")
-                                   .arg(titled(row), titled(state.history.row(other))));
+                return refused(Clause::saying("taking back %1 decides on %2 too", titled(row),
+                    titled(state.history.row(other))));
         }
         // One after the other is clear; at once it is not whether such a row stands then.
         for (const RowId other : decided) {
             const auto [known, isNew] = deciding.emplace(other, id);
             if (!isNew)
-                return refused(QStringLiteral("taking back %1 and %2 both decides on %3")
-                                   .arg(titled(state.history.row(known->second)), titled(row),
-                                       titled(state.history.row(other))));
+                return refused(Clause::saying("taking back %1 and %2 both decides on %3",
+                    titled(state.history.row(known->second)), titled(row),
+                    titled(state.history.row(other))));
         }
     }
     return {};
@@ -264,8 +264,8 @@ Result<void> RevertOperation::checkDependencies(const SessionState& state) const
         const auto differences = m_differences.find(id);
         if (isTakenBack(id)) {
             if (differences->second.empty())
-                return refused(QStringLiteral("%1 changed no voxel, only what later growths go by")
-                                   .arg(titled(row)));
+                return refused(Clause::saying(
+                    "%1 changed no voxel, only what later growths go by", titled(row)));
             for (const BrickKey& key : keysOf(differences->second))
                 taken.emplace(key, id);
             claimWhatReturns(state, id, id, keysOf(differences->second), claims);

@@ -21,7 +21,7 @@ namespace {
 tl::unexpected<Error> refused(RowId row, const char* reason)
 {
     return failure(ErrorCode::InvalidField, QStringLiteral("reviseStroke.row"),
-        QStringLiteral("row %1 %2").arg(row).arg(QLatin1String(reason)));
+        Clause::saying("row %1 %2", row, QLatin1String(reason)));
 }
 
 std::vector<StandingStroke> before(const std::vector<StandingStroke>& strokes, RowId row)
@@ -96,7 +96,7 @@ Result<void> ReviseOperation::findStrokes(const SessionState& state)
     const int layer = layerOf(*after);
     if (!state.document.layer(layer))
         return failure(ErrorCode::InvalidField, QStringLiteral("reviseStroke.layer"),
-            QStringLiteral("there is no sculpt layer %1").arg(layer));
+            Clause::saying("there is no sculpt layer %1", layer));
     // Its ranges are those of the cut that is revised.
     if (const Result<Edit> known = editFromJson(editToJson(after->plain())); !known)
         return tl::unexpected(known.error());
@@ -146,11 +146,9 @@ Result<void> ReviseOperation::checkLayers(const SessionState& state, RowId first
         return {};
     const RowId row = differing.back();
     return failure(ErrorCode::InvalidField, QStringLiteral("reviseStroke.row"),
-        QStringLiteral("row %1 cannot be worked out anew, because '%2' (row %3) has written its "
-                       "layer otherwise than by cutting")
-            .arg(m_edit.row)
-            .arg(history.row(row).name)
-            .arg(row));
+        Clause::saying("row %1 cannot be worked out anew, because '%2' (row %3) has written its "
+                       "layer otherwise than by cutting",
+            m_edit.row, history.row(row).name, row));
 }
 
 void ReviseOperation::loadNext(SessionState& state)

@@ -471,7 +471,7 @@ private Q_SLOTS:
         const auto refused = paintLabel(stroke, bench.document);
         QVERIFY(!refused);
         QCOMPARE(refused.error().code, ErrorCode::InvalidField);
-        QVERIFY(refused.error().arguments.first().endsWith(QLatin1String(".pressures")));
+        QVERIFY(refused.error().arguments.front().endsWith(QLatin1String(".pressures")));
         stroke.path.pressures = std::vector<double>{0.5, 1.0};
         QVERIFY(paintLabel(stroke, bench.document));
     }

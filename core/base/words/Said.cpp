@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/base/Said.h"
+#include "core/base/words/Said.h"
 
 namespace core {
 
