@@ -71,7 +71,7 @@ const Texture3D& VoxelFields::labels(std::uint8_t plane)
     Texture3D texture({.label = "label plane", .size = m_grid.volumeSize, .format = GL_R8UI});
     texture.clear();
     if (!m_seenLabels)
-        m_seenLabels.emplace(m_grid);
+        m_seenLabels.emplace(m_grid, m_shared.labels());
     const Texture3D& made = m_furtherPlanes.emplace(plane, std::move(texture)).first->second;
     sharePlanes();
     return made;

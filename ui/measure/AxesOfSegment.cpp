@@ -11,6 +11,7 @@
 #include <QPointer>
 
 #include <algorithm>
+#include <bitset>
 #include <optional>
 #include <set>
 #include <utility>
@@ -24,6 +25,7 @@ struct AxesOfSegment::Job {
     core::VolumeGeometry geometry;
     glm::ivec2 pixel{0};
     std::vector<std::uint8_t> planes; ///< to look into, in this order
+    std::bitset<256> shown; ///< labels that are looked for first
     std::vector<core::BrickKey> keys{};
     std::vector<core::BrickImage> bricks{};
     std::optional<core::SegmentAxes> axes{};
@@ -53,13 +55,15 @@ struct AxesOfSegment::Job {
     }
     void findAxes()
     {
-        for (const std::uint8_t plane : planes) {
-            if (findAxesIn(plane))
-                return;
+        for (const std::bitset<256>& wanted : {shown, ~shown}) {
+            for (const std::uint8_t plane : planes) {
+                if (findAxesIn(plane, wanted))
+                    return;
+            }
         }
     }
-    /// @return whether a segment of the plane is there
-    bool findAxesIn(std::uint8_t plane)
+    /// @return whether one of the segments of the plane is there
+    bool findAxesIn(std::uint8_t plane, const std::bitset<256>& wanted)
     {
         const core::BrickGrid grid{geometry.size};
         std::vector<const core::BrickImage*> ofBrick(std::size_t(grid.brickCount()), nullptr);
@@ -75,7 +79,7 @@ struct AxesOfSegment::Job {
                          : std::uint8_t(0);
         };
         const std::uint8_t label = labelAt(pixel.x, pixel.y);
-        if (label == 0)
+        if (label == 0 || !wanted.test(label))
             return false;
         std::vector<std::uint8_t> inside;
         for (int y = 0; y < lattice.size.y; ++y) {
@@ -119,8 +123,14 @@ void AxesOfSegment::suggest(const ViewContext& view, const glm::dvec3& placeLps)
     if (const core::Segment* active = session->document().segment(m_workspace.activeSegment()))
         std::stable_partition(inOrder.begin(), inOrder.end(),
             [active](std::uint8_t plane) { return plane == active->plane; });
-    m_job = std::make_shared<Job>(Job{
-        .lattice = lattice, .geometry = geometry, .pixel = *pixel, .planes = std::move(inOrder)});
+    std::bitset<256> shown;
+    for (const core::Segment& segment : session->document().segments)
+        shown.set(segment.label, segment.visible);
+    m_job = std::make_shared<Job>(Job{.lattice = lattice,
+        .geometry = geometry,
+        .pixel = *pixel,
+        .planes = std::move(inOrder),
+        .shown = shown});
     m_background.start(
         this, [job = m_job] { job->chooseBricks(); },
         [this, job = m_job](const core::Result<void>& chosen) {

@@ -67,7 +67,7 @@ QString listOtherSegments(QMenu& menu, const core::Document& document, int but,
         QObject::connect(entry, &QAction::triggered, &menu,
             [choose, label = int(each.label)] { choose(label); });
         QString whyNot = changes ? whyUnchangeable(&each) : QString();
-        if (own && each.plane != own->plane) {
+        if (changes && own && each.plane != own->plane) {
             whyNot = QObject::tr("'%1' lies on another label plane").arg(each.name);
             apart = true;
         }

@@ -49,8 +49,9 @@ Clause whyNoLabelMap(
             for (std::size_t i = 0; i < std::min(first.size(), second.size()); ++i)
                 shared += first[i] == segments[a].label && second[i] == segments[b].label ? 1U : 0U;
             if (shared != 0)
-                return Clause::saying("'%1' and '%2' overlap in %3 voxels, which one %4 label map "
-                                      "cannot hold; export them one by one, or as binary DICOM SEG",
+                return Clause::saying(
+                    "'%1' and '%2' overlap in %3 voxels, which one %4 label map "
+                    "cannot hold; export them one by one, or as binary DICOM SEG or .seg.nrrd",
                     segments[a].name, segments[b].name, QString::number(shared), format);
         }
     }

@@ -9,11 +9,11 @@
 
 namespace gpu {
 
-ShownLabels::ShownLabels(const core::BrickGrid& grid)
+ShownLabels::ShownLabels(const core::BrickGrid& grid, const Texture3D& firstPlane)
     : m_grid(grid)
     , m_texture({.label = "shown labels", .size = grid.volumeSize, .format = GL_R8UI})
 {
-    m_texture.clear();
+    firstPlane.copyTo(m_texture, {}, {}, grid.volumeSize);
 }
 
 void ShownLabels::update(Program& compose, std::span<const Texture3D* const> planes,

@@ -21,8 +21,8 @@ class Program;
 /// (composeLabels.comp). Engine thread only.
 class ShownLabels {
 public:
-    /// Holds 0 everywhere at first. Throws GlFailure.
-    explicit ShownLabels(const core::BrickGrid& grid);
+    /// Holds what the first plane does until it is composed. Throws GlFailure.
+    ShownLabels(const core::BrickGrid& grid, const Texture3D& firstPlane);
 
     /// What is shown, by label.
     struct Looks {

@@ -180,7 +180,8 @@ Result<LabelPlanes> labelPlanes(const ImportMask& edit, const Document& document
                 lists.try_emplace(plane, geometry.size);
         }
     }
-    const std::uint8_t frees = edit.overwriteUnlocked && lists.size() > 1 ? freeNumber(*where) : 0;
+    const bool othersLose = edit.overwriteUnlocked && !document.segments.empty();
+    const std::uint8_t frees = othersLose && lists.size() > 1 ? freeNumber(*where) : 0;
     // Freeing comes second: a voxel that is asked for in a plane is not freed there.
     for (const bool freeing : {false, true}) {
         for (const std::size_t i : order) {
@@ -218,8 +219,11 @@ RowTitle rowTitle(const ImportMask& mask, const RowFacts& row)
 {
     const qsizetype slash = mask.file.lastIndexOf(QLatin1Char('/'));
     const auto count = std::int64_t(mask.segments ? mask.segments->size() : 0);
-    const double ml = double(row.statistics.voxelsChanged)
-        * row.document.volumes.front().geometry.voxelVolumeMm3() / 1000.0;
+    std::int64_t voxels = 0; // without those that others lose
+    for (const LabelFlow& flow : row.facts.flows)
+        voxels += flow.gained;
+    const double ml =
+        double(voxels) * row.document.volumes.front().geometry.voxelVolumeMm3() / 1000.0;
     RowTitle title{.code = RowTitleCode::ImportMask,
         .arguments = {TitleCount{count}, mask.file.mid(slash + 1)},
         .then = {{.code = RowTitleCode::Millilitres,
@@ -232,21 +236,21 @@ RowTitle rowTitle(const ImportMask& mask, const RowFacts& row)
     return title;
 }
 
-/// The labels and seed words of the bricks that it has voxels in, and the labels of other planes
-/// there.
+/// The labels and seed words of all planes in the bricks that it has voxels in, whatever has become
+/// of the segments that were there.
 EditDependencies dependencies(const ImportMask& edit, const DependencyFacts& row)
 {
     dependsOn::Bricks bricks;
-    if (const Result<LabelPlanes> listed = labelPlanes(edit, row.document)) {
-        for (const LabelListed& plane : listed->planes) {
-            for (const LabelListed::Brick& brick : plane.bricks) {
-                bricks.keys.insert({Field::Labels, plane.plane, brick.brick});
-                bricks.keys.insert({Field::SeedWords, plane.plane, brick.brick});
-                if (!plane.editable)
-                    continue;
-                for (const EditableVoxels::PlaneLabels& other : plane.editable->outside)
-                    bricks.keys.insert({Field::Labels, other.plane, brick.brick});
-            }
+    bricks.keys.insert(row.written.begin(), row.written.end());
+    BrickList list(row.geometry().size);
+    for (const ImportedSegment& each : edit.segments.value_or(std::vector<ImportedSegment>())) {
+        if (const auto voxels = unpackedRuns(each.voxels, row.geometry().voxelCount()))
+            list.put(*voxels, 1);
+    }
+    for (const LabelListed::Brick& brick : list.take()) {
+        for (int plane = 0; plane < mostLabelPlanes; ++plane) {
+            for (const Field field : {Field::Labels, Field::SeedWords})
+                bricks.keys.insert({field, std::uint8_t(plane), brick.brick});
         }
     }
     return bricks;

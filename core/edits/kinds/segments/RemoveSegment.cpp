@@ -71,10 +71,13 @@ RowTitle rowTitle(const RemoveSegment& edit, const RowFacts& row)
         .then = {lost}};
 }
 
-/// As of a growth, since its label must not come back without it.
+/// As of a growth, since its label must not come back without it; in all planes, since a segment
+/// that is gone no longer says in which it lay.
 EditDependencies dependencies(const RemoveSegment&, const DependencyFacts& row)
 {
-    return row.wholeGrowth();
+    EditDependencies all = row.wholeGrowth();
+    all.labelPlanes.set();
+    return all;
 }
 
 } // namespace core

@@ -43,9 +43,12 @@ RowTitle rowTitle(const WriteBack&, const RowFacts& row)
         .then = {figure(RowTitleCode::Voxels, row.statistics.voxelsChanged)}};
 }
 
+/// In all planes: the surface that says in which its segment lies may be another one by now.
 EditDependencies dependencies(const WriteBack&, const DependencyFacts& row)
 {
-    return row.wholeGrowth();
+    EditDependencies all = row.wholeGrowth();
+    all.labelPlanes.set();
+    return all;
 }
 
 } // namespace core

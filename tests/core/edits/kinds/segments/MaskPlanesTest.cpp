@@ -5,6 +5,7 @@
 #include "core/edits/kinds/filling/MirrorSegment.h"
 #include "core/edits/kinds/growth/GrowCriteria.h"
 #include "core/edits/kinds/growth/GrowFromSeeds.h"
+#include "core/edits/kinds/history/RevertRows.h"
 #include "core/edits/kinds/segments/CombineSegments.h"
 #include "core/edits/kinds/segments/FillOutline.h"
 #include "core/edits/kinds/segments/ImportMask.h"
@@ -260,6 +261,29 @@ private Q_SLOTS:
         QCOMPARE(bench.tried(test::eraseAt(1, {bench.at({12, 6, 6})}, 3.0)), QString());
         QCOMPARE(bench.labels(1), second);
         QVERIFY(bench.count(0, 1) < 13 * 6 * 4);
+    }
+
+    /// What a later step freed in a further plane does not come back beneath it.
+    void nothingComesBackBeneathALaterStep()
+    {
+        const auto isRefused = [](const std::vector<Edit>& later) {
+            const Bench bench;
+            QCOMPARE(bench.tried(twoPlanes()), QString());
+            QCOMPARE(bench.tried(test::paintAt(2, {bench.at({5, 6, 6})}, 3.0)), QString());
+            for (const Edit& edit : later)
+                QCOMPARE(bench.tried(edit), QString());
+            const QByteArray before = bench.session->stateHash();
+            Result<void> done = bench.session->apply(RevertRows{.rows = {2}});
+            if (done)
+                done = bench.session->settle();
+            QVERIFY(!done);
+            QCOMPARE(int(done.error().code), int(ErrorCode::StepsEntangled));
+            QCOMPARE(bench.session->stateHash(), before);
+        };
+        isRefused({RemoveSegment{.segment = 2}});
+        ImportMask over = importOf({Box{{0, 3, 4}, {30, 9, 8}}});
+        over.overwriteUnlocked = true;
+        isRefused({over, test::lockSegment(1), test::lockSegment(2)});
     }
 
     void everyEditKeepsToItsPlane_data()
