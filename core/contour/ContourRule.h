@@ -70,7 +70,7 @@ struct ContourKernel {
 /// evolving by 10; with `round`, the first part must be of an even number of generations for that.
 ///
 /// Where nothing holds it, a contour grows to an octahedron, which has a third of the volume of the
-/// ball of its width. By turns of six and eighteen neighbours it becomes a body of 26 faces, which
+/// ball of its width. By turns of six and eighteen neighbours it becomes a body of 14 faces, which
 /// has the ball's volume within some per cent. Both are counted in voxels, not in millimetres.
 ///
 /// On grids with thick slices a new slice has few neighbours that count, so from a smoothness of

@@ -57,11 +57,11 @@ struct DropCutPreview { };
 /// (`growthComparison`). From then on it can be shown, until EndEdit is carried out, another
 /// CompareGrowth is answered, or a volume is opened.
 struct CompareGrowth {
-    /// A commit of the growth leaves what is suspended then, to be shown until SwapBricks,
-    /// XorBricks, DropCutPreview or a BeginEdit that is no growth is carried out, or a volume is
-    /// opened. If the next growth is compared, too, what it has not let in is shown as suspended
-    /// still, and what it has let in as reinstated; if it is rolled back, all is shown as before
-    /// it. The counts are those of the open growth alone.
+    /// A commit of the growth leaves what is suspended and reached then, to be shown until
+    /// SwapBricks, XorBricks, DropCutPreview or a BeginEdit that is no growth is carried out, or a
+    /// volume is opened. If the next growth is compared, too, what it has not let in is shown as
+    /// suspended still, and what it has let in as reinstated; if it is rolled back, all is shown as
+    /// before it. The counts are those of the open growth alone.
     bool keep = false;
 };
 

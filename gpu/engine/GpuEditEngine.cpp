@@ -385,6 +385,7 @@ void GpuEditEngine::endMarks(core::Ending ending, std::span<const core::BrickCha
             m_growthMarks.keep(*m_fields, compareGrowth(*m_fields, 0, changes).bricks);
         else
             m_growthMarks.forget();
+        requireNoError();
     } catch (const FieldsLost&) {
         throw;
     } catch (const std::exception&) {

@@ -182,7 +182,8 @@ private:
                 .upper = 80.5,
                 .overwriteUnlocked = true,
                 .followsEdges = true,
-                .edgeTolerance = 37.5});
+                .edgeTolerance = 37.5,
+                .toleranceByPressure = true});
         workspace.setBrushSettings(
             ui::Workspace::Brush::Carve, {.radiusMm = 2.5, .disc = true, .square = true});
         workspace.setBrushSettings(ui::Workspace::Brush::Barrier, {.radiusMm = 1.5, .disc = true});
@@ -297,7 +298,8 @@ private Q_SLOTS:
                 .upper = 80.5,
                 .overwriteUnlocked = true,
                 .followsEdges = true,
-                .edgeTolerance = 37.5}));
+                .edgeTolerance = 37.5,
+                .toleranceByPressure = true}));
         QCOMPARE(workspace.brushSettings(ui::Workspace::Brush::Carve).radiusMm, 2.5);
         QVERIFY(workspace.brushSettings(ui::Workspace::Brush::Carve).disc);
         QVERIFY(workspace.brushSettings(ui::Workspace::Brush::Carve).square);

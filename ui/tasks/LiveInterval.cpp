@@ -51,7 +51,7 @@ void LiveInterval::settle()
         send(true);
     core::EditSession* session = m_workspace.session();
     // However short the drag was, what it suspends is to be seen afterwards.
-    if (m_open && session && session->transactionOpen()
+    if (m_open && !m_comparison && session && session->transactionOpen()
         && m_workspace.viewOptions().suspendedBodies)
         session->questions().compareGrowth([](const auto&) {}, true);
     end(core::Ending::Commit);

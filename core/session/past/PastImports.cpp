@@ -3,6 +3,7 @@
 
 #include "core/edits/document/DocumentEdits.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace core {
@@ -21,9 +22,14 @@ std::vector<ImportMask> importsOf(const History& history)
 std::vector<DoneImport> doneImports(const History& history)
 {
     std::vector<DoneImport> imports;
+    const std::vector<RowId> path = history.pathTo(history.position());
+    const bool any = std::any_of(path.begin(), path.end(),
+        [&](RowId row) { return history.row(row).edit.as<ImportMask>() != nullptr; });
+    if (!any)
+        return imports;
     // A new segment's label is that of its time: the rows tell it when they are counted again.
     Document then = initialDocument({});
-    for (const RowId row : history.pathTo(history.position())) {
+    for (const RowId row : path) {
         const Edit& edit = history.row(row).edit;
         const auto* mask = edit.as<ImportMask>();
         if (mask && mask->segments) {

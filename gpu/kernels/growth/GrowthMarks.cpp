@@ -10,10 +10,11 @@ namespace gpu {
 
 void GrowthMarks::begin(bool grows)
 {
-    hide();
     m_keeps = false;
-    if (!grows)
-        m_kept.clear();
+    if (grows)
+        return;
+    hide();
+    m_kept.clear();
 }
 
 void GrowthMarks::show(VoxelFields& fields, Bricks changed, bool keep)

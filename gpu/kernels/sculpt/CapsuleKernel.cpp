@@ -23,7 +23,6 @@ constexpr std::size_t bricksAtOnce = 1024; // storage blocks end at 128 MiB
 struct GpuCapsule {
     glm::ivec4 fromLength{0};
     glm::ivec4 direction{0};
-    glm::ivec4 pressed{0};
 };
 struct GpuCandidate {
     glm::ivec4 base{0};
@@ -264,7 +263,8 @@ std::vector<std::uint32_t> CapsuleKernel::run(
     std::vector<GpuCapsule> pieces;
     for (const core::Capsule& capsule : capsules)
         pieces.push_back({glm::ivec4(capsule.from, capsule.length),
-            glm::ivec4(capsule.direction, capsule.less), glm::ivec4(capsule.strength, 0, 0, 0)});
+            glm::ivec4(capsule.direction,
+                int(std::uint32_t(capsule.less) | std::uint32_t(capsule.strength) << 24U))});
 
     const Buffer baseBuffer = bufferOf("brush candidates", bases);
     const Buffer pieceBuffer = bufferOf("brush path", pieces);

@@ -3,8 +3,9 @@
 
 struct Capsule {
     ivec4 from;      // mm16; w: length, mm16
-    ivec4 direction; // unit vector · 2¹⁴; w: by how much its radius is smaller, mm16
-    ivec4 pressed; // x: how much of the tolerance counts, 0 … 255
+    // unit vector · 2¹⁴; w: by how much its radius is smaller, mm16, in 24 bits, above them how much
+    // of the tolerance counts, 0 … 255
+    ivec4 direction;
 };
 struct Candidate {
     ivec4 base;  // stroke coordinates of the brick's first voxel, mm16; w: the brick
@@ -47,7 +48,12 @@ int product(ivec3 a, ivec3 b)
 
 int radiusOf(Capsule capsule)
 {
-    return max(radius - capsule.direction.w, 0);
+    return max(radius - (capsule.direction.w & 0xFFFFFF), 0);
+}
+
+int strengthOf(Capsule capsule)
+{
+    return (capsule.direction.w >> 24) & 255;
 }
 
 // The least half side with which a square or cube on its way along u holds q, in units.

@@ -30,7 +30,7 @@ bool isAlike(Candidate candidate, ivec3 local)
     int difference = abs(int(code) - value);
     for (uint i = candidate.span.x; i < candidate.span.y; ++i) {
         Capsule capsule = capsules[near[i]];
-        if (difference <= tolerance * capsule.pressed.x / 255 && pieceHolds(capsule, position))
+        if (difference <= tolerance * strengthOf(capsule) / 255 && pieceHolds(capsule, position))
             return true;
     }
     return false;
