@@ -240,7 +240,8 @@ private Q_SLOTS:
         auto& steps = *window().findChild<ui::TimeSteps*>();
         steps.play(0.001);
         QVERIFY(steps.isPlaying());
-        open(path("case/ct"));
+        window().opener().open(path("case/ct"));
+        QTRY_VERIFY_WITH_TIMEOUT(!steps.hasPoint(1) && !window().opener().busy(), patience);
         QVERIFY(!steps.isPlaying());
         steps.play(1.0); // there is nothing to play
         QVERIFY(!steps.isPlaying());
