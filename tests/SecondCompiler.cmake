@@ -28,7 +28,10 @@ foreach(room core gpu)
     set(includes $<REMOVE_DUPLICATES:${includes};$<TARGET_PROPERTY:burin_dicomweb,INCLUDE_DIRECTORIES>>)
   endif()
   # Ours with all warnings as errors, everybody else's as system headers, as in the build.
-  set(ours "^${CMAKE_SOURCE_DIR}$|^${CMAKE_BINARY_DIR}/generated$")
+  # A folder may be named after a compiler: the signs of g++ mean themselves.
+  string(REGEX REPLACE "([][+.*?^$()|])" "\\\\\\1" source "${CMAKE_SOURCE_DIR}")
+  string(REGEX REPLACE "([][+.*?^$()|])" "\\\\\\1" binary "${CMAKE_BINARY_DIR}")
+  set(ours "^${source}$|^${binary}/generated$")
   set(theirs $<FILTER:${includes},EXCLUDE,${ours}|^/usr/include$>)
   set(definitions $<TARGET_PROPERTY:burin_${room},COMPILE_DEFINITIONS>)
   set(arguments ${CMAKE_CURRENT_BINARY_DIR}/second-${room}.rsp)

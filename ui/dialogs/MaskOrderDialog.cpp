@@ -44,14 +44,16 @@ MaskOrderDialog::MaskOrderDialog(
     , m_geometry(geometry)
     , m_keep(new QRadioButton(tr("Each segment keeps its voxels"), this))
     , m_flatten(new QRadioButton(tr("Each voxel goes to one segment"), this))
-    , m_order(new QListWidget(this))
-    , m_given(new QListWidget(this))
-    , m_up(new QPushButton(tr("Further up"), this))
-    , m_down(new QPushButton(tr("Further down"), this))
+    , m_ordering(new QWidget(this))
+    , m_order(new QListWidget(m_ordering))
+    , m_given(new QListWidget(m_ordering))
+    , m_up(new QPushButton(tr("Further up"), m_ordering))
+    , m_down(new QPushButton(tr("Further down"), m_ordering))
 {
     setWindowTitle(tr("Segments overlap"));
-    constexpr QSize least(480, 460);
-    setMinimumSize(least);
+    constexpr QSize least(480, 320);
+    setMinimumWidth(least.width());
+    m_ordering->setMinimumHeight(least.height());
     auto* heading = new FittingLabel(Qt::AlignLeft, this);
     heading->setFont(theme::headingFont());
     heading->setText(tr("Segments of '%1' overlap").arg(m_read.edit.file));
@@ -73,7 +75,7 @@ MaskOrderDialog::MaskOrderDialog(
     kept->setWordWrap(true);
     kept->setFont(theme::smallFont());
     auto* hint = new QLabel(
-        tr("Where several of these have a voxel, it goes to the one furthest up."), this);
+        tr("Where several of these have a voxel, it goes to the one furthest up."), m_ordering);
     hint->setWordWrap(true);
     hint->setFont(theme::smallFont());
     m_order->setObjectName(QStringLiteral("maskOrder"));
@@ -101,6 +103,12 @@ MaskOrderDialog::MaskOrderDialog(
     order->setSpacing(theme::smallPadding);
     order->addWidget(m_order, 1);
     order->addLayout(moves);
+    auto* ordering = new QVBoxLayout(m_ordering);
+    ordering->setContentsMargins(0, 0, 0, 0);
+    ordering->setSpacing(theme::smallPadding);
+    ordering->addWidget(hint);
+    ordering->addLayout(order, 1);
+    ordering->addWidget(m_given, 1);
     auto* buttons = new QHBoxLayout;
     buttons->setSpacing(theme::smallPadding);
     buttons->addStretch(1);
@@ -113,9 +121,7 @@ MaskOrderDialog::MaskOrderDialog(
     layout->addWidget(m_keep);
     layout->addWidget(kept);
     layout->addWidget(m_flatten);
-    layout->addWidget(hint);
-    layout->addLayout(order, 1);
-    layout->addWidget(m_given, 1);
+    layout->addWidget(m_ordering, 1);
     layout->addLayout(buttons);
     tabAsLaidOut(*this);
 
@@ -167,6 +173,10 @@ void MaskOrderDialog::showState()
 {
     const int row = m_order->currentRow();
     const bool ordered = m_flatten->isChecked();
+    if (m_ordering->isHidden() == ordered) {
+        m_ordering->setVisible(ordered);
+        resize(width(), sizeHint().height());
+    }
     m_order->setEnabled(ordered);
     m_up->setEnabled(ordered && row > 0);
     m_down->setEnabled(ordered && row >= 0 && row + 1 < m_order->count());

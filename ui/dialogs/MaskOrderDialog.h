@@ -41,6 +41,7 @@ private:
     core::VolumeGeometry m_geometry;
     QRadioButton* m_keep;
     QRadioButton* m_flatten;
+    QWidget* m_ordering; ///< what the second answer needs
     QListWidget* m_order; ///< of the segments that overlap, the first one foremost
     QListWidget* m_given; ///< a sentence for each pair
     QPushButton* m_up;
