@@ -292,4 +292,15 @@ SegmentSurface segmentSurface(
     return surface;
 }
 
+SegmentSurface segmentBorders(
+    std::span<const std::uint8_t> labels, std::uint8_t label, const glm::ivec3& size)
+{
+    const Box box = boxOf(labels, label, size);
+    if (box.size.x == 0)
+        return {};
+    Borders borders = BorderWalk(labels, label, size, box).walk();
+    std::vector<glm::uvec3> triangles = trianglesOf(borders, borders.vertices);
+    return {.vertices = std::move(borders.vertices), .triangles = std::move(triangles)};
+}
+
 } // namespace core

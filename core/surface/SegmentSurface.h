@@ -31,4 +31,10 @@ constexpr float greatestSurfaceShift = 0.45F;
 [[nodiscard]] SegmentSurface segmentSurface(
     std::span<const std::uint8_t> labels, std::uint8_t label, const glm::ivec3& size);
 
+/// The same borders as they are, not smoothed. A face between voxels is cut in two from its corner
+/// of the lowest indices to that of the highest, unless it lies at an edge along which voxels
+/// touch.
+[[nodiscard]] SegmentSurface segmentBorders(
+    std::span<const std::uint8_t> labels, std::uint8_t label, const glm::ivec3& size);
+
 } // namespace core

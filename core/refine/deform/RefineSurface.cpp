@@ -72,7 +72,7 @@ private:
     std::uint64_t m_voxels;
 };
 
-SegmentSurface bordersOf(const BoxMask& mask, const glm::ivec3& cuts)
+std::vector<std::uint8_t> cellsOf(const BoxMask& mask, const glm::ivec3& cuts)
 {
     const glm::ivec3 size = mask.size() * cuts;
     std::vector<std::uint8_t> cells(
@@ -84,20 +84,13 @@ SegmentSurface bordersOf(const BoxMask& mask, const glm::ivec3& cuts)
                 cells[at] = mask.contains(mask.first() + glm::ivec3(x, y, z) / cuts) ? 1 : 0;
         }
     }
-    return segmentSurface(cells, 1, size);
+    return cells;
 }
 
-} // namespace
-
-Result<SimplexMesh> refineSurfaceOf(
-    const BoxMask& mask, const VolumeGeometry& geometry, int vertices, const Progress& progress)
+/// The dual of borders between cells, into which the voxels of a mask were cut.
+Result<SimplexMesh> dualOfBorders(SegmentSurface&& borders, const BoxMask& mask,
+    const glm::ivec3& cuts, const VolumeGeometry& geometry)
 {
-    if (mask.empty())
-        return SimplexMesh();
-    const glm::ivec3 cuts = CellCuts(mask, geometry).cutsFor(std::uint64_t(vertices));
-    SegmentSurface borders = bordersOf(mask, cuts);
-    if (progress.cancelled())
-        return failure(ErrorCode::Cancelled);
     std::vector<glm::dvec3> pointsLps;
     pointsLps.reserve(borders.vertices.size());
     for (const glm::vec3& vertex : borders.vertices) {
@@ -109,10 +102,39 @@ Result<SimplexMesh> refineSurfaceOf(
         for (glm::uvec3& triangle : borders.triangles)
             std::swap(triangle.y, triangle.z);
     }
-    Result<SimplexMesh> mesh = dualOf(pointsLps, borders.triangles);
+    return dualOf(pointsLps, borders.triangles);
+}
+
+} // namespace
+
+Result<SimplexMesh> refineSurfaceOf(
+    const BoxMask& mask, const VolumeGeometry& geometry, int vertices, const Progress& progress)
+{
+    if (mask.empty())
+        return SimplexMesh();
+    const glm::ivec3 cuts = CellCuts(mask, geometry).cutsFor(std::uint64_t(vertices));
+    SegmentSurface borders = segmentSurface(cellsOf(mask, cuts), 1, mask.size() * cuts);
+    if (progress.cancelled())
+        return failure(ErrorCode::Cancelled);
+    Result<SimplexMesh> mesh = dualOfBorders(std::move(borders), mask, cuts, geometry);
     if (!mesh)
         return mesh;
     return thinnedOut(*std::move(mesh), std::size_t(vertices), progress);
+}
+
+Result<SimplexMesh> borderSurfaceOf(
+    const BoxMask& mask, const VolumeGeometry& geometry, int vertices, const Progress& progress)
+{
+    if (mask.empty())
+        return SimplexMesh();
+    const glm::ivec3 whole(1);
+    SegmentSurface borders = segmentBorders(cellsOf(mask, whole), 1, mask.size());
+    if (progress.cancelled())
+        return failure(ErrorCode::Cancelled);
+    Result<SimplexMesh> mesh = dualOfBorders(std::move(borders), mask, whole, geometry);
+    if (!mesh)
+        return mesh;
+    return thinnedOut(*std::move(mesh), std::size_t(vertices), progress, &geometry);
 }
 
 } // namespace core

@@ -2,9 +2,11 @@
 #include "core/refine/repair/FaceThinning.h"
 
 #include "core/refine/mesh/SimplexOperations.h"
+#include "core/refine/repair/CrossingGuard.h"
 #include "core/refine/repair/FaceShape.h"
 
 #include <algorithm>
+#include <optional>
 #include <queue>
 
 namespace core {
@@ -16,7 +18,8 @@ constexpr double greatestShare = 3.0;
 
 class Thinning {
 public:
-    Thinning(SimplexMesh& mesh, std::size_t vertices)
+    Thinning(SimplexMesh& mesh, std::size_t vertices, const VolumeGeometry* apartOn,
+        const Progress& progress)
         : m_mesh(mesh)
         , m_edit(mesh)
         , m_vertices(vertices)
@@ -29,6 +32,8 @@ public:
             whole += glm::length(m_areas[face]);
         }
         m_greatest = greatestShare * 2.0 * whole / double(std::max<std::size_t>(vertices, 1));
+        if (apartOn)
+            m_guard.emplace(mesh, *apartOn, &progress);
     }
 
     Result<void> run(const Progress& progress)
@@ -55,6 +60,12 @@ private:
             return areaSquared != other.areaSquared ? areaSquared > other.areaSquared
                                                     : face > other.face;
         }
+    };
+
+    /// An edge over which a face may be merged with a neighbour.
+    struct Way {
+        double cost = 0.0;
+        EdgeSurroundings edge;
     };
 
     void enter(FaceId face)
@@ -94,27 +105,39 @@ private:
             && lookAlike(m_areas[edge.ahead], areaWithout(edge.ahead, edge.to));
     }
 
-    void mergeAway(FaceId face)
+    /// The way that costs least of those that cost more than one that was refused, or of all.
+    [[nodiscard]] std::optional<Way> bestWay(FaceId face, const std::optional<Way>& refused) const
     {
         const FaceRing& ring = m_mesh.ring(face);
-        double least = 0.0;
-        EdgeSurroundings best;
+        std::optional<Way> best;
         for (std::size_t i = 0; i < ring.size(); ++i) {
             const EdgeSurroundings edge =
                 surroundingsOf(m_mesh, ring[i], ring[(i + 1) % ring.size()]);
             const double cost = costOf(edge);
-            if ((best.from != noId && cost >= least)
+            if ((best && cost >= best->cost) || (refused && cost <= refused->cost)
                 || glm::length(m_areas[edge.left] + m_areas[edge.right]) > m_greatest
                 || !canMergeFaces(m_mesh, edge) || !keepsShape(edge))
                 continue;
-            least = cost;
-            best = edge;
+            best = Way{.cost = cost, .edge = edge};
         }
-        if (best.from == noId)
+        return best;
+    }
+
+    bool merges(const EdgeSurroundings& edge)
+    {
+        const auto merge = [&] { return mergeFaces(m_edit, edge.from, edge.to); };
+        return m_guard ? m_guard->attempt(m_edit, merge) : merge();
+    }
+
+    void mergeAway(FaceId face)
+    {
+        for (std::optional<Way> way = bestWay(face, {}); way; way = bestWay(face, way)) {
+            if (!merges(way->edge))
+                continue;
+            for (const FaceId changed : {way->edge.left, way->edge.behind, way->edge.ahead})
+                enter(changed);
             return;
-        mergeFaces(m_edit, best.from, best.to);
-        for (const FaceId changed : {best.left, best.behind, best.ahead})
-            enter(changed);
+        }
     }
 
     SimplexMesh& m_mesh;
@@ -124,6 +147,7 @@ private:
     std::vector<glm::dvec3> m_areas; ///< as vectors, by face
     std::vector<std::uint32_t> m_versions;
     std::priority_queue<Entry> m_queue;
+    std::optional<CrossingGuard> m_guard; ///< none: what crosses is not looked at
 };
 
 /// The same mesh under ids without gaps.
@@ -151,10 +175,11 @@ SimplexMesh closedUp(const SimplexMesh& mesh)
 
 } // namespace
 
-Result<SimplexMesh> thinnedOut(SimplexMesh mesh, std::size_t vertices, const Progress& progress)
+Result<SimplexMesh> thinnedOut(
+    SimplexMesh mesh, std::size_t vertices, const Progress& progress, const VolumeGeometry* apartOn)
 {
     if (mesh.vertexCount() > vertices) {
-        if (const auto done = Thinning(mesh, vertices).run(progress); !done)
+        if (const auto done = Thinning(mesh, vertices, apartOn, progress).run(progress); !done)
             return tl::unexpected(done.error());
     }
     return closedUp(mesh);

@@ -120,6 +120,7 @@ private Q_SLOTS:
     void theVeryVoxelsOfNoise_data();
     void theVeryVoxelsOfNoise();
     void aBallIsSmooth();
+    void bordersAreThoseOfVoxels();
     void nothing();
 };
 
@@ -262,6 +263,37 @@ void SegmentSurfaceTest::aBallIsSmooth()
     // That of the voxels' own faces is about 33 degrees.
     QVERIFY(degrees < 12.0);
     QVERIFY(farthest < 1.0);
+}
+
+void SegmentSurfaceTest::bordersAreThoseOfVoxels()
+{
+    auto random = test::Random(2);
+    for (int trial = 0; trial < 20; ++trial) {
+        Labels labels({test::randomInt(random, 1, 7), test::randomInt(random, 1, 6),
+            test::randomInt(random, 1, 5)});
+        int voxels = 0;
+        for (auto& label : labels.voxels) {
+            label = test::randomInt(random, 0, 9) < trial % 10 ? 1 : 0;
+            voxels += label;
+        }
+        const core::SegmentSurface borders = core::segmentBorders(labels.voxels, 1, labels.size);
+        verifyClosed(borders);
+        QCOMPARE(eulerNumber(borders), eulerNumber(labels.surface()));
+        QVERIFY(std::abs(volumeOf(borders) - double(voxels)) < 1e-6);
+        for (const glm::vec3& vertex : borders.vertices)
+            QVERIFY(glm::floor(2.0F * vertex) == 2.0F * vertex);
+        // Squares are cut from their lowest corner to their highest.
+        for (const glm::uvec3& triangle : borders.triangles) {
+            for (int i = 0; i < 3; ++i) {
+                const glm::vec3 way =
+                    borders.vertices[triangle[(i + 1) % 3]] - borders.vertices[triangle[i]];
+                const float sum = std::abs(way.x + way.y + way.z);
+                const float wholes = std::abs(way.x) + std::abs(way.y) + std::abs(way.z);
+                if (glm::dot(way, way) == 2.0F)
+                    QCOMPARE(sum, wholes);
+            }
+        }
+    }
 }
 
 void SegmentSurfaceTest::nothing()

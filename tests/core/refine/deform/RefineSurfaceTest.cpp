@@ -3,6 +3,7 @@
 #include "core/refine/mesh/SimplexDual.h"
 #include "core/refine/mesh/SimplexMeshEdit.h"
 #include "core/refine/repair/FaceThinning.h"
+#include "core/refine/repair/SelfIntersections.h"
 #include "tests/support/program/LongRun.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/ShapedMask.h"
@@ -37,6 +38,7 @@ private Q_SLOTS:
     void anyNumberOfVertices();
     void turnedAndMirroredGrids();
     void noiseIsClosed();
+    void bordersCrossNowhere();
     void nothing();
     void thinningStopsAtGreenAndAtEdges();
 };
@@ -171,6 +173,50 @@ void RefineSurfaceTest::noiseIsClosed()
         QCOMPARE(test::eulerCharacteristics(all), test::eulerCharacteristics(fine));
         QCOMPARE(all.vertexCount() == 0, made.voxels().empty());
     }
+}
+
+/// Whatever voxels it runs between, as it is laid and thinned out.
+void RefineSurfaceTest::bordersCrossNowhere()
+{
+    const auto laidAround = [](const test::ShapedMask& made, int vertices) {
+        return *core::borderSurfaceOf(made.mask(), made.geometry, vertices, {});
+    };
+    // Every corner of eight voxels, by itself and within others.
+    for (int configuration = 1; configuration < 256; ++configuration) {
+        for (const std::uint8_t around : {0, 1}) {
+            test::ShapedMask made({4, 4, 4}, {1.0, 0.7, 2.5});
+            made.labels.assign(made.labels.size(), around);
+            for (int voxel = 0; voxel < 8; ++voxel)
+                made.at(1 + (voxel & 1), 1 + ((voxel >> 1) & 1), 1 + (voxel >> 2)) =
+                    std::uint8_t((configuration >> voxel) & 1);
+            const core::SimplexMesh mesh = laidAround(made, 10'000);
+            QVERIFY2(core::selfIntersections(mesh, made.geometry).empty(),
+                qPrintable(QStringLiteral("corner %1").arg(configuration)));
+            QVERIFY(!test::eulerCharacteristics(mesh).empty());
+        }
+    }
+    auto random = test::Random(5);
+    std::size_t thinner = 0;
+    for (int trial = 0; trial < (test::longRun() ? 300 : 20); ++trial) {
+        test::ShapedMask made({test::randomInt(random, 2, 9), test::randomInt(random, 2, 8),
+                                  test::randomInt(random, 2, 7)},
+            {1.0, 1.0, 0.5 * test::randomInt(random, 1, 6)});
+        const int share = test::randomInt(random, 5, 95);
+        for (auto& label : made.labels)
+            label = test::randomInt(random, 0, 99) < share ? 1 : 0;
+        const core::SimplexMesh all = laidAround(made, 100'000);
+        const core::SimplexMesh few = laidAround(made, 1);
+        for (const core::SimplexMesh& mesh : {all, few})
+            QVERIFY2(core::selfIntersections(mesh, made.geometry).empty(),
+                qPrintable(QStringLiteral("trial %1").arg(trial)));
+        QCOMPARE(test::eulerCharacteristics(all), test::eulerCharacteristics(surfaceOf(made, 1)));
+        QCOMPARE(test::eulerCharacteristics(few), test::eulerCharacteristics(all));
+        const glm::u64vec3 faces = made.mask().borderFaces();
+        QVERIFY(all.vertexCount() >= 2 * std::size_t(faces.x + faces.y + faces.z));
+        thinner += all.vertexCount() - few.vertexCount();
+    }
+    QVERIFY(thinner > 0);
+    QCOMPARE(laidAround(test::ShapedMask({3, 3, 3}), 100).vertexCount(), std::size_t(0));
 }
 
 void RefineSurfaceTest::nothing()
