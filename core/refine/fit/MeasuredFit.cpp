@@ -83,10 +83,27 @@ public:
             fit = mended(std::move(fit->mesh));
         if (!fit || isGood(*fit))
             return fit;
-        Result<MeasuredFit> finer = voxelByVoxel(bounded(2.0 * all));
+        Result<MeasuredFit> finer =
+            voxelByVoxel(refineSurfaceOf(m_mask, m_geometry, bounded(2.0 * all), m_progress));
         if (!finer || finer->voxelsOff < fit->voxelsOff)
             return finer;
         return mended(std::move(fit->mesh));
+    }
+
+    /// The last resort: from where nothing crosses, and no step lets it.
+    [[nodiscard]] Result<MeasuredFit> withoutCrossings(MeasuredFit fit) const
+    {
+        const auto count = [this](MeasuredFit& counted) {
+            counted.crossings = selfIntersections(counted.mesh, m_geometry).size();
+        };
+        count(fit);
+        if (fit.crossings == 0)
+            return fit;
+        Result<MeasuredFit> anew = voxelByVoxel(
+            borderSurfaceOf(m_mask, m_geometry, int(fit.mesh.vertexCount()), m_progress));
+        if (anew)
+            count(*anew);
+        return anew;
     }
 
 private:
@@ -123,9 +140,8 @@ private:
     }
 
     /// As it is laid, such a surface encloses every voxel; forces even it out.
-    [[nodiscard]] Result<MeasuredFit> voxelByVoxel(int vertices) const
+    [[nodiscard]] Result<MeasuredFit> voxelByVoxel(const Result<SimplexMesh>& laid) const
     {
-        Result<SimplexMesh> laid = refineSurfaceOf(m_mask, m_geometry, vertices, m_progress);
         if (!laid)
             return tl::unexpected(laid.error());
         SimplexMesh mesh = *laid;
@@ -204,9 +220,10 @@ Result<MeasuredFit> measuredFit(const VoxelRuns& mask, const VolumeGeometry& geo
     std::optional<int> vertices, const Progress& progress, bool keepsApart)
 {
     const Fitting fitting(mask, geometry, keepsApart, progress);
-    if (vertices)
-        return fitting.ofAbout(*vertices);
-    return keepsApart ? fitting.asFewAsItTakes() : fitting.asTheMaskTakes();
+    Result<MeasuredFit> fit = vertices ? fitting.ofAbout(*vertices)
+        : keepsApart                   ? fitting.asFewAsItTakes()
+                                       : fitting.asTheMaskTakes();
+    return fit && keepsApart ? fitting.withoutCrossings(*std::move(fit)) : fit;
 }
 
 } // namespace core

@@ -18,6 +18,7 @@ struct MeasuredFit {
     SimplexMesh mesh;
     std::uint64_t voxels = 0; ///< of the mask
     std::uint64_t voxelsOff = 0; ///< in the mask but not enclosed, or the reverse
+    std::size_t crossings = 0; ///< pairs of faces, counted if it is kept apart
 };
 
 /// The share of the mask's voxels that may differ.
@@ -34,7 +35,9 @@ constexpr double mostOffShare = 0.001;
 /// best that was found, and the caller reports by how much it differs. Errors: those of
 /// initialFit() and fillSurface().
 /// @param keepsApart as in InitialFitSettings; then fewer vertices are tried first, too, and the
-/// surface is not let through itself for the sake of voxels
+/// surface is not let through itself for the sake of voxels. Where it does so nevertheless and is
+/// not repaired, all of it is laid anew along the borders of its voxels, which cross nowhere
+/// (borderSurfaceOf()), and each step from there is kept apart. So crossings is 0 then.
 [[nodiscard]] Result<MeasuredFit> measuredFit(const VoxelRuns& mask, const VolumeGeometry& geometry,
     std::optional<int> vertices, const Progress& progress, bool keepsApart = false);
 

@@ -2,6 +2,7 @@
 #include "core/refine/fit/MeasuredFit.h"
 #include "core/brick/VoxelRunSets.h"
 #include "core/refine/deform/RefineSurface.h"
+#include "core/refine/repair/SelfIntersections.h"
 #include "core/refine/voxels/SurfaceVoxels.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/ShapedMask.h"
@@ -61,6 +62,7 @@ private Q_SLOTS:
     void asManyAsItTakes_data();
     void asManyAsItTakes();
     void asManyAsAskedFor();
+    void keptApartItCrossesNowhere();
     void nothing();
 };
 
@@ -95,6 +97,31 @@ void MeasuredFitTest::asManyAsAskedFor()
     QVERIFY(coarse.mesh.vertexCount() < 1000);
     QCOMPARE(coarse.voxelsOff, off(coarse.mesh, mask));
     QVERIFY(double(coarse.voxelsOff) > core::mostOffShare * double(coarse.voxels));
+}
+
+/// Noise that is not even nearly followed by so few vertices crumples.
+void MeasuredFitTest::keptApartItCrossesNowhere()
+{
+    test::Random random(7);
+    for (const int share : {30, 50, 70}) {
+        test::ShapedMask mask({9, 8, 7}, {1.0, 1.0, 2.0});
+        for (auto& label : mask.labels)
+            label = test::randomInt(random, 0, 99) < share ? 1 : 0;
+        for (const int vertices : {100, 600}) {
+            const auto fit = core::measuredFit(mask.voxels(), mask.geometry, vertices, {}, true);
+            QVERIFY(fit.has_value());
+            QVERIFY(core::checkSimplexMesh(fit->mesh));
+            QCOMPARE(fit->crossings, std::size_t(0));
+            QVERIFY(core::selfIntersections(fit->mesh, mask.geometry).empty());
+            QCOMPARE(fit->voxelsOff, off(fit->mesh, mask));
+            const auto before = core::measuredFit(mask.voxels(), mask.geometry, vertices, {});
+            qInfo("%d %% of noise: %zu vertices, %llu of %llu voxels off; %zu pairs cross if it is "
+                  "not kept apart",
+                share, fit->mesh.vertexCount(), static_cast<unsigned long long>(fit->voxelsOff),
+                static_cast<unsigned long long>(fit->voxels),
+                core::selfIntersections(before->mesh, mask.geometry).size());
+        }
+    }
 }
 
 void MeasuredFitTest::nothing()
