@@ -485,6 +485,8 @@ QString WindowLanguage::form(const core::RowTitle& title)
         return tr("zoom it %1×");
     case RowTitleCode::SurfaceOf:
         return tr("Surface of '%1'");
+    case RowTitleCode::LayCrossingsAnew:
+        return tr("Lay crossing parts of the surface anew");
     case RowTitleCode::RemoveSurface:
         return tr("Remove surface");
     case RowTitleCode::FollowMask:

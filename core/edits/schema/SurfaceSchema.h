@@ -41,6 +41,10 @@ template <class Visitor> void visitFields(Visitor& visit, LaySurface& edit)
         "about how many vertices the surface has, from 100; 0: as many as it takes to enclose what "
         "the segment holds, but for a thousandth of its voxels, or 200000");
     visitRules(visit, edit.rules);
+    visit.maybe("onlyCrossings", edit.onlyCrossings, editFields::Flag{},
+        "whether the surface that is there stays, but for the parts that pass through themselves "
+        "or each other, which are laid anew around the voxels that they enclose",
+        "all of it is laid anew");
 }
 
 template <> inline constexpr const char* editName<DropSurface> = "dropSurface";

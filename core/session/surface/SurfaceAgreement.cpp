@@ -2,6 +2,7 @@
 #include "core/session/surface/SurfaceAgreement.h"
 
 #include "core/brick/VoxelRunSets.h"
+#include "core/edits/kinds/surface/LaySurface.h"
 #include "core/refine/mesh/SurfaceDelta.h"
 #include "core/refine/voxels/SurfaceVoxels.h"
 #include "core/session/surface/FollowedVoxels.h"
@@ -101,7 +102,7 @@ SurfacePast surfacePast(const History& history, const SurfaceState& surface)
     SurfacePast past;
     for (RowId id = history.position(); id != 0; id = history.row(id).parent) {
         const Edit& edit = history.row(id).edit;
-        if (edit.is<LaySurface>())
+        if (const auto* lay = edit.as<LaySurface>(); lay && beginsSurface(*lay))
             break;
         if (edit.is<WriteBack>())
             past.rows.push_back({.what = SurfacePast::What::WrittenBack, .step = nullptr});

@@ -4,6 +4,7 @@
 #include "core/brick/LabelRuns.h"
 #include "core/edits/kinds/IsOneOf.h"
 #include "core/refine/deform/FollowBoundary.h"
+#include "core/refine/fit/CrossingParts.h"
 #include "core/refine/fit/MeasuredFit.h"
 #include "core/refine/mesh/SurfaceDelta.h"
 #include "core/refine/repair/MeshRestructuring.h"
@@ -127,13 +128,10 @@ struct KeepsApart {
     template <class E> bool operator()(const E&) const { return false; }
 };
 
-Result<void> keptApart(const SimplexMesh& mesh, const VolumeGeometry& geometry)
+/// @param pairs of faces
+tl::unexpected<Error> crosses(std::size_t pairs)
 {
-    const std::size_t crossings = selfIntersections(mesh, geometry).size();
-    if (crossings > 0)
-        return failure(
-            ErrorCode::InvalidField, QLatin1String(crossingSurface), QString::number(crossings));
-    return {};
+    return failure(ErrorCode::InvalidField, QLatin1String(crossingSurface), QString::number(pairs));
 }
 
 } // namespace
@@ -296,8 +294,25 @@ SurfaceWork::Outcome SurfaceWork::stepOf(
     return {.step = std::move(step), .voxels = {}};
 }
 
+Result<SurfaceWork::Outcome> SurfaceWork::layCrossings()
+{
+    SimplexMeshEdit writing(m_surface.mesh);
+    const Result<LaidAnew> laid = layCrossingsAnew(writing, m_surface.geometry(), m_progress);
+    if (!laid)
+        return tl::unexpected(laid.error());
+    if (laid->left > 0)
+        return crosses(laid->left);
+    SimplexMeshDelta delta = writing.commit();
+    if (delta.empty())
+        return Outcome();
+    m_surface.showAll(true);
+    return stepOf(std::move(delta));
+}
+
 Result<SurfaceWork::Outcome> SurfaceWork::carryOut(const LaySurface& edit, Ending)
 {
+    if (!beginsSurface(edit))
+        return layCrossings();
     VoxelRuns voxels = labelRuns(m_labels, m_segment.label);
     if (voxels.empty())
         return failure(ErrorCode::InvalidField, QStringLiteral("surface.segment"),
@@ -307,10 +322,8 @@ Result<SurfaceWork::Outcome> SurfaceWork::carryOut(const LaySurface& edit, Endin
         keepsApart(edit.rules));
     if (!fit)
         return tl::unexpected(fit.error());
-    if (keepsApart(edit.rules)) {
-        if (const Result<void> apart = keptApart(fit->mesh, m_surface.geometry()); !apart)
-            return tl::unexpected(apart.error());
-    }
+    if (fit->crossings > 0)
+        return crosses(fit->crossings);
     SimplexMeshDelta delta = replacement(m_surface.mesh, fit->mesh);
     m_surface.mesh = std::move(fit->mesh);
     m_surface.showAll(true);
@@ -393,8 +406,9 @@ Result<SurfaceWork::Outcome> SurfaceWork::carryOut(const ChangeMarks& edit, Endi
 Result<SurfaceWork::Outcome> SurfaceWork::carryOut(const WriteBack& edit, Ending)
 {
     if (keepsApart(edit.rules)) {
-        if (const Result<void> apart = keptApart(m_surface.mesh, m_surface.geometry()); !apart)
-            return tl::unexpected(apart.error());
+        const std::size_t pairs = selfIntersections(m_surface.mesh, m_surface.geometry()).size();
+        if (pairs > 0)
+            return crosses(pairs);
     }
     const Result<EnclosedVoxels> enclosed =
         enclosedVoxels(m_surface.mesh, m_read.past, m_surface.geometry(), m_overwritable.any());

@@ -78,6 +78,7 @@ private:
     requires isOneOf<Stroke, MarkSurface, SpherePush, PlaneScrape, PointDrag, ApplyTemplate,
         SmoothSurface, AttractSurface>
     [[nodiscard]] Result<Outcome> carryOut(const Stroke& stroke, Ending ending);
+    [[nodiscard]] Result<Outcome> layCrossings();
     [[nodiscard]] std::vector<VertexId> markedVertices(const ChangeMarks& edit) const;
     [[nodiscard]] Outcome stepOf(
         SimplexMeshDelta delta, std::optional<SurfaceStep::TargetChange> target = {});

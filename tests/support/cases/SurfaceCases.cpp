@@ -160,6 +160,12 @@ std::vector<StrokeCase> surfaceCases()
     add("growth out of an opened surface", {ball, lay, push, seeds, shut, grow, opened},
         core::ResumeGrowth{});
     add("paint beside a surface", {ball, lay, push}, paint);
+    core::PointDrag through{.path = {.radiusMm = 4.0 * voxelMm, .pointsLps = {}}};
+    for (double x = 9.0; x >= -13.0; x -= 2.0)
+        through.path.pointsLps.push_back(at({x, 0, 0}));
+    const core::Edit anew = core::LaySurface{.segment = 1, .onlyCrossings = true};
+    add("lay crossing parts anew", {ball, lay, red, through}, anew);
+    add("lay crossing parts anew where none cross", {ball, lay, push}, anew);
     return cases;
 }
 

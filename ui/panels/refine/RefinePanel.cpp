@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/panels/refine/RefinePanel.h"
 
+#include "core/edits/kinds/surface/LaySurface.h"
 #include "core/refine/deform/RefineSurface.h"
 #include "core/refine/mesh/SurfaceFile.h"
 #include "core/session/SessionSurface.h"
@@ -244,7 +245,11 @@ QString RefinePanel::asLaidText() const
         return {};
     const core::History& history = session->history();
     core::RowId id = history.position();
-    while (id != 0 && !history.row(id).edit.is<core::LaySurface>())
+    const auto isLaid = [&history](core::RowId row) {
+        const auto* lay = history.row(row).edit.as<core::LaySurface>();
+        return lay && core::beginsSurface(*lay);
+    };
+    while (id != 0 && !isLaid(id))
         id = history.row(id).parent;
     return id == 0 ? QString() : nameOf(history.row(id));
 }

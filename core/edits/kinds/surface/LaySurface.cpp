@@ -26,6 +26,12 @@ Result<bool> apply(const LaySurface& edit, Document& document)
         return failure(ErrorCode::InvalidField, QStringLiteral("surface.vertices"),
             Clause::saying("%1 are too few: %2 at least, or 0 for as many as it takes",
                 edit.vertices, fewest));
+    if (!beginsSurface(edit)) {
+        if (document.surface && document.surface->segment != edit.segment)
+            return failure(ErrorCode::InvalidField, QStringLiteral("surface.segment"),
+                Clause::saying("the surface is that of segment %1", document.surface->segment));
+        return changeSurface(document, true);
+    }
     document.surface = {.segment = edit.segment, .differs = false};
     return true;
 }
@@ -37,6 +43,9 @@ EditEffects effects(const LaySurface&)
 
 RowTitle rowTitle(const LaySurface& lay, const RowFacts& row)
 {
+    if (!beginsSurface(lay))
+        return {.code = RowTitleCode::LayCrossingsAnew,
+            .then = {figure(RowTitleCode::Vertices, row.statistics.verticesChanged)}};
     return {.code = RowTitleCode::SurfaceOf,
         .arguments = {segmentName(lay.segment, row.document)},
         .then = {figure(RowTitleCode::Vertices, row.statistics.verticesChanged)}};

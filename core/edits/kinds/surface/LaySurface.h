@@ -16,7 +16,18 @@ struct LaySurface {
     /// (core/refine/fit/MeasuredFit.h).
     int vertices = 0;
     SurfaceRules rules{};
+    /// Set: the present surface of the segment stays, but for the parts that pass through
+    /// themselves or each other: these are laid anew around the voxels that they enclose
+    /// (core/refine/fit/CrossingParts.h), and keep their marks. `vertices` and `rules` say nothing
+    /// then.
+    std::optional<bool> onlyCrossings{};
 };
+
+/// Whether a surface begins with this edit, and agrees with its segment after it.
+[[nodiscard]] inline bool beginsSurface(const LaySurface& edit)
+{
+    return !edit.onlyCrossings.value_or(false);
+}
 
 [[nodiscard]] Result<void> check(const LaySurface& edit, const Document& document);
 Result<bool> apply(const LaySurface& edit, Document& document);

@@ -237,6 +237,8 @@ private:
         case 5:
             return test::lockSegment(2, chance(40));
         case 6:
+            if (hasSurface && chance(30))
+                return LaySurface{.segment = 1, .onlyCrossings = true};
             return LaySurface{.segment = 1, .vertices = 250 * between(1, 2), .rules = rules()};
         case 7:
         case 8:

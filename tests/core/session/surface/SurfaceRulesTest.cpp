@@ -6,6 +6,7 @@
 #include "core/edits/kinds/surface/MarkSurface.h"
 #include "core/edits/kinds/surface/PointDrag.h"
 #include "core/edits/kinds/surface/WriteBack.h"
+#include "core/refine/mesh/SimplexMesh.h"
 #include "core/refine/repair/SelfIntersections.h"
 #include "core/session/EditSession.h"
 #include "core/session/SessionSurface.h"
@@ -84,6 +85,7 @@ private Q_SLOTS:
     }
     void whoNamesNoneWritesNone();
     void whatCrossesIsNotWrittenBack();
+    void whatCrossesIsLaidAnew();
     void aDragStopsBeforeTheWall();
     void openAndClosedContoursGoTogether();
     void templatesThatSayNothingAreRefused();
@@ -118,6 +120,7 @@ void SurfaceRulesTest::whoNamesNoneWritesNone()
     QVERIFY(namesThem(LaySurface{.segment = 1, .rules = newestSurfaceRules}));
     QVERIFY(!namesThem(dragThrough({})));
     QVERIFY(namesThem(dragThrough(newestSurfaceRules)));
+    QVERIFY(!QJsonDocument(editToJson(LaySurface{.segment = 1})).toJson().contains("Crossings"));
 }
 
 void SurfaceRulesTest::whatCrossesIsNotWrittenBack()
@@ -136,6 +139,45 @@ void SurfaceRulesTest::whatCrossesIsNotWrittenBack()
     QCOMPARE(m_session->history().position(), row);
     QCOMPARE(m_session->stateHash(), before);
     run(WriteBack{});
+}
+
+/// A surface of a recipe or session of before is written back after all, with what was moved.
+void SurfaceRulesTest::whatCrossesIsLaidAnew()
+{
+    const LaySurface anew{.segment = 1, .onlyCrossings = true};
+    const Result<void> asked = m_session->apply(anew);
+    const Result<void> refused = asked ? m_session->settle() : asked;
+    QVERIFY(!refused); // there is none
+    QCOMPARE(refused.error().code, ErrorCode::InvalidField);
+    run(LaySurface{.segment = 1, .vertices = 600});
+    const std::size_t rows = m_session->history().rows().size();
+    run(anew); // nothing crosses
+    QCOMPARE(m_session->history().rows().size(), rows);
+    run(dragThrough({}));
+    QVERIFY(crossings() > 0);
+    const QByteArray before = m_session->stateHash();
+    const SimplexMesh mesh = *m_session->surface().mesh();
+    run(anew);
+    QCOMPARE(crossings(), std::size_t(0));
+    QVERIFY(checkSimplexMesh(*m_session->surface().mesh()));
+    const HistoryRow& row = m_session->history().rows().back();
+    QVERIFY2(row.name.startsWith(QStringLiteral("Lay crossing parts of the surface anew, ")),
+        qPrintable(row.name));
+    const QByteArray after = m_session->stateHash();
+    QVERIFY(after != before);
+    QVERIFY(m_session->undo());
+    QVERIFY(m_session->settle());
+    QCOMPARE(m_session->stateHash(), before);
+    QVERIFY(identical(*m_session->surface().mesh(), mesh));
+    QVERIFY(m_session->redo());
+    QVERIFY(m_session->settle());
+    QCOMPARE(m_session->stateHash(), after);
+    QCOMPARE(crossings(), std::size_t(0));
+    // The segment and the surface agree no more, as the dent was not written back yet.
+    QVERIFY(m_session->document().surface->differs);
+    run(WriteBack{.rules = newestSurfaceRules});
+    QVERIFY(m_session->stateHash() != after);
+    QVERIFY(!m_session->document().surface->isApart());
 }
 
 void SurfaceRulesTest::aDragStopsBeforeTheWall()
