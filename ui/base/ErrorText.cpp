@@ -75,7 +75,8 @@ QString errorText(const core::Error& error)
     case ErrorCode::InvalidField:
         if (first == QLatin1String(core::crossingSurface))
             return ErrorTexts::tr("the surface passes through itself at %1 pairs of faces, and "
-                                  "nothing was changed: smooth it there, or lay it again")
+                                  "nothing was changed: use Refine > Lay crossing parts anew, "
+                                  "smooth it there, or lay it again")
                 .arg(second);
         return isStep(first) ? first + reason : ErrorTexts::tr("field '%1'%2").arg(first, reason);
     case ErrorCode::SegmentLocked:

@@ -283,6 +283,17 @@ void Refinement::followMask()
     Q_EMIT changed();
 }
 
+void Refinement::layCrossings()
+{
+    forgetTaken();
+    const auto laid = surface();
+    if (!laid)
+        return;
+    m_workspace.say(tr("Parts that pass through themselves are laid anew, all else stays"));
+    apply(core::LaySurface{.segment = laid->segment, .onlyCrossings = true});
+    Q_EMIT changed();
+}
+
 void Refinement::makeBarrier(bool erase)
 {
     apply(core::SurfaceBarrier{.erase = erase});

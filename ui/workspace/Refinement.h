@@ -98,6 +98,8 @@ public:
     [[nodiscard]] bool isAbortable() const;
     void writeBack();
     void followMask();
+    /// Lays anew what of the surface passes through itself; all else stays.
+    void layCrossings();
     /// Makes the surface a barrier for growth; with @p erase, opens it again.
     void makeBarrier(bool erase);
     void drop();

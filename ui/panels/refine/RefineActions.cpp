@@ -49,6 +49,9 @@ QStringList addRefineActions(Actions& actions, Workspace& workspace)
             "refine.openBarrier", Actions::tr("Open barrier around surface"), {},
             [&refinement] { refinement.makeBarrier(true); }, hasSurface),
         add(
+            "refine.layCrossings", Actions::tr("Lay crossing parts anew"), {},
+            [&refinement] { refinement.layCrossings(); }, hasSurface),
+        add(
             "refine.drop", Actions::tr("Remove surface"), {}, [&refinement] { refinement.drop(); },
             hasSurface),
         QString(), marks("refine.growMarks", Actions::tr("Grow marks"), Way::Grow),

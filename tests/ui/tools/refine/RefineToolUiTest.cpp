@@ -7,8 +7,11 @@
 #include "core/edits/kinds/surface/ChangeMarks.h"
 #include "core/edits/kinds/surface/LaySurface.h"
 #include "core/edits/kinds/surface/MarkSurface.h"
+#include "core/edits/kinds/surface/PointDrag.h"
 #include "core/edits/kinds/surface/SpherePush.h"
 #include "core/edits/kinds/surface/SurfaceBarrier.h"
+#include "core/edits/kinds/surface/WriteBack.h"
+#include "core/refine/repair/SelfIntersections.h"
 #include "core/session/SessionSurface.h"
 #include "tests/support/cases/SurfaceCases.h"
 #include "tests/support/fixtures/Pen.h"
@@ -377,6 +380,47 @@ private Q_SLOTS:
         open->click();
         fixture.settle();
         QCOMPARE(fixture.lastRow().id, row);
+    }
+
+    void whatPassesThroughItselfIsLaidAnew()
+    {
+        RefineFixture fixture;
+        QWidget host;
+        ui::Actions actions(host);
+        const auto id = QStringLiteral("refine.layCrossings");
+        QVERIFY(ui::addRefineActions(actions, fixture.workspace).contains(id));
+        actions.refresh();
+        QVERIFY(!actions[id].isEnabled());
+        fixture.lay();
+        actions.refresh();
+        QVERIFY(actions[id].isEnabled());
+        const core::RowId laid = fixture.lastRow().id;
+        actions[id].trigger();
+        fixture.settle();
+        QCOMPARE(fixture.lastRow().id, laid); // nothing crosses
+        // By the rules of before a vertex may be drawn through the opposite wall.
+        core::PointDrag through{.path = {.radiusMm = 4.0, .pointsLps = {}}};
+        for (double x = radius; x >= -radius - 4.0; x -= 2.0)
+            through.path.pointsLps.push_back({x, 0.0, 0.0});
+        fixture.apply(through);
+        const core::VolumeGeometry geometry = test::smallHead::volume().volume.geometry;
+        const auto crossings = [&] {
+            return core::selfIntersections(*fixture.session().surface().mesh(), geometry).size();
+        };
+        QVERIFY(crossings() > 0);
+        const core::RowId drawn = fixture.lastRow().id;
+        fixture.refinement().writeBack();
+        QVERIFY(!fixture.session().settle());
+        QCOMPARE(fixture.lastRow().id, drawn);
+        actions[id].trigger();
+        fixture.settle();
+        QCOMPARE(crossings(), std::size_t(0));
+        QCOMPARE(canonical(fixture.lastRow().edit),
+            canonical(core::LaySurface{.segment = 1, .onlyCrossings = true}));
+        fixture.refinement().writeBack();
+        fixture.settle();
+        QVERIFY(fixture.lastRow().edit.is<core::WriteBack>());
+        QVERIFY(fixture.refinement().caution().isEmpty());
     }
 
     void marksOnASliceAreTheEditOfARecipe()
