@@ -120,7 +120,10 @@ void SurfaceRulesTest::whoNamesNoneWritesNone()
     QVERIFY(namesThem(LaySurface{.segment = 1, .rules = newestSurfaceRules}));
     QVERIFY(!namesThem(dragThrough({})));
     QVERIFY(namesThem(dragThrough(newestSurfaceRules)));
-    QVERIFY(!QJsonDocument(editToJson(LaySurface{.segment = 1})).toJson().contains("Crossings"));
+    QVERIFY(!editToJson(LaySurface{.segment = 1}).contains(QLatin1String("onlyCrossings")));
+    const QJsonObject anew = editToJson(LaySurface{.segment = 1, .onlyCrossings = true});
+    QVERIFY(anew.value(QLatin1String("onlyCrossings")).toBool());
+    QCOMPARE(editToJson(*editFromJson(anew)), anew);
 }
 
 void SurfaceRulesTest::whatCrossesIsNotWrittenBack()
@@ -175,7 +178,9 @@ void SurfaceRulesTest::whatCrossesIsLaidAnew()
     QCOMPARE(crossings(), std::size_t(0));
     // The segment and the surface agree no more, as the dent was not written back yet.
     QVERIFY(m_session->document().surface->differs);
+    const std::int64_t held = m_session->document().segment(1)->voxels;
     run(WriteBack{.rules = newestSurfaceRules});
+    QVERIFY(m_session->document().segment(1)->voxels < held);
     QVERIFY(m_session->stateHash() != after);
     QVERIFY(!m_session->document().surface->isApart());
 }
