@@ -13,23 +13,32 @@
 #   packaging/bench.sh --memory    what a session with 20 segments takes
 #   packaging/bench.sh --moving    pictures while the camera moves, and after letting go
 #   packaging/bench.sh --plane     a cutting plane with a contour only, against VTK's filters
+#   packaging/bench.sh --reactions from a step of the hand to its picture: drilling, growing, undo, chunks
 #   packaging/bench.sh --refine    the surface of a segment while it is repaired, and chunks
 #   packaging/bench.sh --sculpt    masks and strokes of the sculpting tools only
 #   packaging/bench.sh --performance   all of it, written as resources/help/performance.md
-#   packaging/bench.sh --smoke     no times: what steps of the hand ask of the driver (dispatches, bytes)
-#                                  against what each may cost, as the daily tests do
+#   packaging/bench.sh --smoke     no times: what steps of the hand and their pictures cost in what is
+#                                  counted (bricks, dispatches, pixels, bytes, large allocations) against
+#                                  what is recorded in tests/data/work, as the daily tests do
+#   packaging/bench.sh --smoke --record   records it anew
 # BURIN_BENCH_PICTURES=FOLDER keeps the compared pictures.
 set -euo pipefail
 # shellcheck source=packaging/common.sh
 . "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
-if [ "$*" = --smoke ]; then
+if [ "$*" = --smoke ] || [ "$*" = "--smoke --record" ]; then
     {
         useBuildFolder
         installPackages build run test
-        build gpu_engine_test
+        build gpu_work_test
     } >&2
-    exec "$burinBuild/tests/gpu_engine_test" WorkOfStepsGlTest
+    unset BURIN_RECORD_WORK
+    [ "$*" = --smoke ] || export BURIN_RECORD_WORK=1
+    status=0
+    for counted in WorkOfStepsGlTest WorkOfPicturesGlTest; do
+        "$burinBuild/tests/gpu_work_test" "$counted" || status=1
+    done
+    exit $status
 fi
 
 performance=no
@@ -39,8 +48,8 @@ for option in "$@"; do
             [ $# -eq 1 ] || fail "--performance stands alone"
             performance=yes
             ;;
-        --json | --decode | --frames | --grow | --history | --load | --memory | --moving | --plane | --refine | --sculpt) ;;
-        *) fail "usage: packaging/bench.sh [--json] [--decode] [--frames] [--grow] [--history] [--load] [--memory] [--moving] [--plane] [--refine] [--sculpt] | --performance | --smoke" ;;
+        --json | --decode | --frames | --grow | --history | --load | --memory | --moving | --plane | --reactions | --refine | --sculpt) ;;
+        *) fail "usage: packaging/bench.sh [--json] [--decode] [--frames] [--grow] [--history] [--load] [--memory] [--moving] [--plane] [--reactions] [--refine] [--sculpt] | --performance | --smoke [--record]" ;;
     esac
 done
 

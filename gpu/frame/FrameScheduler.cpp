@@ -41,6 +41,7 @@ FrameScheduler::FrameScheduler(const Options& options)
     : m_volume(options.volume)
     , m_edits(options.edits)
     , m_wake(options.wake)
+    , m_learnsCosts(options.learnsCosts)
     , m_painter(options.volume, options.shaders)
     , m_resolve(options.shaders)
     , m_cellKernel(
@@ -324,7 +325,7 @@ void FrameScheduler::land()
     const auto view = m_views.find(tile.view);
     if (view != m_views.end())
         view->second.milliseconds += spent.count();
-    if (tile.cost)
+    if (tile.cost && m_learnsCosts)
         TileCosts::learn(*tile.cost, spent.count(), tile.pixels);
 }
 

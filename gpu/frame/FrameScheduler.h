@@ -36,6 +36,9 @@ public:
         EditWorker& edits;
         const ShaderLibrary& shaders;
         std::function<void()> wake; ///< called by request()
+        /// Whether tiles become as large as those before them allow. If not, the same requests are
+        /// drawn in the same tiles and coarseness on every machine.
+        bool learnsCosts = true;
     };
     /// Throws ShaderError.
     explicit FrameScheduler(const Options& options);
@@ -90,6 +93,7 @@ private:
     VolumeTextures& m_volume;
     EditWorker& m_edits;
     std::function<void()> m_wake;
+    bool m_learnsCosts;
     ViewPainter m_painter;
     Resolve m_resolve;
     Program m_cellKernel;

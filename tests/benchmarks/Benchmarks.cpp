@@ -10,6 +10,7 @@
 #include "tests/benchmarks/MovingBenchmark.h"
 #include "tests/benchmarks/PeerReport.h"
 #include "tests/benchmarks/PlaneBenchmark.h"
+#include "tests/benchmarks/ReactionBenchmark.h"
 #include "tests/benchmarks/RefineBenchmark.h"
 #include "tests/benchmarks/SculptBenchmark.h"
 #include "tests/benchmarks/SteeringBenchmark.h"
@@ -51,6 +52,7 @@ const std::vector<Group>& groups()
     // Memory first: what others have freed would hide what is taken.
     static const std::vector<Group> all{{"--memory", {bench::measureMemory}},
         {"--frames", {measurePeers}}, {"--moving", {bench::measureMoving}},
+        {"--reactions", {bench::measureReactions}},
         {"--grow", {bench::measureGrowth, bench::measureSteering}},
         {"--load", {bench::measureLoading}}, {"--decode", {bench::measureDecoding}},
         {"--sculpt", {bench::measureSculpting}}, {"--history", {bench::measureHistory}},

@@ -4,6 +4,7 @@
 #include "core/engine/EngineCommands.h"
 #include "gpu/engine/GpuEngine.h"
 #include "tests/benchmarks/PeerReport.h"
+#include "tests/benchmarks/WatchedViews.h"
 
 #include <algorithm>
 #include <array>
@@ -136,6 +137,7 @@ public:
         return m_grown.atClosure && m_grown.statistics.voxelsChanged > 10'000'000;
     }
     [[nodiscard]] core::EditEngine& edits() { return m_engine->edits(); }
+    [[nodiscard]] gpu::GpuEngine& engine() { return *m_engine; }
     [[nodiscard]] const core::EngineResult& grown() const { return m_grown; }
     /// @param at from the middle
     [[nodiscard]] static int codeAt(const glm::ivec3& at)
@@ -286,6 +288,73 @@ QString measureSketch(PeerReport& report, Ball& ball)
     return {};
 }
 
+/// Of an event of the slider, to the first moving picture. What an interval shows in the end does
+/// not depend on which one was there before.
+QString measureSliderPicture(PeerReport& report, Ball& ball)
+{
+    constexpr gpu::ViewId view = 1;
+    core::EditEngine& edits = ball.edits();
+    core::VolumeGeometry geometry;
+    geometry.size = glm::ivec3(side);
+    ball.engine().setVolumeGeometry(geometry, {});
+    WatchedViews views(ball.engine());
+    gpu::FrameRequest request;
+    request.view = view;
+    request.sizePixels = {1230, 870};
+    gpu::VolumeScene scene;
+    scene.targetLps = glm::dvec3(side / 2);
+    scene.eyeLps = scene.targetLps + glm::dvec3(-260.0, -430.0, 110.0);
+    scene.heightMm = 400.0;
+    scene.surfaceThreshold = 65535.0; // segments only
+    request.scene = scene;
+    request.segments.visible[1] = true;
+    request.segments.rgb[1] = 0x59C07A;
+    const auto at = [&ball](int voxels) {
+        return core::GrowBurst{.lowCode = Ball::lowCode(voxels),
+            .highCode = 65535,
+            .opening = core::GrowOpening::Narrow,
+            .generation = ball.grown().generation};
+    };
+    const auto go = [&](int voxels) {
+        edits.submit(core::ExtendEdit{core::GrowAnew{at(voxels)}});
+        edits.submit(core::ExtendEdit{core::GrowAdvance{}});
+    };
+    const auto finalAt = [&](int voxels) {
+        go(voxels);
+        edits.finish();
+        request.interacting = false;
+        views.show(request);
+        views.rest();
+        const gpu::Frame frame = views.latest(view);
+        return frame.rgba ? *frame.rgba : std::vector<std::uint8_t>();
+    };
+    views.show(request);
+    edits.submit(core::BeginEdit{at(radius)});
+    edits.finish();
+    const std::vector<std::uint8_t> wide = finalAt(radius + 2);
+    const std::vector<std::uint8_t> narrow = finalAt(radius - 2);
+    if (wide.empty() || wide == narrow || finalAt(radius + 2) != wide)
+        return QStringLiteral("steer.slider.picture: an interval shows another picture");
+    request.interacting = true;
+    views.show(request);
+    views.rest();
+    std::vector<double> times;
+    for (int round = 0; round < rounds; ++round) {
+        const std::optional<double> time =
+            views.untilSeen([&] { go(radius + (round % 2 == 0 ? -2 : 2)); }, {view});
+        if (!time)
+            return QStringLiteral("steer.slider.picture: no picture");
+        times.push_back(*time);
+        edits.finish();
+        views.rest();
+    }
+    const core::EngineResult back = ball.ended(edits.submit(core::EndEdit{core::Ending::Rollback}));
+    if (back.error)
+        return QStringLiteral("steer.slider.picture: refused");
+    report.add({"steer.slider.picture", "Ms", median(times)});
+    return {};
+}
+
 } // namespace
 
 QString measureSteering(PeerReport& report)
@@ -299,7 +368,9 @@ QString measureSteering(PeerReport& report)
         [](const core::BrickChange& change) { return change.key.field == core::Field::SeedWords; });
     report.add({"steer.words", "Bytes per 1000",
         double(bricks) * 4096 * 4 * 1000 / double(ball.grown().statistics.voxelsChanged)});
-    for (const auto measure : {measureSlider, measureRecovery, measureScrub, measureSketch}) {
+    // The last one, as the engine works for its view from then on.
+    for (const auto measure :
+        {measureSlider, measureRecovery, measureScrub, measureSketch, measureSliderPicture}) {
         if (const QString why = measure(report, ball); !why.isEmpty())
             return why;
     }

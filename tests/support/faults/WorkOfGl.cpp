@@ -3,6 +3,7 @@
 
 #include <epoxy/gl.h>
 
+#include <array>
 #include <atomic>
 
 namespace test {
@@ -15,6 +16,8 @@ std::atomic<std::int64_t> bytesUp = 0;
 std::atomic<std::int64_t> bytesDown = 0;
 std::atomic<std::int64_t> bytesWithin = 0;
 std::atomic<std::int64_t> bytesMade = 0;
+std::atomic<int> drawCalls = 0;
+std::atomic<std::int64_t> pixelsDrawn = 0;
 
 /// Of one texel as the program has it.
 std::int64_t texelBytes(GLenum format, GLenum type)
@@ -93,6 +96,22 @@ void countingTexels(GLuint texture, GLint level, GLint x, GLint y, GLint z, GLsi
     own(texture, level, x, y, z, width, height, depth, format, type, texels);
 }
 
+void countingFlatTexels(GLuint texture, GLint level, GLint x, GLint y, GLsizei width,
+    GLsizei height, GLenum format, GLenum type, const void* texels)
+{
+    static const auto own = driversOwn<PFNGLTEXTURESUBIMAGE2DPROC>("glTextureSubImage2D");
+    bytesUp += std::int64_t(width) * height * texelBytes(format, type);
+    own(texture, level, x, y, width, height, format, type, texels);
+}
+
+void countingPixelsRead(
+    GLint x, GLint y, GLsizei width, GLsizei height, GLenum format, GLenum type, void* into)
+{
+    static const auto own = driversOwn<PFNGLREADPIXELSPROC>("glReadPixels");
+    bytesDown += std::int64_t(width) * height * texelBytes(format, type);
+    own(x, y, width, height, format, type, into);
+}
+
 void countingTexelsRead(GLuint texture, GLint level, GLint x, GLint y, GLint z, GLsizei width,
     GLsizei height, GLsizei depth, GLenum format, GLenum type, GLsizei size, void* texels)
 {
@@ -133,6 +152,32 @@ void countingCopyTexels(GLuint from, GLenum fromTarget, GLint fromLevel, GLint f
         width, height, depth);
 }
 
+/// A pass draws one triangle over the whole target and cuts out its tile by scissors.
+void countingArrays(GLenum mode, GLint first, GLsizei count)
+{
+    static const auto own = driversOwn<PFNGLDRAWARRAYSPROC>("glDrawArrays");
+    std::array<GLint, 4> place{};
+    glGetIntegerv(
+        glIsEnabled(GL_SCISSOR_TEST) == GL_TRUE ? GL_SCISSOR_BOX : GL_VIEWPORT, place.data());
+    ++drawCalls;
+    pixelsDrawn += std::int64_t(place[2]) * place[3];
+    own(mode, first, count);
+}
+
+void countingElements(GLenum mode, GLsizei count, GLenum type, const void* indices)
+{
+    static const auto own = driversOwn<PFNGLDRAWELEMENTSPROC>("glDrawElements");
+    ++drawCalls;
+    own(mode, count, type, indices);
+}
+
+void countingInstances(GLenum mode, GLint first, GLsizei count, GLsizei instances)
+{
+    static const auto own = driversOwn<PFNGLDRAWARRAYSINSTANCEDPROC>("glDrawArraysInstanced");
+    ++drawCalls;
+    own(mode, first, count, instances);
+}
+
 } // namespace
 
 WorkOfGl::WorkOfGl()
@@ -150,6 +195,11 @@ WorkOfGl::WorkOfGl()
     m_gl.lead(epoxy_glClearTexSubImage, &countingClear);
     m_gl.lead(epoxy_glClearTexImage, &countingClearWhole);
     m_gl.lead(epoxy_glCopyImageSubData, &countingCopyTexels);
+    m_gl.lead(epoxy_glTextureSubImage2D, &countingFlatTexels);
+    m_gl.lead(epoxy_glReadPixels, &countingPixelsRead);
+    m_gl.lead(epoxy_glDrawArrays, &countingArrays);
+    m_gl.lead(epoxy_glDrawElements, &countingElements);
+    m_gl.lead(epoxy_glDrawArraysInstanced, &countingInstances);
 }
 
 GlWork WorkOfGl::take()
@@ -159,7 +209,9 @@ GlWork WorkOfGl::take()
         .bytesUp = bytesUp.exchange(0),
         .bytesDown = bytesDown.exchange(0),
         .bytesWithin = bytesWithin.exchange(0),
-        .bytesMade = bytesMade.exchange(0)};
+        .bytesMade = bytesMade.exchange(0),
+        .draws = drawCalls.exchange(0),
+        .pixels = pixelsDrawn.exchange(0)};
 }
 
 } // namespace test

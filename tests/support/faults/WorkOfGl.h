@@ -19,6 +19,9 @@ struct GlWork {
     /// Copied or cleared within the driver; texels of textures count as one byte each.
     std::int64_t bytesWithin = 0;
     std::int64_t bytesMade = 0; ///< of new buffers
+    int draws = 0;
+    /// Of draws of triangles that fill their place: as many as the scissors, or the whole target.
+    std::int64_t pixels = 0;
     bool operator==(const GlWork&) const = default;
 };
 

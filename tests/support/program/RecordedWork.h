@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QByteArray>
+#include <QStringList>
+
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace test {
+
+/// What a step costs in things that are counted (calls, bytes), and so costs on every machine.
+struct CountedStep {
+    QByteArray name; ///< unique among the steps of a record
+    std::vector<std::pair<QByteArray, std::int64_t>> counts; ///< each with its name
+};
+
+/// Compares steps with what they cost when that was recorded, in tests/data/work. If
+/// BURIN_RECORD_WORK is set they replace the record instead.
+/// @param record name of the file
+/// @return a sentence for each count that has grown, and for each step that only one of the two has
+[[nodiscard]] QStringList grownSinceRecorded(
+    const QString& record, const std::vector<CountedStep>& steps);
+
+} // namespace test
