@@ -93,13 +93,13 @@ public:
     [[nodiscard]] Seen seen()
     {
         move(false);
-        Seen seen;
+        Seen now;
         if (m_session->settle())
-            seen.hash = m_session->stateHash();
+            now.hash = m_session->stateHash();
         m_views.rest();
         if (const gpu::Frame frame = m_views.latest(stage); frame.rgba)
-            seen.stage = *frame.rgba;
-        return seen;
+            now.stage = *frame.rgba;
+        return now;
     }
 
 private:

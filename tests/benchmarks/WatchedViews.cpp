@@ -80,7 +80,7 @@ std::optional<double> WatchedViews::untilSeen(const std::function<void()>& done,
     const std::vector<gpu::ViewId>& views, std::chrono::milliseconds patience)
 {
     std::unique_lock lock(m_guard);
-    m_awaited = {views.begin(), views.end()};
+    m_awaited = std::set<gpu::ViewId>(views.begin(), views.end());
     lock.unlock();
     const Clock::time_point start = Clock::now();
     done();
