@@ -133,26 +133,19 @@ std::vector<Counted> WorkOfPicturesGlTest::stepsIn(int side)
     EditSession& known = **session;
     m_gpu.place(study.volume);
     test::WorkOfGl work;
-    const auto step = [&](const char* name, const std::function<void()>& taken) {
-        m_gpu.rest();
-        static_cast<void>(work.take());
-        taken();
-        const gpu::FrameScheduler::Counters drawn = m_gpu.draw();
-        all.push_back({name, work.take(), drawn});
-    };
     const auto require = [](const Result<void>& done) {
         if (!done)
             qWarning("a step was refused");
     };
     const auto settle = [&] { require(known.settle()); };
-    // An open edit asks, and waits for the answer, before it begins.
-    const auto calm = [&] {
-        for (int i = 0; i < 4; ++i) {
-            m_gpu.engine().finish();
-            known.poll();
-        }
-        if (!known.transactionOpen())
-            qWarning("the edit is not open");
+    const auto step = [&](const char* name, const std::function<void()>& taken) {
+        m_gpu.rest();
+        static_cast<void>(work.take());
+        m_gpu.doInTurn(known, taken);
+        const gpu::FrameScheduler::Counters drawn = m_gpu.draw();
+        all.push_back({name, work.take(), drawn});
+        if (!known.transactionOpen()) // or it would end
+            settle();
     };
     // Then the pictures are those of before the step.
     const auto look = [&] { static_cast<void>(m_gpu.draw()); };
@@ -187,57 +180,43 @@ std::vector<Counted> WorkOfPicturesGlTest::stepsIn(int side)
         // All that follows is done while something moves: to settle costs what it cost above.
         m_gpu.request(stageAt(degrees, true));
         look();
-        require(known.begin(test::begunStroke(drill)));
-        known.extendDrill({pen[0]});
-        calm();
-        look();
-        step("tick of the drill", [&] {
-            known.extendDrill({pen[1]});
-            calm();
+        m_gpu.doInTurn(known, [&] {
+            require(known.begin(test::begunStroke(drill)));
+            known.extendDrill({pen[0]});
         });
+        look();
+        step("tick of the drill", [&] { known.extendDrill({pen[1]}); });
         end(Ending::Commit);
         look();
-        step("undo of the drill", [&] {
-            require(known.undo());
-            settle();
-        });
-        step("redo of the drill", [&] {
-            require(known.redo());
-            settle();
-        });
+        step("undo of the drill", [&] { require(known.undo()); });
+        step("redo of the drill", [&] { require(known.redo()); });
 
         prepare(test::seedAt(1, {Ball::middle}));
         look();
-        require(known.begin(test::growBetween(500.0, 2000.0, 20)));
-        known.extendGrowth({.steps = 6});
-        calm();
-        look();
-        step("generation of a growth", [&] {
-            known.extendGrowth({.steps = 1});
-            calm();
+        m_gpu.doInTurn(known, [&] {
+            require(known.begin(test::growBetween(500.0, 2000.0, 20)));
+            known.extendGrowth({.steps = 6});
         });
+        look();
+        step("generation of a growth", [&] { known.extendGrowth({.steps = 1}); });
         end(Ending::Commit);
         look();
 
-        require(known.begin(ShrinkSteps{.steps = 0}));
-        calm();
+        m_gpu.doInTurn(known, [&] { require(known.begin(ShrinkSteps{.steps = 0})); });
         look();
-        step("scrub of a growth", [&] {
-            known.setShrinkSteps(2);
-            calm();
-        });
+        step("scrub of a growth", [&] { known.setShrinkSteps(2); });
         end(Ending::Rollback);
         ChangeInterval change;
         change.criteria.lower = 600.0;
         change.criteria.upper = 2000.0;
-        require(known.begin(change));
-        known.extendGrowth({.steps = 1});
-        calm();
+        m_gpu.doInTurn(known, [&] {
+            require(known.begin(change));
+            known.extendGrowth({.steps = 1});
+        });
         look();
         step("event of the interval", [&] {
             known.setInterval(Ball::valueAt(5.0), 2000.0);
             known.extendGrowth({.steps = 1});
-            calm();
         });
         end(Ending::Rollback);
         look();
@@ -253,16 +232,9 @@ std::vector<Counted> WorkOfPicturesGlTest::stepsIn(int side)
             require(known.apply(ChunkToggle{.segment = 1,
                 .chunks = 6,
                 .pointsLps = {Ball::middle + glm::dvec3(10.0, 2.0, 0.0)}}));
-            settle();
         });
-        step("undo of a chunk", [&] {
-            require(known.undo());
-            settle();
-        });
-        step("back through the history", [&] {
-            require(known.goTo(beginning));
-            settle();
-        });
+        step("undo of a chunk", [&] { require(known.undo()); });
+        step("back through the history", [&] { require(known.goTo(beginning)); });
     }
     return all;
 }

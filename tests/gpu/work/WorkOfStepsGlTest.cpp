@@ -165,36 +165,31 @@ std::vector<Counted> WorkOfStepsGlTest::stepsIn(int side)
         return all;
     EditSession& known = **session;
     test::WorkOfGl work;
-    const auto count = [&](const char* name, const std::function<bool()>& taken) {
+    const auto count = [&](const char* name, const std::function<bool()>& taken, bool whole) {
         m_gpu.rest();
         static_cast<void>(work.take());
         allocations = 0;
         bytesAllocated = 0;
         counting = true;
-        const bool done = taken();
-        m_gpu.rest(); // what views need follows
+        bool done = false;
+        m_gpu.doInTurn(known, [&] { done = taken(); });
+        if (whole) // and its difference is there
+            done = done && known.settle();
         counting = false;
         all.push_back({name, work.take(), 0, allocations, bytesAllocated});
         if (!done)
             qWarning("%s failed", name);
     };
     const auto step = [&](const char* name, const std::function<bool()>& taken) {
-        count(name, [&] { return taken() && known.settle(); });
+        count(name, taken, true);
         all.back().bricks = known.history().rows().back().statistics.bricks;
     };
-    // An open edit asks, and waits for the answer, before it begins.
-    const auto calm = [&] {
-        for (int i = 0; i < 4; ++i) {
-            m_gpu.engine().finish();
-            known.poll();
-        }
-        return known.transactionOpen();
-    };
     const auto event = [&](const char* name, const std::function<void()>& told) {
-        count(name, [&] {
+        const auto taken = [&] {
             told();
-            return calm();
-        });
+            return known.transactionOpen();
+        };
+        count(name, taken, false);
     };
     const auto begin = [&](const Edit& edit) {
         if (!known.begin(edit))
@@ -266,16 +261,16 @@ std::vector<Counted> WorkOfStepsGlTest::stepsIn(int side)
 
         // Parts of steps: what one event of a slider costs.
         prepare(test::growBetween(500.0, 2000.0, 12));
-        begin(ShrinkSteps{.steps = 0});
-        calm();
+        m_gpu.doInTurn(known, [&] { begin(ShrinkSteps{.steps = 0}); });
         event("scrub of a growth", [&] { known.setShrinkSteps(3); });
         end(Ending::Rollback);
         ChangeInterval change;
         change.criteria.lower = 600.0;
         change.criteria.upper = 2000.0;
-        begin(change);
-        known.extendGrowth({.steps = 1});
-        calm();
+        m_gpu.doInTurn(known, [&] {
+            begin(change);
+            known.extendGrowth({.steps = 1});
+        });
         const auto interval = [&known](double lower) {
             known.setInterval(lower, 2000.0);
             known.extendGrowth({.steps = 1});
