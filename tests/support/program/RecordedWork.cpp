@@ -13,19 +13,6 @@ namespace {
 
 using Recorded = std::map<QByteArray, std::map<QByteArray, std::int64_t>>; ///< step, count
 
-/// One line a step: its name, then each count with its name.
-QByteArray linesOf(const std::vector<CountedStep>& steps)
-{
-    QByteArray text;
-    for (const CountedStep& step : steps) {
-        text += step.name;
-        for (const auto& [what, count] : step.counts)
-            text += " | " + what + ' ' + QByteArray::number(qlonglong(count));
-        text += '\n';
-    }
-    return text;
-}
-
 Recorded recordedIn(const QByteArray& text)
 {
     Recorded recorded;
@@ -45,19 +32,21 @@ Recorded recordedIn(const QByteArray& text)
 
 } // namespace
 
-QStringList grownSinceRecorded(const QString& record, const std::vector<CountedStep>& steps)
+QByteArray recordOf(const std::vector<CountedStep>& steps)
 {
-    QFile file(QStringLiteral(BURIN_TEST_DATA_DIR "/work/") + record);
-    if (qEnvironmentVariableIsSet("BURIN_RECORD_WORK")) {
-        if (!QDir().mkpath(QFileInfo(file).path()) || !file.open(QIODevice::WriteOnly)
-            || file.write(linesOf(steps)) < 0)
-            qFatal("cannot write %s", qUtf8Printable(file.fileName()));
-        return {};
+    QByteArray text;
+    for (const CountedStep& step : steps) {
+        text += step.name;
+        for (const auto& [what, count] : step.counts)
+            text += " | " + what + ' ' + QByteArray::number(qlonglong(count));
+        text += '\n';
     }
-    if (!file.open(QIODevice::ReadOnly))
-        return {QStringLiteral("there is no %1; packaging/bench.sh --smoke --record writes it")
-                    .arg(file.fileName())};
-    Recorded recorded = recordedIn(file.readAll());
+    return text;
+}
+
+QStringList grownSince(const QByteArray& record, const std::vector<CountedStep>& steps)
+{
+    Recorded recorded = recordedIn(record);
     QStringList grown;
     for (const CountedStep& step : steps) {
         const auto before = recorded.find(step.name);
@@ -80,6 +69,21 @@ QStringList grownSinceRecorded(const QString& record, const std::vector<CountedS
     for (const auto& [name, counts] : recorded)
         grown += QStringLiteral("%1 is recorded, and no step").arg(QString::fromUtf8(name));
     return grown;
+}
+
+QStringList grownSinceRecorded(const QString& file, const std::vector<CountedStep>& steps)
+{
+    QFile record(QStringLiteral(BURIN_TEST_DATA_DIR "/work/") + file);
+    if (qEnvironmentVariableIsSet("BURIN_RECORD_WORK")) {
+        if (!QDir().mkpath(QFileInfo(record).path()) || !record.open(QIODevice::WriteOnly)
+            || record.write(recordOf(steps)) < 0)
+            qFatal("cannot write %s", qUtf8Printable(record.fileName()));
+        return {};
+    }
+    if (!record.open(QIODevice::ReadOnly))
+        return {QStringLiteral("there is no %1; packaging/bench.sh --smoke --record writes it")
+                    .arg(record.fileName())};
+    return grownSince(record.readAll(), steps);
 }
 
 } // namespace test

@@ -16,11 +16,18 @@ struct CountedStep {
     std::vector<std::pair<QByteArray, std::int64_t>> counts; ///< each with its name
 };
 
+/// A record of steps, one line each.
+[[nodiscard]] QByteArray recordOf(const std::vector<CountedStep>& steps);
+/// Compares steps with a record.
+/// @return a sentence for each count that has grown, and for each step that only one of the two has
+[[nodiscard]] QStringList grownSince(
+    const QByteArray& record, const std::vector<CountedStep>& steps);
+
 /// Compares steps with what they cost when that was recorded, in tests/data/work. If
 /// BURIN_RECORD_WORK is set they replace the record instead.
-/// @param record name of the file
-/// @return a sentence for each count that has grown, and for each step that only one of the two has
+/// @param file name of the record
+/// @return as above
 [[nodiscard]] QStringList grownSinceRecorded(
-    const QString& record, const std::vector<CountedStep>& steps);
+    const QString& file, const std::vector<CountedStep>& steps);
 
 } // namespace test
