@@ -9,6 +9,7 @@
 #include <QFileInfo>
 
 #include <algorithm>
+#include <iterator>
 #include <numeric>
 #include <optional>
 #include <vector>
@@ -27,6 +28,13 @@ bool isOfASession(const QString& path)
     if (!whole || path == QLatin1String("/"))
         return false;
     const QString first = path.section(QLatin1Char('/'), 1, 1);
+    // The whole of what a system itself puts there is nobody's study.
+    static constexpr const char* ofTheSystem[]{"bin", "boot", "etc", "home", "lib", "lib32",
+        "lib64", "libx32", "media", "mnt", "opt", "root", "sbin", "srv", "tmp", "usr", "var"};
+    if (path.count(QLatin1Char('/')) == 1
+        && std::any_of(std::begin(ofTheSystem), std::end(ofTheSystem),
+            [&first](const char* name) { return first == QLatin1String(name); }))
+        return false;
     // Sticks and discs are mounted below /run/media.
     if (first == QLatin1String("run"))
         return path.startsWith(QLatin1String("/run/media/"));
@@ -96,7 +104,7 @@ QStringList keysOf(const StudyListing& listing, const SessionSource& source, con
 
 /// Who says that the study is there. A stranger's session may name any folder of this machine.
 enum class Asked { ByUser, BySession };
-constexpr int mostFilesOfASessionsPlace = 100'000;
+constexpr int mostFilesOfASessionsPlace = 20'000;
 
 Result<LoadedVolume> loadFrom(const QString& place, const QString& sessionFile,
     const QString& series, const SessionSource& source, Asked asked, const Progress& progress)

@@ -74,8 +74,9 @@ Result<QStringList> filesBelow(const QString& path, int mostFiles)
     // Links to folders are not followed: they may lead round in circles.
     QDirIterator iterator(
         root, QDir::Files | QDir::Hidden | QDir::NoDotAndDotDot, QDirIterator::Subdirectories);
+    int seen = 0;
     while (iterator.hasNext()) {
-        if (files.size() >= mostFiles)
+        if (++seen > mostFiles)
             return failure(ErrorCode::TooManyFiles, path, QString::number(mostFiles));
         const QString file = iterator.next();
         if (isSession(iterator.fileName())) {

@@ -11,6 +11,7 @@
 #include "tests/support/scenes/SmallStudy.h"
 #include "tests/support/series/SessionFiles.h"
 
+#include <QDir>
 #include <QElapsedTimer>
 #include <QFile>
 #include <QTemporaryDir>
@@ -186,7 +187,8 @@ private Q_SLOTS:
     {
         SessionSource source;
         for (const char* path : {"/", "//", "/..", "/proc", "/proc/self", "/sys", "/dev/zero",
-                 "/run", "../../../..", "usr", ".", "/usr/../usr", "/usr/", "//usr/share"}) {
+                 "/run", "../../../..", "usr", ".", "/usr/../usr", "/usr/", "//usr/share", "/usr",
+                 "/home", "/var", "/tmp"}) {
             source.path = QLatin1String(path);
             QVERIFY2(studyPlaces(m_path, source).isEmpty(), path);
         }
@@ -196,6 +198,29 @@ private Q_SLOTS:
         QVERIFY(studyPlaces(m_path, source).isEmpty());
         source.path = m_folder->path();
         QCOMPARE(studyPlaces(m_path, source).value(0), m_folder->path());
+    }
+
+    /// Nor is a folder searched for long that only a session has named.
+    void placesOfStrangersAreNotSearchedForLong()
+    {
+        const QString folder = m_folder->filePath(QStringLiteral("many"));
+        QVERIFY(QDir().mkpath(folder));
+        constexpr int most = 20'000;
+        for (int i = 0; i <= most; ++i) {
+            QFile file(QStringLiteral("%1/%2").arg(folder).arg(i));
+            QVERIFY(file.open(QIODevice::WriteOnly));
+        }
+        SessionSource source;
+        source.path = folder;
+        const auto found = loadSessionStudy(m_path, source);
+        QVERIFY(!found);
+        QCOMPARE(found.error().code, ErrorCode::SessionMismatch);
+        QVERIFY2(found.error().arguments.join(QLatin1String(" ")).contains(QLatin1String("20000")),
+            qPrintable(found.error().arguments.join(QLatin1String(" "))));
+        QVERIFY(QFile::remove(QStringLiteral("%1/0").arg(folder)));
+        const auto fewer = loadSessionStudy(m_path, source);
+        QVERIFY(!fewer); // there is nothing in it, but it was looked through
+        QVERIFY(!fewer.error().arguments.join(QLatin1String(" ")).contains(QLatin1String("20000")));
     }
 
     /// Pages of a tree that are each other's children: a small file with more rows than anybody can
