@@ -44,6 +44,8 @@ const Binding bindings[] = {
     {"Pen's upper button + drag", "zoom; grey scale with a tool", "zoom"},
     {"Pen's upper button, pressed", "menu of the place", "menu of the place"},
     {"Double click", "this view alone, or all four", "this view alone, or all four"},
+    {"Double click, with a tool", "two clicks of the tool; Space held: this view alone",
+        "two clicks of the tool; Space held: this view alone"},
     {"Z held", "lens: what is under the pointer, three times as large", ""},
     {"Up, Down, Page Up, Page Down", "one slice; ten slices", ""},
     {"Home, End", "first, last slice", ""},

@@ -107,6 +107,7 @@ private Q_SLOTS:
     void wheelWithModifiersServesTheTool();
     void shiftMovesTheCrosshairAlong();
     void doubleClickMaximises();
+    void aDoubleClickWithAToolIsTwoOfItsClicks();
     void spaceNavigatesWithAToolInHand();
     void aToolForgetsThePointerWithTheStudy();
     void toolsDrawOverAnnotations();
@@ -469,6 +470,32 @@ void ViewsUiTest::doubleClickMaximises()
     QTest::mouseDClick(&grid.sagittal(), Qt::LeftButton);
     QVERIFY(!grid.maximised());
     QVERIFY(grid.axial().isVisible());
+}
+
+/// A tool in the hand gets every press, as quick taps of a drill must not be lost; Space lends the
+/// view.
+void ViewsUiTest::aDoubleClickWithAToolIsTwoOfItsClicks()
+{
+    test::WindowFixture fixture(test::headFirstSupine());
+    ui::ViewGrid& grid = fixture.window.views();
+    SliceView& axial = grid.axial();
+    NotingTool tool;
+    fixture.workspace.setActiveTool(&tool);
+    const glm::dvec3 crosshair = fixture.workspace.crosshairLps();
+    QTest::mouseClick(&axial, Qt::LeftButton, {}, QPoint(31, 43));
+    QTest::mouseDClick(&axial, Qt::LeftButton, {}, QPoint(31, 43));
+    QVERIFY(!grid.maximised());
+    QVERIFY(fixture.workspace.crosshairLps() == crosshair);
+    QVERIFY(tool.heard.count('p') >= 2);
+    tool.heard.clear();
+    axial.setFocus();
+    QTest::keyPress(&axial, Qt::Key_Space);
+    QTest::mouseClick(&axial, Qt::LeftButton, {}, QPoint(31, 43));
+    QTest::mouseDClick(&axial, Qt::LeftButton, {}, QPoint(31, 43));
+    QTest::keyRelease(&axial, Qt::Key_Space);
+    QCOMPARE(grid.maximised(), &axial);
+    QVERIFY(!tool.heard.contains('p'));
+    fixture.workspace.setActiveTool(nullptr);
 }
 
 void ViewsUiTest::spaceNavigatesWithAToolInHand()
