@@ -137,6 +137,36 @@ bool mayHoldSentences(const QString& file)
     return inFolder(file, folders) || files.contains(file);
 }
 
+/// Where product files write, move or remove a file. Everything else hands its bytes to
+/// core/base/files/StagedFile, which leaves no half of a file and touches none that a run reads.
+/// None is to be added without a reason.
+bool mayWriteFiles(const QString& file)
+{
+    static const QStringList folders{QStringLiteral("core/base/files")}; // the door itself
+    static const QStringList files{
+        // What they write lies in a staged place, which StagedFile made and moves.
+        QStringLiteral("core/dicom/write/SaveDicom.cpp"),
+        QStringLiteral("core/export/MeasurementsCsv.cpp"),
+        QStringLiteral("core/export/WriteStatistics.cpp"),
+        QStringLiteral("core/demo/DemoStudy.cpp"), QStringLiteral("app/steps/TracedRun.cpp"),
+        QStringLiteral("ui/dialogs/export/Screenshot.cpp"),
+        QStringLiteral("ui/report/WriteAudit.cpp"),
+        // Sessions, which SQLite writes: new ones, those set aside, copies beside them.
+        QStringLiteral("core/sessionfile/SessionPlaces.cpp"),
+        QStringLiteral("core/sessionfile/records/SessionUse.cpp"),
+        QStringLiteral("app/steps/SessionPlan.cpp"), QStringLiteral("app/steps/SessionTarget.cpp"),
+        QStringLiteral("app/window/Application.cpp"),
+        // What arrives or is unpacked, into a folder that this process made for it.
+        QStringLiteral("core/archive/ArchiveReader.cpp"),
+        QStringLiteral("core/dicomweb/WebIntake.cpp"),
+        QStringLiteral("core/pacs/retrieve/DownloadFolder.cpp"),
+        QStringLiteral("core/pacs/retrieve/ObjectIntake.cpp"),
+        // A batch, in the hidden folder of its attempt and in its own records.
+        QStringLiteral("app/batch/StudyAttempt.cpp"), QStringLiteral("app/batch/StudyResults.cpp"),
+        QStringLiteral("app/end/EndNote.cpp")}; // why a program ended, for its next start
+    return inFolder(file, folders) || files.contains(file);
+}
+
 /// Where core words clauses that are no core::Clause. None is to be added.
 bool mayHoldClauses(const QString& file)
 {
@@ -236,6 +266,22 @@ QStringList brokenRules(const QString& file, const QString& text)
         broken << QStringLiteral("%1 starts a thread: core/base/TaskThread and ParallelFor do, "
                                  "which catch what it throws")
                       .arg(file);
+    static const QRegularExpression writes(QStringLiteral(
+        "(?<!buffer)(?:\\.|->)open\\(\\s*QIODevice::(?:WriteOnly|ReadWrite|Append)|\\bO_CREAT\\b|"
+        "\\bofstream\\b|\\bQSaveFile\\b|\\bQTemporaryFile\\b|\\bfopen\\([^;]*\"[wa]|"
+        "\\bQFile::(?:remove|rename|copy)\\(|\\bfilesystem::(?:remove|rename|copy)"));
+    if (!inFolder(file, {QStringLiteral("tests")}) && !mayWriteFiles(file)
+        && writes.match(QString(text).remove(comment)).hasMatch())
+        broken << QStringLiteral("%1 writes or removes a file: core/base/files/StagedFile does")
+                      .arg(file);
+    // Who is told may be coming apart, too, and a part that was destroyed before is asked.
+    static const QRegularExpression destructor(
+        QStringLiteral("::~\\w+\\(\\)[^{};]*(\\{(?:[^{}]++|(?1))*+\\})"));
+    for (auto match = destructor.globalMatch(QString(text).remove(comment));
+         !inFolder(file, {QStringLiteral("tests")}) && match.hasNext();) {
+        if (match.next().captured(1).contains(QLatin1String("Q_EMIT")))
+            broken << QStringLiteral("%1 emits a signal while it is destroyed").arg(file);
+    }
     static const QRegularExpression testClass(
         QStringLiteral("^BURIN_(?:WINDOW_|PLAIN_)?TEST(?:_RUN)?\\((\\w)(\\w*)"),
         QRegularExpression::MultilineOption);
@@ -450,6 +496,16 @@ void HouseTest::ruleBites_data()
     row("core/a/A.cpp", "return tr(\"empty\");", false);
     row("gpu/A.cpp", "return QCoreApplication::translate(\"gpu\", \"empty\");", false);
     row("core/a/A.cpp", "moved = glm::translate(moved, by);", true);
+    row("core/a/A.cpp", "if (!file.open(QIODevice::WriteOnly | QIODevice::Truncate))", false);
+    row("ui/A.cpp", "QFile::remove(path);", false);
+    row("app/A.cpp", "std::ofstream out(path);", false);
+    row("ui/A.cpp", "buffer.open(QIODevice::WriteOnly);", true);
+    row("core/a/A.cpp", "QDataStream stream(&bytes, QIODevice::WriteOnly);", true);
+    row("core/a/A.cpp", "file.open(QIODevice::ReadOnly);", true);
+    row("core/base/files/A.cpp", "QFile::remove(path);", true);
+    row("ui/A.cpp", "A::~A()\n{\n    if (m_b) {\n        m_b = {};\n    }\n    Q_EMIT ended();\n}",
+        false);
+    row("ui/A.cpp", "A::~A()\n{\n    stop();\n}\n\nvoid A::end()\n{\n    Q_EMIT ended();\n}", true);
 }
 
 void HouseTest::ruleBites()
