@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/panels/growth/GrowCriteriaSection.h"
 
-#include "core/edits/kinds/growth/GrowLimits.h"
 #include "core/session/EditSession.h"
 #include "core/session/questions/VoxelQuestions.h"
 #include "ui/base/SmallLabel.h"
 #include "ui/base/StudyTexts.h"
 #include "ui/base/Theme.h"
 #include "ui/overlays/SeedBand.h"
+#include "ui/panels/growth/PlainLimits.h"
 #include "ui/settings/SeedValues.h"
 #include "ui/widgets/FoldButton.h"
 #include "ui/widgets/RangeSlider.h"
@@ -108,12 +108,13 @@ void GrowCriteriaSection::build()
     addRow(&GrowSettings::gradientDifference, "growGradientDifference", tr("Gradient step"),
         tr("The gradient's magnitude differs by no more than this from that at the voxel it is "
            "reached from"));
-    addRow(&GrowSettings::majority, "growMajority", tr("Neighbours"),
+    addRow(&GrowSettings::majority, "growMajority", smoothName(),
         tr("Of the 27 voxels around and at a voxel at least so many lie in the interval: keeps "
-           "growth out of thin bridges and noise"));
-    addRow(&GrowSettings::passage, "growPassage", tr("Passage at least"),
+           "growth out of thin bridges and noise. In few steps it is above, too"));
+    addRow(&GrowSettings::passage, "growPassage", tr("Necks at least"),
         tr("Growth goes only where a ball of this diameter can roll to from a seed: through no "
-           "narrower neck, and through no smaller hole in a wall, be it ever so thin"));
+           "narrower neck, and through no smaller hole in a wall, be it ever so thin. It is the "
+           "width above, too"));
     m_onlyVisible = new QCheckBox(tr("Only what is not carved"), m_body);
     m_onlyVisible->setObjectName(QStringLiteral("growOnlyVisible"));
     m_onlyVisible->setMinimumHeight(theme::controlHeight); // as the rows with a value
@@ -255,13 +256,7 @@ void GrowCriteriaSection::showVolume()
                 row.value->setRange(1.0, 27.0);
                 row.value->setSuffix(tr(" of 27"));
             } else if (row.limit == &GrowSettings::passage) {
-                // A narrower one would ask nothing, a wider one is refused.
-                const double least = core::leastPassageMm(volume->geometry);
-                row.value->setDecimals(2);
-                row.value->setRange(std::ceil(least * 100.0) / 100.0,
-                    std::floor(core::greatestPassageMm(volume->geometry) * 100.0) / 100.0);
-                row.value->setSingleStep(least / 2.0);
-                row.value->setSuffix(tr(" mm"));
+                showPassageWidths(*row.value, volume->geometry);
             } else {
                 const bool gradient = row.limit != &GrowSettings::difference;
                 row.value->setDecimals(decimalsFor(value));

@@ -13,6 +13,7 @@
 #include "ui/panels/growth/GrowthButtons.h"
 #include "ui/panels/growth/LeakSection.h"
 #include "ui/panels/growth/PinholeOffer.h"
+#include "ui/panels/growth/PlainLimits.h"
 #include "ui/panels/growth/SeedInterval.h"
 #include "ui/panels/growth/SpreadBar.h"
 #include "ui/panels/growth/ToleranceSection.h"
@@ -196,6 +197,7 @@ void GrowthPanel::build()
     layout->addWidget(m_fromSeeds);
     layout->addWidget(m_range);
     layout->addWidget(m_intervalChange);
+    layout->addWidget(new PlainLimits(m_workspace, this));
     layout->addLayout(transport);
     layout->addWidget(m_turnsText);
     layout->addWidget(m_fromSeeds->note());

@@ -10,6 +10,7 @@
 #include "ui/base/ErrorText.h"
 #include "ui/base/StudyTexts.h"
 #include "ui/base/Theme.h"
+#include "ui/panels/growth/PlainLimits.h"
 #include "ui/panels/growth/ToleranceBar.h"
 #include "ui/workspace/PendingSeeds.h"
 #include "ui/workspace/Workspace.h"
@@ -39,9 +40,9 @@ QString nameOf(const QString& field)
     if (field == QLatin1String("tolerance.gradientDifference"))
         return ToleranceSection::tr("Gradient step");
     if (field == QLatin1String("tolerance.majority"))
-        return ToleranceSection::tr("Neighbours");
+        return smoothName();
     if (field == QLatin1String("tolerance.passage"))
-        return ToleranceSection::tr("Passage at least");
+        return necksName();
     return {};
 }
 
@@ -221,6 +222,8 @@ void ToleranceSection::refuse(const core::Error& error)
     const QString field = error.arguments.value(0);
     if (field == QLatin1String("seeds") || error.code == core::ErrorCode::UnknownSegment)
         m_whyNot = tr("The active segment has no seeds: sketch some with the Seed tool.");
+    else if (nameOf(field) == smoothName() || nameOf(field) == necksName())
+        m_whyNot = tr("Switch “%1” off: it knows no least tolerance.").arg(nameOf(field));
     else if (!nameOf(field).isEmpty())
         m_whyNot =
             tr("Switch “%1” off under Criteria: it knows no least tolerance.").arg(nameOf(field));

@@ -250,6 +250,21 @@ private Q_SLOTS:
         fixture.workspace.setGrowSettings(settings);
         fixture.wait();
         QVERIFY(fixture.bar.isVisible());
+        // Those that stand in front are told by their words there.
+        for (const bool smooth : {true, false}) {
+            settings.majority.on = smooth;
+            settings.passage = {.on = !smooth, .value = 3.0};
+            fixture.workspace.setGrowSettings(settings);
+            const QString name = smooth ? QStringLiteral("“Smooth”")
+                                        : QStringLiteral("“Stop at necks narrower than”");
+            QTRY_VERIFY((fixture.session().poll(), fixture.text().contains(name)));
+            QVERIFY2(
+                !fixture.text().contains(QStringLiteral("Criteria")), qPrintable(fixture.text()));
+        }
+        settings.passage.on = false;
+        fixture.workspace.setGrowSettings(settings);
+        fixture.wait();
+        QVERIFY(fixture.bar.isVisible());
     }
 
     /// The tolerance was traced for one segment: seeds of others go on waiting.
