@@ -4,6 +4,7 @@
 #include "core/edits/kinds/growth/GrowLimits.h"
 #include "ui/base/SmallLabel.h"
 #include "ui/base/Theme.h"
+#include "ui/settings/GrowPresets.h"
 #include "ui/workspace/Workspace.h"
 
 #include <QCheckBox>
@@ -11,22 +12,19 @@
 #include <QDoubleSpinBox>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QMenu>
 #include <QSignalBlocker>
+#include <QToolButton>
 #include <QVBoxLayout>
 
 #include <cmath>
+#include <cstddef>
 
 namespace ui {
 
 namespace {
 
-// Where a voxel and its neighbours all qualify, a thread one voxel thick has 3 of 27 around it, a
-// sheet 9, a bar two voxels thick 12, a flat border 18. At a flat border in noise the strongest
-// step still allows two voxels that fail.
-constexpr int smoothALittle = 10;
-constexpr int smoothMore = 14;
-constexpr int smoothStrong = 16;
-constexpr int smoothSteps = 4;
+constexpr int smoothSteps = 4; ///< with "off"
 
 } // namespace
 
@@ -86,10 +84,12 @@ void PlainLimits::build()
     m_smooth->setAccessibleName(smoothName());
     m_smooth->setToolTip(smoothTip);
     m_smooth->setFixedHeight(theme::controlHeight);
+    m_smooth->setMinimumContentsLength(7); // "27 of 27" comes later
     m_smooth->addItem(tr("off"), 0);
     m_smooth->addItem(tr("a little"), smoothALittle);
     m_smooth->addItem(tr("more"), smoothMore);
     m_smooth->addItem(tr("strong"), smoothStrong);
+    buildPresets();
     // The panel is narrow: in two lines.
     m_necks = new QCheckBox(tr("Stop at necks\nnarrower than"), this);
     m_necks->setObjectName(QStringLiteral("growNecks"));
@@ -109,8 +109,10 @@ void PlainLimits::build()
 
     auto* smooth = new QHBoxLayout;
     smooth->setSpacing(theme::smallPadding);
-    smooth->addWidget(word, 1);
+    smooth->addWidget(word);
     smooth->addWidget(m_smooth);
+    smooth->addStretch(1);
+    smooth->addWidget(m_presets);
     auto* necks = new QHBoxLayout;
     necks->setSpacing(4);
     necks->addWidget(m_necks, 1);
@@ -120,6 +122,33 @@ void PlainLimits::build()
     layout->setSpacing(4);
     layout->addLayout(smooth);
     layout->addLayout(necks);
+}
+
+void PlainLimits::buildPresets()
+{
+    m_presets = new QToolButton(this);
+    m_presets->setObjectName(QStringLiteral("growPresets"));
+    m_presets->setFont(theme::smallFont());
+    m_presets->setText(tr("For …"));
+    m_presets->setAccessibleName(tr("Presets of growth"));
+    m_presets->setToolTip(
+        tr("What suits a kind of structure: sets Smooth, switches the stop at necks off, and "
+           "chooses which voxels are neighbours. The interval and all other criteria stay"));
+    m_presets->setFixedHeight(theme::controlHeight);
+    m_presets->setPopupMode(QToolButton::InstantPopup);
+    auto* menu = new QMenu(m_presets);
+    menu->setToolTipsVisible(true);
+    for (const GrowPreset& preset : growPresets()) {
+        QAction* action = menu->addAction(preset.name, this, [this, &preset] {
+            GrowSettings settings = m_workspace.growSettings();
+            takePreset(preset, settings);
+            m_workspace.setGrowSettings(settings);
+            showPresets(); // a click has turned its mark, even where nothing has changed
+        });
+        action->setToolTip(preset.tip);
+        action->setCheckable(true);
+    }
+    m_presets->setMenu(menu);
 }
 
 void PlainLimits::showVolume()
@@ -137,6 +166,15 @@ void PlainLimits::showSettings()
     const QSignalBlocker width(m_width);
     m_necks->setChecked(passage.on);
     m_width->setValue(passage.value);
+    showPresets();
+}
+
+/// Marks the one that the settings are of.
+void PlainLimits::showPresets()
+{
+    const QList<QAction*> actions = m_presets->menu()->actions();
+    for (qsizetype i = 0; i < actions.size(); ++i)
+        actions[i]->setChecked(areOf(m_workspace.growSettings(), growPresets()[std::size_t(i)]));
 }
 
 void PlainLimits::showSmooth()

@@ -7,6 +7,7 @@
 class QCheckBox;
 class QComboBox;
 class QDoubleSpinBox;
+class QToolButton;
 
 namespace core {
 struct VolumeGeometry;
@@ -26,8 +27,8 @@ void showPassageWidths(QDoubleSpinBox& field, const core::VolumeGeometry& geomet
 
 /// The two limits of growth that every user wants, in plain words, below its tolerance: how smooth
 /// a segment grows (GrowSettings::majority in few steps), and how narrow a neck stops it
-/// (GrowSettings::passage). GrowCriteriaSection has the same limits as numbers; both show what the
-/// settings say, whoever changes them.
+/// (GrowSettings::passage), with presets for kinds of structures. GrowCriteriaSection has the same
+/// limits as numbers; both show what the settings say, whoever changes them.
 class PlainLimits : public QWidget {
     Q_OBJECT
 
@@ -36,9 +37,11 @@ public:
 
 private:
     void build();
+    void buildPresets();
     void showVolume();
     void showSettings();
     void showSmooth();
+    void showPresets();
     void takeSmooth();
     void takeNecks();
 
@@ -46,6 +49,7 @@ private:
     /// Its data are the numbers of 27 voxels; 0: off. A number that is none of the steps is one
     /// more line while it is set.
     QComboBox* m_smooth = nullptr;
+    QToolButton* m_presets = nullptr;
     QCheckBox* m_necks = nullptr;
     QDoubleSpinBox* m_width = nullptr; ///< mm
 };

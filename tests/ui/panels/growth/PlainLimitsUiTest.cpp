@@ -8,13 +8,16 @@
 #include "tests/support/fixtures/WorkspaceFixture.h"
 #include "tests/support/program/TestProgram.h"
 #include "ui/panels/growth/GrowthPanel.h"
+#include "ui/settings/GrowPresets.h"
 #include "ui/settings/GrowSettings.h"
 #include "ui/workspace/SegmentActions.h"
 
 #include <QAbstractButton>
+#include <QAction>
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
+#include <QMenu>
 #include <QToolButton>
 #include <QtTest>
 
@@ -120,6 +123,24 @@ public:
         width().selectAll();
         QTest::keyClicks(&width(), text);
         QTest::keyClick(&width(), Qt::Key_Return);
+    }
+    void choosePreset(const QString& name)
+    {
+        for (QAction* action : part<QToolButton>("growPresets").menu()->actions()) {
+            if (action->text() == name)
+                return action->trigger();
+        }
+        qFatal("no preset %s", qPrintable(name));
+    }
+    /// The presets that are marked as what is set.
+    [[nodiscard]] QStringList marked()
+    {
+        QStringList names;
+        for (const QAction* action : part<QToolButton>("growPresets").menu()->actions()) {
+            if (action->isChecked())
+                names += action->text();
+        }
+        return names;
     }
     [[nodiscard]] core::GrowCriteria criteria() const
     {
@@ -286,6 +307,63 @@ private Q_SLOTS:
         QCOMPARE(fixture.width().value(), 7.5); // kept for the next time
         fixture.clickNecks();
         QCOMPARE(fixture.criteria().passage, std::optional(7.5));
+    }
+
+    void aPresetSetsWhatSuitsAStructure_data()
+    {
+        QTest::addColumn<QString>("name");
+        QTest::addColumn<QString>("smooth");
+        QTest::addColumn<int>("majority"); // 0: off
+        QTest::addColumn<int>("connectivity");
+        QTest::newRow("organ") << QStringLiteral("Organ, lesion or fluid")
+                               << QStringLiteral("a little") << 10 << 6;
+        QTest::newRow("noise") << QStringLiteral("The same in much noise") << QStringLiteral("more")
+                               << 14 << 6;
+        QTest::newRow("thin") << QStringLiteral("Vessels, airways or thin walls")
+                              << QStringLiteral("off") << 0 << 26;
+    }
+    void aPresetSetsWhatSuitsAStructure()
+    {
+        QFETCH(QString, name);
+        QFETCH(QString, smooth);
+        QFETCH(int, majority);
+        QFETCH(int, connectivity);
+        const core::LoadedVolume volume = withThread();
+        Limits fixture(withThread());
+        // From something else in all that it sets, and something that it leaves.
+        ui::GrowSettings before = fixture.workspace.growSettings();
+        before.connectivity = 18;
+        before.majority = {.on = true, .value = 27.0};
+        before.passage = {.on = true, .value = 7.5};
+        before.onlyVisible = true;
+        fixture.workspace.setGrowSettings(before);
+        QCOMPARE(fixture.marked(), QStringList());
+
+        fixture.choosePreset(name);
+        QCOMPARE(fixture.marked(), QStringList(name));
+        QCOMPARE(fixture.smooth().currentText(), smooth);
+        QVERIFY(!fixture.necks().isChecked());
+        QCOMPARE(fixture.width().value(), 7.5); // kept for the next time
+        QCOMPARE(fixture.part<QComboBox>("growConnectivity").currentData().toInt(), connectivity);
+        const core::GrowCriteria criteria = fixture.criteria();
+        QCOMPARE(criteria.majority.value_or(0), majority);
+        QVERIFY(!criteria.passage && criteria.onlyVisible);
+        QCOMPARE(criteria.lower, 0.0);
+        QCOMPARE(criteria.upper, 20.0);
+
+        // Once more: it stays marked, and nothing changes.
+        const ui::GrowSettings taken = fixture.workspace.growSettings();
+        fixture.choosePreset(name);
+        QCOMPARE(fixture.workspace.growSettings(), taken);
+        QCOMPARE(fixture.marked(), QStringList(name));
+
+        // With neighbours by corners the thread's end adds nothing that faces do not reach.
+        QCOMPARE(fixture.grown(), connectedWith(volume, majority));
+        QCOMPARE(fixture.submitted().majority.value_or(0), majority);
+        QCOMPARE(fixture.submitted().connectivity, connectivity);
+        // What is changed by hand is of no preset any more.
+        fixture.clickNecks();
+        QCOMPARE(fixture.marked(), QStringList());
     }
 
     /// What a session or a recipe has is shown, and none of it is changed by being shown.

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/settings/GrowPresets.h"
+
+#include <QObject>
+
+namespace ui {
+
+const std::vector<GrowPreset>& growPresets()
+{
+    static const std::vector<GrowPreset> presets{
+        {.name = QObject::tr("Organ, lesion or fluid"),
+            .tip = QObject::tr("Smooth: a little; neighbours share a face"),
+            .smooth = smoothALittle,
+            .connectivity = 6},
+        {.name = QObject::tr("The same in much noise"),
+            .tip = QObject::tr("Smooth: more; neighbours share a face"),
+            .smooth = smoothMore,
+            .connectivity = 6},
+        {.name = QObject::tr("Vessels, airways or thin walls"),
+            .tip = QObject::tr("Smooth: off; neighbours share at least a corner"),
+            .smooth = 0,
+            .connectivity = 26},
+    };
+    return presets;
+}
+
+void takePreset(const GrowPreset& preset, GrowSettings& settings)
+{
+    settings.majority.on = preset.smooth > 0;
+    if (preset.smooth > 0)
+        settings.majority.value = preset.smooth;
+    settings.passage.on = false;
+    settings.connectivity = preset.connectivity;
+}
+
+bool areOf(const GrowSettings& settings, const GrowPreset& preset)
+{
+    GrowSettings taken = settings;
+    takePreset(preset, taken);
+    return taken == settings;
+}
+
+} // namespace ui
