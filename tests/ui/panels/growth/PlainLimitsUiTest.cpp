@@ -2,6 +2,7 @@
 #include "ui/panels/growth/PlainLimits.h"
 
 #include "core/edits/kinds/growth/GrowCriteria.h"
+#include "core/edits/kinds/growth/GrowLimits.h"
 #include "core/edits/kinds/growth/GrowSteps.h"
 #include "core/session/EditSession.h"
 #include "tests/support/faults/FailingLog.h"
@@ -307,6 +308,37 @@ private Q_SLOTS:
         QCOMPARE(fixture.width().value(), 7.5); // kept for the next time
         fixture.clickNecks();
         QCOMPARE(fixture.criteria().passage, std::optional(7.5));
+    }
+
+    /// Every width that can be set is one that growth accepts, also where voxels are larger.
+    void widthsAreThoseOfTheVolume()
+    {
+        core::LoadedVolume volume = smallHead::volume();
+        for (int column = 0; column < 4; ++column) {
+            glm::dvec4& each = volume.volume.geometry.indexToWorld[column];
+            each = glm::dvec4(1.37 * glm::dvec3(each), each.w);
+        }
+        const double least = core::leastPassageMm(volume.volume.geometry);
+        const double greatest = core::greatestPassageMm(volume.volume.geometry);
+        Limits fixture(std::move(volume));
+        const auto& exact = fixture.part<QDoubleSpinBox>("growPassageValue");
+        const QDoubleSpinBox& width = fixture.width();
+        QVERIFY(least - 1e-9 <= width.minimum() && width.minimum() < least + 0.011);
+        QVERIFY(width.maximum() <= greatest + 1e-9 && greatest - 0.011 < width.maximum());
+        QCOMPARE(exact.minimum(), width.minimum());
+        QCOMPARE(exact.maximum(), width.maximum());
+        QCOMPARE(exact.singleStep(), width.singleStep());
+        QCOMPARE(exact.decimals(), width.decimals());
+        QCOMPARE(exact.suffix(), width.suffix());
+
+        fixture.width().setValue(width.minimum());
+        QVERIFY(fixture.grown() > 1);
+        QCOMPARE(fixture.submitted().passage, std::optional(width.minimum()));
+        QVERIFY(fixture.session().undo());
+        fixture.settle();
+        fixture.width().setValue(width.maximum());
+        QCOMPARE(fixture.grown(), std::int64_t(1)); // no such ball holds the seed
+        QCOMPARE(fixture.submitted().passage, std::optional(width.maximum()));
     }
 
     void aPresetSetsWhatSuitsAStructure_data()
