@@ -80,11 +80,14 @@ Result<ReportLines> writeStatistics(const QString& path, const Volume& volume,
     if (!all)
         return tl::unexpected(all.error());
     Result<void> written;
+    ReportCode format = ReportCode::SrFormat;
     switch (request.format) {
     case ExportFormat::Csv:
+        format = ReportCode::CsvFormat;
         written = writeText(path, statisticsCsv(*all, volume));
         break;
     case ExportFormat::Json:
+        format = ReportCode::JsonFormat;
         written = writeText(path,
             statisticsJson(*all, volume,
                 request.deidentifier ? request.deidentifier->deidentified(volume.identity)
@@ -104,8 +107,8 @@ Result<ReportLines> writeStatistics(const QString& path, const Volume& volume,
     for (const SegmentStatistics& each : *all)
         volumes.push_back(
             {ReportCode::VolumeOf, {each.segment.name, QString::number(each.millilitres, 'f', 3)}});
-    ReportLines lines{ReportSentence{ReportCode::Statistics,
-        {QString::fromLatin1(factsOf(request.format).title), inReport(std::move(volumes))}}};
+    ReportLines lines{ReportSentence{
+        ReportCode::Statistics, {inReport(ReportSentence{format}), inReport(std::move(volumes))}}};
     for (const SegmentStatistics& each : *all) {
         if (each.sinceImport)
             lines += ReportSentence{ReportCode::SinceImport,

@@ -67,14 +67,18 @@ Result<ReportLines> writeSurfaces(const QString& path, const Volume& volume,
     const QString space =
         request.space == MeshSpace::Ras ? QStringLiteral("RAS") : QStringLiteral("LPS");
     Result<void> written;
+    ReportCode format = ReportCode::StlFormat;
     switch (request.format) {
     case ExportFormat::Obj:
+        format = ReportCode::ObjFormat;
         written = writeObj(path, parts, space);
         break;
     case ExportFormat::Ply:
+        format = ReportCode::PlyFormat;
         written = writePly(path, parts, space);
         break;
     case ExportFormat::Gltf:
+        format = ReportCode::GltfFormat;
         written = writeGltf(path, parts, space);
         break;
     default:
@@ -84,9 +88,9 @@ Result<ReportLines> writeSurfaces(const QString& path, const Volume& volume,
     }
     if (!written)
         return tl::unexpected(written.error());
-    return ReportLines{ReportSentence{ReportCode::Surfaces,
-                           {QString::fromLatin1(factsOf(request.format).title), space,
-                               inReport(std::move(surfaces))}},
+    return ReportLines{
+        ReportSentence{ReportCode::Surfaces,
+            {inReport(ReportSentence{format}), space, inReport(std::move(surfaces))}},
         ReportSentence{ReportCode::SurfacesSmoothed}};
 }
 

@@ -33,6 +33,14 @@ enum class ReportCode : std::uint8_t {
     AsLayerCovers,
     SurfaceOf,
     VolumeOf,
+    // Formats, as ui/texts/ExportFormatTexts.h calls them.
+    StlFormat,
+    ObjFormat,
+    PlyFormat,
+    GltfFormat,
+    CsvFormat,
+    JsonFormat,
+    SrFormat,
     // What was written.
     DicomSeg,
     FilledInPart,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/texts/ReportTexts.h"
 
+#include "ui/texts/ExportFormatTexts.h"
 #include "ui/texts/ProblemTexts.h"
 
 #include <QCoreApplication>
@@ -60,6 +61,20 @@ QString formOf(ReportCode code, std::int64_t count)
         return ReportTexts::tr("%1 (%2 triangles, %3 mL)");
     case ReportCode::VolumeOf:
         return ReportTexts::tr("%1 (%2 mL)");
+    case ReportCode::StlFormat:
+        return exportFormatTitle(core::ExportFormat::Stl);
+    case ReportCode::ObjFormat:
+        return exportFormatTitle(core::ExportFormat::Obj);
+    case ReportCode::PlyFormat:
+        return exportFormatTitle(core::ExportFormat::Ply);
+    case ReportCode::GltfFormat:
+        return exportFormatTitle(core::ExportFormat::Gltf);
+    case ReportCode::CsvFormat:
+        return exportFormatTitle(core::ExportFormat::Csv);
+    case ReportCode::JsonFormat:
+        return exportFormatTitle(core::ExportFormat::Json);
+    case ReportCode::SrFormat:
+        return exportFormatTitle(core::ExportFormat::Sr);
     case ReportCode::DicomSeg:
         return ReportTexts::tr(
             "DICOM SEG, %1: %2 in %3 of %4 × %5; slices without a voxel are left out.");

@@ -32,7 +32,7 @@ enum class ExportFormat {
 /// anterior and superior.
 enum class MeshSpace { Lps, Ras };
 
-/// The properties of a format.
+/// The properties of a format; ui/texts/ExportFormatTexts.h says what it is called.
 struct ExportFormatFacts {
     ExportFormat format = ExportFormat::DicomSeg;
     const char* name = ""; ///< the name in recipes: "dicom-seg"
@@ -43,8 +43,6 @@ struct ExportFormatFacts {
     bool isSurface = false; ///< a MeshSpace must be chosen
     bool isSeg = false; ///< a DICOM SEG: SegSettings apply, and every segment needs a code
     bool isStatistics = false; ///< numbers about segments; needs ExportRequest::codes
-    const char* title = ""; ///< for a list: "DICOM SEG"
-    const char* says = ""; ///< a clause: "one object, references the source images"
 };
 
 /// All formats, in the order of a list.

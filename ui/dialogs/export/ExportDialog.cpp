@@ -16,6 +16,7 @@
 #include "ui/dialogs/export/TargetRow.h"
 #include "ui/dialogs/study/StudyBlock.h"
 #include "ui/pacs/SendDialog.h"
+#include "ui/texts/ExportFormatTexts.h"
 #include "ui/texts/ReportTexts.h"
 #include "ui/workspace/Workspace.h"
 
@@ -159,7 +160,7 @@ void ExportDialog::showFormat()
     const core::ExportFormatFacts& chosen = m_options->facts();
     m_target->askFor(tr("Export to"),
         QStringLiteral("%1 (*%2 *%3)")
-            .arg(QLatin1String(chosen.title), QLatin1String(chosen.ending),
+            .arg(exportFormatTitle(chosen.format), QLatin1String(chosen.ending),
                 QLatin1String(chosen.otherEnding)));
     QString file = m_target->path();
     const bool suggested = file == m_suggested;

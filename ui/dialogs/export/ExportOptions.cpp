@@ -6,6 +6,7 @@
 #include "ui/base/Theme.h"
 #include "ui/dialogs/export/DeidentifyBox.h"
 #include "ui/texts/ClauseText.h"
+#include "ui/texts/ExportFormatTexts.h"
 #include "ui/workspace/Workspace.h"
 
 #include <QCheckBox>
@@ -123,8 +124,8 @@ void ExportOptions::fillFormats()
     auto* model = qobject_cast<QStandardItemModel*>(m_format->model());
     int first = -1;
     for (const core::ExportFormatFacts& facts : core::exportFormats()) {
-        m_format->addItem(
-            QStringLiteral("%1 (%2)").arg(QLatin1String(facts.title), QLatin1String(facts.ending)),
+        m_format->addItem(QStringLiteral("%1 (%2)").arg(
+                              exportFormatTitle(facts.format), QLatin1String(facts.ending)),
             int(facts.format));
         const int row = m_format->count() - 1;
         const bool possible = obstacle.isEmpty() || !facts.namesSourceImages;
@@ -139,8 +140,7 @@ void ExportOptions::fillFormats()
 
 void ExportOptions::showFormat()
 {
-    QString says = QString::fromUtf8(facts().says) + u'.';
-    says.front() = says.front().toUpper();
+    QString says = exportFormatSays(format());
     const core::EditSession* session = m_workspace.session();
     if (format() == core::ExportFormat::DicomSegFractional && session
         && core::layersOfSegments(session->history(), session->document()).empty())
