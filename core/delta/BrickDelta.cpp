@@ -308,9 +308,9 @@ std::vector<BrickImage> imagesOf(Difference&& all)
     return images;
 }
 
-tl::unexpected<Error> damaged(const char* reason)
+tl::unexpected<Error> damaged(const Clause& reason)
 {
-    return failure(ErrorCode::SessionDamaged, QString(QLatin1String(reason)));
+    return failure(ErrorCode::SessionDamaged, reason);
 }
 
 } // namespace
@@ -358,15 +358,15 @@ Result<std::vector<BrickImage>> expandDelta(const BrickDelta& delta, const Brick
     DeltaReader reader(delta);
     std::array<char, magic.size()> begin{};
     if (!reader.fill(begin))
-        return damaged("the difference does not begin as it should");
+        return damaged(Clause::saying("the difference does not begin as it should"));
     if (begin == surfaceStepMagic)
         return std::vector<BrickImage>();
     if (begin != magic)
-        return damaged("the difference does not begin as it should");
+        return damaged(Clause::saying("the difference does not begin as it should"));
     Difference all;
     if (!readEntries(reader, grid, all) || !readBytes(reader, all) || !readWords(reader, all)
         || !reader.complete())
-        return damaged("the difference is cut short or garbled");
+        return damaged(Clause::saying("the difference is cut short or garbled"));
     return imagesOf(std::move(all));
 }
 

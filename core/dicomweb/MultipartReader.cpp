@@ -42,9 +42,9 @@ std::optional<QByteArray> MultipartReader::boundaryOf(const QByteArray& contentT
     return boundary;
 }
 
-tl::unexpected<Error> MultipartReader::nonsense(const char* what) const
+tl::unexpected<Error> MultipartReader::nonsense(const Clause& what) const
 {
-    return failure(ErrorCode::NodeNonsense, m_nodeName, QLatin1String(what));
+    return failure(ErrorCode::NodeNonsense, m_nodeName, what);
 }
 
 Result<void> MultipartReader::feed(const QByteArray& bytes)
@@ -66,7 +66,7 @@ Result<bool> MultipartReader::step()
         const qsizetype at = m_waiting.indexOf(m_dashes);
         if (at < 0) {
             if (m_waiting.size() > longestHead)
-                return nonsense("it sends no parts where it promised some");
+                return nonsense(Clause::saying("it sends no parts where it promised some"));
             return false;
         }
         m_waiting.remove(0, at + m_dashes.size());
@@ -82,11 +82,11 @@ Result<bool> MultipartReader::step()
         const qsizetype end = m_waiting.indexOf("\r\n");
         if (end < 0) {
             if (m_waiting.size() > longestHead)
-                return nonsense("a boundary of parts has no end");
+                return nonsense(Clause::saying("a boundary of parts has no end"));
             return false;
         }
         if (!m_waiting.left(end).trimmed().isEmpty())
-            return nonsense("a boundary of parts is not what it announced");
+            return nonsense(Clause::saying("a boundary of parts is not what it announced"));
         // The line end stays: without headers the empty line follows at once.
         m_waiting.remove(0, end);
         m_state = State::Headers;
@@ -111,7 +111,7 @@ Result<bool> MultipartReader::step()
         if (m_waiting.size() < m_delimiter.size())
             return false;
         if (!m_waiting.startsWith(m_delimiter))
-            return nonsense("a part is not as long as it said");
+            return nonsense(Clause::saying("a part is not as long as it said"));
         m_waiting.remove(0, m_delimiter.size());
         m_state = State::AfterBoundary;
         if (const auto ended = m_sink.endPart(); !ended)
@@ -132,11 +132,11 @@ Result<bool> MultipartReader::readHeaders()
     const qsizetype end = m_waiting.indexOf("\r\n\r\n");
     if (end < 0) {
         if (m_waiting.size() > longestHead)
-            return nonsense("the headers of a part have no end");
+            return nonsense(Clause::saying("the headers of a part have no end"));
         return false;
     }
     if (end > longestHead)
-        return nonsense("the headers of a part have no end");
+        return nonsense(Clause::saying("the headers of a part have no end"));
     m_state = State::Searched;
     for (const QByteArray& line : m_waiting.left(end).split('\n')) {
         const qsizetype colon = line.indexOf(':');
@@ -145,7 +145,7 @@ Result<bool> MultipartReader::readHeaders()
         bool isNumber = false;
         m_left = line.mid(colon + 1).trimmed().toLongLong(&isNumber);
         if (!isNumber || m_left < 0)
-            return nonsense("a part has a length that is no number");
+            return nonsense(Clause::saying("a part has a length that is no number"));
         m_state = State::Counted;
     }
     m_waiting.remove(0, end + 4);

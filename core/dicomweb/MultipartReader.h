@@ -51,7 +51,7 @@ private:
     [[nodiscard]] Result<bool> step();
     [[nodiscard]] Result<bool> readHeaders();
     [[nodiscard]] Result<bool> readSearched();
-    [[nodiscard]] tl::unexpected<Error> nonsense(const char* what) const;
+    [[nodiscard]] tl::unexpected<Error> nonsense(const Clause& what) const;
 
     QByteArray m_dashes; ///< "--boundary"
     QByteArray m_delimiter; ///< the same with the line end before it

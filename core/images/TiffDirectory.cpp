@@ -91,10 +91,10 @@ private:
     {
         return failure(ErrorCode::UnsupportedFormat, m_path, reason);
     }
-    [[nodiscard]] tl::unexpected<Error> unsound(const char* what) const
+    [[nodiscard]] tl::unexpected<Error> unsound(const Clause& what) const
     {
-        return failure(ErrorCode::FileUnreadable, m_path,
-            Clause::saying("its header does not name %1", QLatin1String(what)));
+        return failure(
+            ErrorCode::FileUnreadable, m_path, Clause::saying("its header does not name %1", what));
     }
 
     Result<void> setSize()
@@ -170,7 +170,8 @@ private:
         constexpr std::uint64_t most = longestImageSide;
         if (wide < 1 || high < 1 || wide > most || high > most
             || (m_page.isTiled && (wide % 16 != 0 || high % 16 != 0)))
-            return unsound(m_page.isTiled ? "the size of its tiles" : "the height of its strips");
+            return unsound(m_page.isTiled ? Clause::saying("the size of its tiles")
+                                          : Clause::saying("the height of its strips"));
         m_page.partColumns = int(wide);
         m_page.partRows = int(high);
         const std::uint64_t count = ((columns + wide - 1) / wide) * ((rows + high - 1) / high);
@@ -182,7 +183,7 @@ private:
         if (!sizes && !m_entries.has(countTag) && count == 1 && m_page.compression == tiff::None)
             sizes = std::vector<std::uint64_t>{m_page.byteCount()};
         if (!offsets || !sizes)
-            return unsound("where its pixels lie");
+            return unsound(Clause::saying("where its pixels lie"));
         return keepParts(*offsets, *sizes);
     }
 
@@ -207,7 +208,7 @@ private:
                 return unsupported(Clause::saying("more than 2 GB for one picture"));
             // Parts that lie over each other would be read once for each.
             if (sum > m_fileBytes)
-                return unsound("where its pixels lie");
+                return unsound(Clause::saying("where its pixels lie"));
             m_page.parts.push_back({.begin = offsets[i], .size = sizes[i]});
         }
         const double ratio = greatestRatio(m_page.compression);

@@ -67,8 +67,8 @@ bool standsUpright(const QJsonArray& matrix, const QString& space)
 
 Result<ReadMesh> readGltf(const QString& path)
 {
-    const auto unreadable = [&](const char* reason) {
-        return failure(ErrorCode::FileUnreadable, path, QString(QLatin1String(reason)));
+    const auto unreadable = [&](const Clause& reason) {
+        return failure(ErrorCode::FileUnreadable, path, reason);
     };
     QFile file(path);
     if (!file.open(QIODevice::ReadOnly))
@@ -83,7 +83,7 @@ Result<ReadMesh> readGltf(const QString& path)
     if (!bytes.startsWith("glTF") || word(4) != 2 || word(8) != bytes.size()
         || bytes.mid(16, 4) != "JSON" || bytes.mid(24 + word(12), 4) != QByteArray("BIN\0", 4)
         || 28 + word(12) + word(20 + word(12)) != bytes.size())
-        return unreadable("no binary glTF 2.0");
+        return unreadable(Clause::saying("no binary glTF 2.0"));
     Document document;
     document.json = QJsonDocument::fromJson(bytes.mid(20, word(12))).object();
     document.buffer = bytes.mid(28 + word(12));
@@ -93,7 +93,7 @@ Result<ReadMesh> readGltf(const QString& path)
             .toString();
     const QJsonObject root = document.entry("nodes", 0);
     if (!standsUpright(root[QStringLiteral("matrix")].toArray(), mesh.space))
-        return unreadable("it does not stand upright");
+        return unreadable(Clause::saying("it does not stand upright"));
     const QJsonArray children = root[QStringLiteral("children")].toArray();
     for (const QJsonValue& child : children) {
         const QJsonObject node = document.entry("nodes", child);
@@ -118,11 +118,11 @@ Result<ReadMesh> readGltf(const QString& path)
                 floats, part.vertices, 3)
             || !document.read(
                 primitive[QStringLiteral("indices")], unsignedInts, part.triangles, 1))
-            return unreadable("points or faces are not where they should be");
+            return unreadable(Clause::saying("points or faces are not where they should be"));
         for (const glm::uvec3& triangle : part.triangles) {
             for (int i = 0; i < 3; ++i) {
                 if (triangle[i] >= part.vertices.size())
-                    return unreadable("a face of points that are not there");
+                    return unreadable(Clause::saying("a face of points that are not there"));
             }
         }
         mesh.parts.push_back(std::move(part));

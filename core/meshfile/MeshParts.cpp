@@ -15,16 +15,16 @@ Result<QByteArray> meshBytes(const QString& path)
     if (!file.open(QIODevice::ReadOnly))
         return failure(ErrorCode::FileUnreadable, path, file.errorString());
     if (file.size() > mostMeshBytes)
-        return unreadableMesh(path, "it is larger than 2 GiB");
+        return unreadableMesh(path, Clause::saying("it is larger than 2 GiB"));
     QByteArray bytes = file.readAll();
     if (bytes.size() != file.size())
         return failure(ErrorCode::FileUnreadable, path, file.errorString());
     return bytes;
 }
 
-tl::unexpected<Error> unreadableMesh(const QString& path, const char* reason)
+tl::unexpected<Error> unreadableMesh(const QString& path, const Clause& reason)
 {
-    return failure(ErrorCode::FileUnreadable, path, QString(QLatin1String(reason)));
+    return failure(ErrorCode::FileUnreadable, path, reason);
 }
 
 QString spaceIn(const QByteArray& text)

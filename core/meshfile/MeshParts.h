@@ -16,7 +16,7 @@ constexpr qsizetype mostMeshBytes = qsizetype(2) << 30;
 
 [[nodiscard]] Result<QByteArray> meshBytes(const QString& path);
 
-[[nodiscard]] tl::unexpected<Error> unreadableMesh(const QString& path, const char* reason);
+[[nodiscard]] tl::unexpected<Error> unreadableMesh(const QString& path, const Clause& reason);
 
 /// The value in "… SPACE=LPS …", which 3D Slicer and our own writers write; empty if it is missing.
 [[nodiscard]] QString spaceIn(const QByteArray& text);

@@ -9,24 +9,24 @@ namespace {
 
 class ObjFile {
 public:
-    /// @return what is wrong with a line; null: nothing
-    const char* take(const QByteArray& line)
+    /// @return what is wrong with a line; empty: nothing
+    Clause take(const QByteArray& line)
     {
         if (line.startsWith('#')) {
             if (m_space.isEmpty())
                 m_space = spaceIn(line);
-            return nullptr;
+            return {};
         }
         const std::vector<QByteArrayView> words = wordsOf(line);
         if (words.empty())
-            return nullptr;
+            return {};
         if (words[0] == "v")
             return takeVertex(words);
         if (words[0] == "f")
             return takeFace(words);
         if (words[0] == "o" || words[0] == "g")
             begin(words[0] == "o", QString::fromUtf8(line.mid(1)).trimmed());
-        return nullptr;
+        return {};
     }
 
     [[nodiscard]] ReadMesh take() &&
@@ -59,12 +59,12 @@ private:
         m_parts.push_back({.name = name, .triangles = {}});
     }
 
-    const char* takeVertex(const std::vector<QByteArrayView>& words)
+    Clause takeVertex(const std::vector<QByteArrayView>& words)
     {
         glm::dvec3 place;
         if (words.size() < 4 || !isNumber(words[1], place.x) || !isNumber(words[2], place.y)
             || !isNumber(words[3], place.z))
-            return "a point that lies nowhere";
+            return Clause::saying("a point that lies nowhere");
         m_vertices.emplace_back(place);
         std::uint32_t rgb = 0;
         bool coloured = words.size() >= 7;
@@ -75,13 +75,13 @@ private:
         }
         m_anyColour = m_anyColour || coloured;
         m_colours.push_back(coloured ? rgb : 0);
-        return nullptr;
+        return {};
     }
 
-    const char* takeFace(const std::vector<QByteArrayView>& words)
+    Clause takeFace(const std::vector<QByteArrayView>& words)
     {
         if (words.size() < 4)
-            return "a face of less than three corners";
+            return Clause::saying("a face of less than three corners");
         if (m_parts.empty())
             m_parts.emplace_back();
         std::vector<std::uint32_t> corners;
@@ -91,16 +91,16 @@ private:
             double number = 0.0;
             if (!isNumber(slash < 0 ? words[i] : words[i].first(slash), number)
                 || number != std::floor(number))
-                return "a face of points that are not there";
+                return Clause::saying("a face of points that are not there");
             const double count = double(m_vertices.size());
             const double index = number < 0.0 ? count + number : number - 1.0;
             if (!(index >= 0.0 && index < count))
-                return "a face of points that are not there";
+                return Clause::saying("a face of points that are not there");
             corners.push_back(std::uint32_t(index));
         }
         for (std::size_t i = 2; i < corners.size(); ++i)
             m_parts.back().triangles.emplace_back(corners[0], corners[i - 1], corners[i]);
-        return nullptr;
+        return {};
     }
 
     QString m_space;
@@ -122,13 +122,13 @@ Result<ReadMesh> readObj(const QString& path)
     for (qsizetype at = 0; at < bytes->size();) {
         qsizetype end = bytes->indexOf('\n', at);
         end = end < 0 ? bytes->size() : end;
-        if (const char* wrong = file.take(bytes->mid(at, end - at).trimmed()))
+        if (const Clause wrong = file.take(bytes->mid(at, end - at).trimmed()); !wrong.isEmpty())
             return unreadableMesh(path, wrong);
         at = end + 1;
     }
     ReadMesh mesh = std::move(file).take();
     if (mesh.parts.empty())
-        return unreadableMesh(path, "it has no face");
+        return unreadableMesh(path, Clause::saying("it has no face"));
     return mesh;
 }
 

@@ -129,11 +129,11 @@ private:
     bool m_good = true;
 };
 
-const char* takeLine(Header& header, const QByteArray& line)
+Clause takeLine(Header& header, const QByteArray& line)
 {
     const std::vector<QByteArrayView> words = wordsOf(line);
     if (words.empty() || words[0] == "ply" || words[0] == "obj_info")
-        return nullptr;
+        return {};
     if (words[0] == "format" && words.size() > 1) {
         header.form = words[1] == "binary_little_endian" ? Form::LittleEndian
             : words[1] == "binary_big_endian"            ? Form::BigEndian
@@ -150,27 +150,27 @@ const char* takeLine(Header& header, const QByteArray& line)
         bool isCount = false;
         const qint64 count = words.size() == 3 ? words[2].toLongLong(&isCount) : 0;
         if (!isCount || count < 0 || count > mostMeshBytes)
-            return "an element without a number";
+            return Clause::saying("an element without a number");
         header.elements.push_back(
             {.name = words[1].toByteArray(), .count = count, .properties = {}});
     } else if (words[0] == "property" && !header.elements.empty()) {
         const bool isList = words.size() == 5 && words[1] == "list";
         if (!isList && words.size() != 3)
-            return "a property of no known kind";
+            return Clause::saying("a property of no known kind");
         const auto number = numberOf(words[isList ? 3 : 1]);
         const auto count = isList ? numberOf(words[2]) : std::nullopt;
         if (!number || (isList && !count))
-            return "a property of no known kind";
+            return Clause::saying("a property of no known kind");
         header.elements.back().properties.push_back(
             {.name = words.back().toByteArray(), .number = *number, .count = count});
     }
-    return nullptr;
+    return {};
 }
 
 Result<Header> headerOf(const QByteArray& bytes, const QString& path)
 {
     if (!bytes.startsWith("ply"))
-        return unreadableMesh(path, "no PLY");
+        return unreadableMesh(path, Clause::saying("no PLY"));
     Header header;
     for (qsizetype at = 0;;) {
         const qsizetype end = bytes.indexOf('\n', at);
@@ -183,7 +183,7 @@ Result<Header> headerOf(const QByteArray& bytes, const QString& path)
             header.end = at;
             return header;
         }
-        if (const char* wrong = takeLine(header, line))
+        if (const Clause wrong = takeLine(header, line); !wrong.isEmpty())
             return unreadableMesh(path, wrong);
     }
 }
@@ -196,14 +196,14 @@ struct Body {
     std::vector<int> labels; ///< by face; empty: the file has none
 };
 
-const char* readVertices(const Element& element, Numbers& numbers, Body& body)
+Clause readVertices(const Element& element, Numbers& numbers, Body& body)
 {
     const auto has = [&element](const char* name) {
         return std::any_of(element.properties.begin(), element.properties.end(),
             [name](const Property& property) { return property.name == name && !property.count; });
     };
     if (!has("x") || !has("y") || !has("z"))
-        return "points without a place";
+        return Clause::saying("points without a place");
     const bool coloured = has("red") && has("green") && has("blue");
     for (qint64 i = 0; i < element.count && numbers.good(); ++i) {
         glm::dvec3 place(0.0);
@@ -224,7 +224,7 @@ const char* readVertices(const Element& element, Numbers& numbers, Body& body)
             }
         }
         if (!(std::isfinite(place.x) && std::isfinite(place.y) && std::isfinite(place.z)))
-            return "a point that lies nowhere";
+            return Clause::saying("a point that lies nowhere");
         body.vertices.emplace_back(place);
         std::uint32_t rgb = 0;
         for (int channel = 0; channel < 3; ++channel)
@@ -232,10 +232,10 @@ const char* readVertices(const Element& element, Numbers& numbers, Body& body)
         if (coloured)
             body.colours.push_back(rgb);
     }
-    return nullptr;
+    return {};
 }
 
-const char* readFaces(const Element& element, Numbers& numbers, Body& body)
+Clause readFaces(const Element& element, Numbers& numbers, Body& body)
 {
     for (qint64 face = 0; face < element.count && numbers.good(); ++face) {
         for (const Property& property : element.properties) {
@@ -255,7 +255,7 @@ const char* readFaces(const Element& element, Numbers& numbers, Body& body)
                 if (!isFace)
                     continue;
                 if (!(index >= 0.0 && index < double(body.vertices.size())))
-                    return "a face of points that are not there";
+                    return Clause::saying("a face of points that are not there");
                 const auto number = std::uint32_t(index);
                 if (corner == 0.0)
                     first = number;
@@ -267,13 +267,13 @@ const char* readFaces(const Element& element, Numbers& numbers, Body& body)
             }
         }
     }
-    return nullptr;
+    return {};
 }
 
-const char* readBody(const Header& header, Numbers& numbers, Body& body)
+Clause readBody(const Header& header, Numbers& numbers, Body& body)
 {
     for (const Element& element : header.elements) {
-        const char* wrong = nullptr;
+        Clause wrong;
         if (element.name == "vertex") {
             wrong = readVertices(element, numbers, body);
         } else if (element.name == "face") {
@@ -282,10 +282,10 @@ const char* readBody(const Header& header, Numbers& numbers, Body& body)
             Body passedOver;
             wrong = readFaces(element, numbers, passedOver);
         }
-        if (wrong)
+        if (!wrong.isEmpty())
             return wrong;
     }
-    return nullptr;
+    return {};
 }
 
 /// Parts as the comments say, if they say it of all faces; else one.
@@ -303,21 +303,21 @@ Result<std::vector<ReadMeshPart>> partsOf(const Header& header, Body& body, cons
     qint64 face = 0;
     for (const SegmentFaces& segment : header.segments) {
         if (segment.first != face || faces == header.elements.end() || segment.last >= faces->count)
-            return unreadableMesh(path, "faces that belong to no segment");
+            return unreadableMesh(path, Clause::saying("faces that belong to no segment"));
         std::vector<glm::uvec3> own;
         for (; next < body.triangles.size() && body.faceOf[next] <= segment.last; ++next)
             own.push_back(body.triangles[next]);
         for (; face <= segment.last; ++face) {
             if (std::size_t(face) < body.labels.size()
                 && body.labels[std::size_t(face)] != segment.label)
-                return unreadableMesh(path, "a face of another segment");
+                return unreadableMesh(path, Clause::saying("a face of another segment"));
         }
         parts.push_back(partWithOwnVertices(body.vertices, body.colours, std::move(own)));
         parts.back().label = segment.label;
         parts.back().name = segment.name;
     }
     if (next != body.triangles.size())
-        return unreadableMesh(path, "faces that belong to no segment");
+        return unreadableMesh(path, Clause::saying("faces that belong to no segment"));
     return parts;
 }
 
@@ -333,7 +333,7 @@ Result<ReadMesh> readPly(const QString& path)
         return tl::unexpected(header.error());
     Numbers numbers(*bytes, header->end, header->form);
     Body body;
-    if (const char* wrong = readBody(*header, numbers, body))
+    if (const Clause wrong = readBody(*header, numbers, body); !wrong.isEmpty())
         return unreadableMesh(path, wrong);
     if (!numbers.good())
         return failure(ErrorCode::FileTruncated, path,

@@ -28,7 +28,7 @@ Result<ReadMesh> readBinary(const QByteArray& bytes, const QString& path)
             glm::vec3 place;
             std::memcpy(&place, bytes.constData() + at + 12 * (corner + 1), sizeof place);
             if (!std::isfinite(place.x) || !std::isfinite(place.y) || !std::isfinite(place.z))
-                return unreadableMesh(path, "a corner that lies nowhere");
+                return unreadableMesh(path, Clause::saying("a corner that lies nowhere"));
             part.vertices.push_back(place);
         }
         part.triangles.emplace_back(first, first + 1, first + 2);
@@ -66,7 +66,7 @@ Result<ReadMesh> readText(const QByteArray& bytes, const QString& path)
         glm::dvec3 place;
         if (mesh.parts.empty() || words.size() != 4 || !isNumber(words[1], place.x)
             || !isNumber(words[2], place.y) || !isNumber(words[3], place.z))
-            return unreadableMesh(path, "a corner that lies nowhere");
+            return unreadableMesh(path, Clause::saying("a corner that lies nowhere"));
         ReadMeshPart& part = mesh.parts.back();
         part.vertices.emplace_back(place);
         const auto count = std::uint32_t(part.vertices.size());
@@ -93,7 +93,7 @@ Result<ReadMesh> readStl(const QString& path)
         return readBinary(*bytes, path);
     if (bytes->trimmed().startsWith("solid") && bytes->contains("facet"))
         return readText(*bytes, path);
-    return unreadableMesh(path, "no STL, or not as many triangles as it says");
+    return unreadableMesh(path, Clause::saying("no STL, or not as many triangles as it says"));
 }
 
 } // namespace core

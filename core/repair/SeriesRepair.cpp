@@ -4,6 +4,8 @@
 #include <QLocale>
 #include <QStringList>
 
+#include <vector>
+
 namespace core {
 
 namespace {
@@ -101,26 +103,29 @@ QString SeriesRepair::toText() const
     return words.join(u',');
 }
 
-QString SeriesRepair::inWords() const
+Clause SeriesRepair::inWords() const
 {
-    QStringList words;
+    std::vector<Clause> words;
     if (duplicates != Duplicates::Keep)
-        words += duplicates == Duplicates::First
-            ? QStringLiteral("the first of several images at one place taken")
-            : QStringLiteral("the last of several images at one place taken");
+        words.push_back(duplicates == Duplicates::First
+                ? Clause::saying("the first of several images at one place taken")
+                : Clause::saying("the last of several images at one place taken"));
     if (part != 0)
-        words += QStringLiteral("split at gaps, part %1 taken").arg(part);
+        words.push_back(Clause::saying("split at gaps, part %1 taken", part));
     if (lattice != Lattice::AsIs)
-        words += lattice == Lattice::Filled ? QStringLiteral("missing slices filled in")
-                                            : QStringLiteral("resampled to even spacing");
+        words.push_back(lattice == Lattice::Filled ? Clause::saying("missing slices filled in")
+                                                   : Clause::saying("resampled to even spacing"));
     if (tilt)
-        words += QStringLiteral("tilt sheared out");
+        words.push_back(Clause::saying("tilt sheared out"));
     if (givenSpacingMm) {
         const auto& mm = *givenSpacingMm;
-        words += QStringLiteral("voxels of %1 × %2 × %3 mm as given")
-                     .arg(numberText(mm[0]), numberText(mm[1]), numberText(mm[2]));
+        words.push_back(Clause::saying("voxels of %1 × %2 × %3 mm as given", numberText(mm[0]),
+            numberText(mm[1]), numberText(mm[2])));
     }
-    return words.join(QStringLiteral(", "));
+    Clause all;
+    for (const Clause& word : words)
+        all = all.isEmpty() ? word : Clause::saying("%1, %2", all, word);
+    return all;
 }
 
 std::optional<SeriesRepair> SeriesRepair::fromText(const QString& text, Clause* why)

@@ -44,7 +44,7 @@ struct SeriesRepair {
     /// The words, always in the same order, separated by commas; empty for none.
     [[nodiscard]] QString toText() const;
     /// The same as a clause for the user: "tilt sheared out, missing slices filled in".
-    [[nodiscard]] QString inWords() const;
+    [[nodiscard]] Clause inWords() const;
     /// @param why receives what is wrong with the words
     [[nodiscard]] static std::optional<SeriesRepair> fromText(
         const QString& text, Clause* why = nullptr);

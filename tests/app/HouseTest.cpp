@@ -171,8 +171,10 @@ bool mayWriteFiles(const QString& file)
 bool mayHoldClauses(const QString& file)
 {
     // What an edit's fields are, wherever that is read.
-    static const QStringList folders{
-        QStringLiteral("core/edits/fields"), QStringLiteral("core/edits/schema")};
+    static const QStringList folders{QStringLiteral("core/edits/fields"),
+        QStringLiteral("core/edits/schema"),
+        // Parts of a DICOM object, beside what DCMTK says of them.
+        QStringLiteral("core/dicom/write")};
     // First decoders, whose words go through the pipe of their process.
     static const QStringList files{QStringLiteral("core/dicom/codecs/FrameCodec.cpp"),
         QStringLiteral("core/dicom/codecs/Jpeg2000.cpp"),
@@ -185,9 +187,13 @@ bool mayHoldClauses(const QString& file)
         QStringLiteral("core/dicom/stack/SliceStack.cpp"),
         QStringLiteral("core/study/StudyLoader.cpp"),
         QStringLiteral("core/volume/StudyListing.cpp"),
-        // What a repair does, which is written into files.
-        QStringLiteral("core/repair/SeriesRepair.cpp"),
-        QStringLiteral("core/sessionfile/records/SessionSource.cpp"),
+        QStringLiteral("core/dicom/header/ImageQuantity.cpp"),
+        // Words of file formats, and of SQL.
+        QStringLiteral("core/meshfile/MeshWriter.cpp"), QStringLiteral("core/nrrd/NrrdReader.cpp"),
+        QStringLiteral("core/nrrd/NrrdWriter.cpp"),
+        QStringLiteral("core/sessionfile/records/SessionSchema.cpp"),
+        QStringLiteral("core/base/MemoryReserve.h"), // what an exception of the library says
+        QStringLiteral("core/sessionfile/SessionSalvage.cpp"), // knows a clause by its form
         QStringLiteral("core/recipe/RecipeStep.cpp"), // as the fields of edits
         QStringLiteral("core/sessionfile/records/SessionDatabase.cpp")}; // a message of SQLite
     return inFolder(file, folders) || files.contains(file);
@@ -200,21 +206,21 @@ const QRegularExpression& literals()
     return literal;
 }
 
-/// Texts that begin with a small letter and hold two blanks, and are neither a Clause nor SQL.
-QStringList clausesIn(const QString& code)
+/// Literals that begin with a small letter and hold two blanks, wherever they are handed to, but
+/// for those of a Clause and of assertions.
+QStringList clausesIn(QString code)
 {
-    static const QRegularExpression begin(QStringLiteral("\\bQStringLiteral\\(\\s*(?=\")"));
+    static const QRegularExpression assertion(QStringLiteral("\\bstatic_assert\\([^;]*;"));
+    static const QRegularExpression worded(QStringLiteral("\\bsaying\\(\\s*$"));
     static const QRegularExpression clause(QStringLiteral("^\"[a-z][^\"]* [^\"]* "));
     static const QRegularExpression seam(QStringLiteral("\"\\s*\""));
+    code.remove(assertion);
     QStringList clauses;
-    for (auto match = begin.globalMatch(code); match.hasNext();) {
-        const QString text =
-            literals()
-                .match(code, match.next().capturedEnd(), QRegularExpression::NormalMatch,
-                    QRegularExpression::AnchorAtOffsetMatchOption)
-                .captured()
-                .remove(seam);
-        if (clause.match(text).hasMatch())
+    for (auto match = literals().globalMatch(code); match.hasNext();) {
+        const QRegularExpressionMatch literal = match.next();
+        const QString text = literal.captured().remove(seam);
+        const QString before = code.left(literal.capturedStart()).right(80);
+        if (clause.match(text).hasMatch() && !worded.match(before).hasMatch())
             clauses += text;
     }
     return clauses;
@@ -481,8 +487,10 @@ void HouseTest::ruleBites_data()
     row("core/a/A.cpp", "notes += QStringLiteral(\"The mask is empty.\");", false);
     row("core/a/A.cpp", "text = QStringLiteral(\"%1 slices \"\n    \"are missing.\").arg(1);",
         false);
-    row("core/a/A.cpp", "// \"The mask is empty.\"\nreason = \"no pixel belongs to a segment\";",
-        true);
+    row("core/a/A.cpp", "// \"The mask is empty.\"\n// \"no pixel belongs to a segment\"", true);
+    row("core/a/A.cpp", "return damaged(\"no pixel belongs to a segment\");", false);
+    row("core/a/A.cpp", "const char* why() { return \"no pixel \"\n    \"is set\"; }", false);
+    row("core/a/A.cpp", "static_assert(is<X>(), \"an edit X needs a check\");", true);
     row("core/a/A.cpp", "reason = QStringLiteral(\"no pixel belongs to a segment\");", false);
     row("core/a/A.cpp", "reason = QStringLiteral(\n    \"piece %1 \"\n    \"is no piece\").arg(1);",
         false);

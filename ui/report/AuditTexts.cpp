@@ -4,6 +4,7 @@
 #include "core/repair/SeriesRepair.h"
 #include "ui/base/CountText.h"
 #include "ui/report/AuditSegments.h"
+#include "ui/texts/ClauseText.h"
 #include "ui/texts/SessionTexts.h"
 
 #include <QCoreApplication>
@@ -93,7 +94,7 @@ std::vector<AuditTexts::Fact> studyFacts(const core::SessionSource& source)
     if (const auto repair = core::SeriesRepair::fromText(source.repair);
         repair && !repair->isNone())
         facts.push_back({tr("Repaired on loading"),
-            QStringLiteral("%1 (%2)").arg(repair->inWords(), source.repair)});
+            QStringLiteral("%1 (%2)").arg(clauseText(repair->inWords()), source.repair)});
     return facts;
 }
 

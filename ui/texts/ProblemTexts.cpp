@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/texts/ProblemTexts.h"
 
+#include "ui/texts/ClauseText.h"
+
 #include <QCoreApplication>
 
 namespace ui {
@@ -144,6 +146,10 @@ public:
     [[nodiscard]] QString form(ProblemCode code, std::int64_t count) const override
     {
         return formOf(code, count);
+    }
+    [[nodiscard]] QString clause(const core::Clause& clause) const override
+    {
+        return clauseText(clause);
     }
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/texts/ReportTexts.h"
 
+#include "ui/texts/ClauseText.h"
 #include "ui/texts/ExportFormatTexts.h"
 #include "ui/texts/ProblemTexts.h"
 
@@ -226,6 +227,10 @@ public:
     [[nodiscard]] QString form(ReportCode code, std::int64_t count) const override
     {
         return formOf(code, count);
+    }
+    [[nodiscard]] QString clause(const core::Clause& clause) const override
+    {
+        return clauseText(clause);
     }
 };
 

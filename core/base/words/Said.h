@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/base/words/Clause.h"
+
 #include <QString>
 #include <QStringList>
 
@@ -23,9 +25,9 @@ template <class Code> struct Said {
             return joiner == other.joiner && all == other.all;
         }
     };
-    /// A count, which as the first argument decides between one and many; a name, a number in the
-    /// form in which it is shown, or a reason that somebody else gave; sentences in this one.
-    using Argument = std::variant<std::int64_t, QString, Listed>;
+    /// A count, which as the first argument decides between one and many; a clause, which may be
+    /// plain text: a name, a number in the form in which it is shown; sentences in this one.
+    using Argument = std::variant<std::int64_t, Clause, Listed>;
 
     Code code{};
     std::vector<Argument> arguments{};
@@ -44,6 +46,9 @@ public:
     /// The form of a sentence, with %1 … for its arguments.
     /// @param count the first argument, if it is a count, else 0
     [[nodiscard]] virtual QString form(Code code, std::int64_t count) const = 0;
+
+    /// A clause in this language: English, if it is not said otherwise.
+    [[nodiscard]] virtual QString clause(const Clause& clause) const { return clause.english(); }
 };
 
 /// Puts arguments into a form, all at once: what looks like a place of an argument in one of them
@@ -58,7 +63,7 @@ template <class Code> struct WordedArgument {
     const SaidLanguage<Code>& language;
 
     QString operator()(std::int64_t count) const { return QString::number(count); }
-    QString operator()(const QString& text) const { return text; }
+    QString operator()(const Clause& clause) const { return language.clause(clause); }
     QString operator()(const typename Said<Code>::Listed& listed) const
     {
         QStringList texts;

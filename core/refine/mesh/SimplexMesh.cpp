@@ -40,21 +40,19 @@ bool identical(const SimplexVertex& one, const SimplexVertex& other)
 Result<SimplexMesh> SimplexMesh::make(
     std::vector<glm::dvec3> positionsLps, std::vector<FaceRing> rings)
 {
-    const auto refused = [](const char* format, std::size_t where) {
-        return failure(ErrorCode::Internal, QString::fromLatin1(format).arg(where));
-    };
+    const auto refused = [](const Clause& reason) { return failure(ErrorCode::Internal, reason); };
     std::vector<std::array<Corner, 3>> corners(positionsLps.size());
     std::vector<std::uint8_t> counts(positionsLps.size(), 0);
     for (std::size_t face = 0; face < rings.size(); ++face) {
         const FaceRing& ring = rings[face];
         if (ring.size() < 3)
-            return refused("face %1 has fewer than three vertices", face);
+            return refused(Clause::saying("face %1 has fewer than three vertices", face));
         for (std::size_t i = 0; i < ring.size(); ++i) {
             const VertexId id = ring[i];
             if (id >= positionsLps.size())
-                return refused("face %1 names a vertex that is not there", face);
+                return refused(Clause::saying("face %1 names a vertex that is not there", face));
             if (counts[id] == 3)
-                return refused("more than three faces meet at vertex %1", id);
+                return refused(Clause::saying("more than three faces meet at vertex %1", id));
             corners[id][counts[id]++] = {.before = ring[(i + ring.size() - 1) % ring.size()],
                 .after = ring[(i + 1) % ring.size()],
                 .face = FaceId(face)};
@@ -66,7 +64,7 @@ Result<SimplexMesh> SimplexMesh::make(
     mesh.m_marks.resize(positionsLps.size(), SurfaceMark::Yellow);
     for (std::size_t id = 0; id < positionsLps.size(); ++id) {
         if (counts[id] != 3)
-            return refused("fewer than three faces meet at vertex %1", id);
+            return refused(Clause::saying("fewer than three faces meet at vertex %1", id));
         // To the left of the way to the following vertex lies the corner's face; the next face
         // around follows where this one came from.
         std::array<Corner, 3> around = corners[id];
@@ -74,7 +72,7 @@ Result<SimplexMesh> SimplexMesh::make(
             std::swap(around[1], around[2]);
         for (std::size_t i = 0; i < 3; ++i) {
             if (around[i].before != around[(i + 1) % 3].after)
-                return refused("the faces at vertex %1 do not close around it", id);
+                return refused(Clause::saying("the faces at vertex %1 do not close around it", id));
             mesh.m_neighbours[id][i] = around[i].after;
             mesh.m_faces[id][i] = around[i].face;
         }

@@ -248,11 +248,11 @@ QByteArray packed(const SimplexMeshDelta& delta)
 
 Result<SimplexMeshDelta> unpackedSurfaceDelta(const QByteArray& bytes)
 {
-    const auto damaged = [](const char* why) {
-        return failure(ErrorCode::SessionDamaged, QString(), QString::fromLatin1(why));
+    const auto damaged = [](const Clause& why) {
+        return failure(ErrorCode::SessionDamaged, QString(), why);
     };
     if (!bytes.startsWith(magic))
-        return damaged("this is no difference of a surface");
+        return damaged(Clause::saying("this is no difference of a surface"));
     Reader reader(bytes);
     std::array<char, magicBytes> read{};
     reader.take(read.data(), read.size());
@@ -260,14 +260,14 @@ Result<SimplexMeshDelta> unpackedSurfaceDelta(const QByteArray& bytes)
     const auto faces = reader.number<std::uint32_t>();
     if (reader.isShort() || vertices > reader.left() / leastVertexChange
         || faces > (reader.left() - vertices * leastVertexChange) / leastFaceChange)
-        return damaged("the difference of the surface ends early");
+        return damaged(Clause::saying("the difference of the surface ends early"));
     SimplexMeshDelta delta;
     if (!readChanges(reader, vertices, delta.vertices, readVertex))
-        return damaged("a vertex of the surface is not as it can be");
+        return damaged(Clause::saying("a vertex of the surface is not as it can be"));
     if (!readChanges(reader, faces, delta.faces, readFace))
-        return damaged("a face of the surface is not as it can be");
+        return damaged(Clause::saying("a face of the surface is not as it can be"));
     if (reader.left() != 0)
-        return damaged("something follows the difference of the surface");
+        return damaged(Clause::saying("something follows the difference of the surface"));
     return delta;
 }
 

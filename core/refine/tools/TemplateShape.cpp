@@ -28,9 +28,9 @@ constexpr int previewSteps = 30;
 /// How far a body may reach beyond what was drawn, of its extent.
 constexpr double beyondDrawn = 0.1;
 
-tl::unexpected<Error> refused(const char* why)
+tl::unexpected<Error> refused(const Clause& why)
 {
-    return failure(ErrorCode::InvalidField, QStringLiteral("contours"), QString::fromLatin1(why));
+    return failure(ErrorCode::InvalidField, QStringLiteral("contours"), why);
 }
 
 double squaredOf(const glm::dvec3& way)
@@ -95,7 +95,7 @@ public:
     {
         m_shape.m_form = form;
         if (form == TemplateForm::Body && contours.size() > mostContours)
-            return refused("there are more than 500 contours");
+            return refused(Clause::saying("there are more than 500 contours"));
         double wholeMm = 0.0;
         bool isBody = false;
         for (const TemplateContour& contour : contours) {
@@ -109,7 +109,7 @@ public:
         }
         if (!findRegion())
             return isCancelled() ? failure(ErrorCode::Cancelled)
-                                 : refused("no contour lies near a red region");
+                                 : refused(Clause::saying("no contour lies near a red region"));
         findBorder();
         const bool made = form == TemplateForm::Body ? makeContourBody(contours)
             : isBody                                 ? makeBody()
@@ -184,15 +184,15 @@ private:
     bool makeSpline()
     {
         if (m_border.size() < 3)
-            return because("the red region has no border");
+            return because(Clause::saying("the red region has no border"));
         layPlane();
         if (m_shape.m_up == glm::dvec3(0.0))
-            return because("the red region opens nowhere");
+            return because(Clause::saying("the red region opens nowhere"));
         if (!gatherPoints())
             return false;
         auto spline = ThinPlateSpline::through(m_points);
         if (!spline)
-            return because("no surface runs through these contours");
+            return because(Clause::saying("no surface runs through these contours"));
         m_shape.m_spline = *std::move(spline);
         for (const glm::dvec3& point : m_points)
             m_shape.m_points.push_back(m_shape.m_origin + point.x * m_shape.m_u
@@ -272,7 +272,7 @@ private:
         }
         for (const Place& place : places) {
             if (place.most - place.least > 6.0 * m_edgeMm)
-                return because("contours lie above one another: draw closed ones");
+                return because(Clause::saying("contours lie above one another: draw closed ones"));
             m_points.push_back(place.mean());
         }
         for (const VertexId id : spacedBorder()) {
@@ -335,7 +335,7 @@ private:
             if (contour.size() < 3)
                 continue;
             if (!m_isClosed[c])
-                return because("open and closed contours do not go together");
+                return because(Clause::saying("open and closed contours do not go together"));
             glm::dvec3 area(0.0);
             for (std::size_t i = 0; i < contour.size(); ++i)
                 area += glm::cross(
@@ -353,7 +353,7 @@ private:
             take(m_mesh.position(id), frameAt(m_mesh, id).normalLps);
         auto body = VariationalBody::through(points);
         if (!body)
-            return because("no body runs through these contours");
+            return because(Clause::saying("no body runs through these contours"));
         m_shape.m_body = *std::move(body);
         return true;
     }
@@ -361,7 +361,7 @@ private:
     bool makeContourBody(const std::vector<TemplateContour>& contours)
     {
         if (m_border.size() < 3)
-            return because("the red region has no border");
+            return because(Clause::saying("the red region has no border"));
         ContourBodyPoints given{
             .contours = contours, .border = {}, .edgeMm = m_edgeMm, .isSound = {}};
         for (const VertexId id : spacedBorder())
@@ -377,7 +377,7 @@ private:
         };
         auto body = contourBody(given, m_progress);
         if (!body)
-            return because("no body runs through these contours");
+            return because(Clause::saying("no body runs through these contours"));
         m_shape.m_body = std::move(body->body);
         m_shape.m_points = std::move(body->pointsLps);
         glm::dvec3 least = m_shape.m_points.front();
@@ -394,7 +394,7 @@ private:
 
     [[nodiscard]] bool isCancelled() const { return m_progress && m_progress->cancelled(); }
 
-    bool because(const char* why)
+    bool because(const Clause& why)
     {
         m_why = why;
         return false;
@@ -408,7 +408,7 @@ private:
     std::vector<std::vector<glm::dvec3>> m_contours;
     std::vector<bool> m_isClosed;
     std::vector<glm::dvec3> m_points; ///< over the plane
-    const char* m_why = "";
+    Clause m_why;
     TemplateShape m_shape;
 };
 

@@ -44,22 +44,22 @@ PlaneSpan spanOf(const CutFrame& frame, const glm::ivec3& base, int axis)
 
 Result<void> checkSound(const LabelScissors& edit, const BrickGrid&)
 {
-    const auto unsound = [](const char* field, const char* reason) {
-        return failure(ErrorCode::InvalidField, QLatin1String(field), QLatin1String(reason));
+    const auto unsound = [](const char* field, const Clause& reason) {
+        return failure(ErrorCode::InvalidField, QLatin1String(field), reason);
     };
     if (!edit.erases() && edit.target.label == 0)
-        return unsound("label", "0 is no segment");
+        return unsound("label", Clause::saying("0 is no segment"));
     if (edit.erased[0])
-        return unsound("erased", "0 is no segment");
+        return unsound("erased", Clause::saying("0 is no segment"));
     if (edit.outside && edit.fromSurface)
-        return unsound("outside", "has no surface");
+        return unsound("outside", Clause::saying("has no surface"));
     if (const Result<void> sound = checkSound(edit.frame); !sound)
         return sound;
     const glm::ivec2& size = edit.mask.size;
     if (size.x < 0 || size.y < 0
         || edit.mask.values.size() != std::size_t(size.x) * std::size_t(size.y)
         || !liesInReach(edit.mask, edit.frame.pitch))
-        return unsound("mask", "is not sound");
+        return unsound("mask", Clause::saying("is not sound"));
     return checkSound(edit.editable);
 }
 

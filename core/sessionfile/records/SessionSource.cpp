@@ -100,7 +100,7 @@ std::optional<SessionSource> SessionSource::fromJson(const QJsonObject& json)
 Clause SessionSource::differenceFrom(const Volume& volume) const
 {
     const auto repairText = [](const QString& words) {
-        return words.isEmpty() ? QStringLiteral("as it is") : QStringLiteral("repaired: ") + words;
+        return words.isEmpty() ? Clause::saying("as it is") : Clause::saying("repaired: %1", words);
     };
     if (volume.repair != repair)
         return Clause::saying("its series is repaired otherwise (%1; the session's is %2)",

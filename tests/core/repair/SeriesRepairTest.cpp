@@ -40,6 +40,21 @@ private Q_SLOTS:
         QVERIFY(SeriesRepair::fromText(canonical) == repair);
     }
 
+    void isAClauseInWords()
+    {
+        const auto repair = SeriesRepair::fromText(
+            QStringLiteral("duplicates=last,gap=split:2,tilt,spacing=0.5x0.5x2"));
+        QVERIFY(repair);
+        const core::Clause words = repair->inWords();
+        QCOMPARE(words.english(),
+            QStringLiteral("the last of several images at one place taken, split at gaps, part 2 "
+                           "taken, tilt sheared out, voxels of 0.5 × 0.5 × 2 mm as given"));
+        // Each of them is one, so that ui can word it.
+        QVERIFY(words.form() != nullptr);
+        for (const core::Clause& argument : words.arguments())
+            QVERIFY(argument.form() != nullptr);
+    }
+
     void whatIsNoRepairIsSaid_data()
     {
         QTest::addColumn<QString>("words");

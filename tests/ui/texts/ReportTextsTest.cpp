@@ -211,6 +211,17 @@ private Q_SLOTS:
         }
     }
 
+    void aClauseWithinASentenceIsTranslated()
+    {
+        const ReportSentence repaired{
+            ReportCode::Repaired, {core::Clause::saying("tilt sheared out")}};
+        QCOMPARE(ui::reportText(repaired),
+            QStringLiteral("The series was repaired on loading (tilt sheared out)."));
+        const test::MarkingTranslator translator;
+        QCOMPARE(ui::reportText(repaired),
+            QStringLiteral("<The series was repaired on loading (<tilt sheared out>).>"));
+    }
+
     void aWholeReport()
     {
         const core::ExportReport report{.file = QStringLiteral("a.dcm"),

@@ -18,10 +18,9 @@ namespace core {
 
 namespace {
 
-tl::unexpected<Error> refused(RowId row, const char* reason)
+tl::unexpected<Error> refused(const Clause& reason)
 {
-    return failure(ErrorCode::InvalidField, QStringLiteral("reviseStroke.row"),
-        Clause::saying("row %1 %2", row, QLatin1String(reason)));
+    return failure(ErrorCode::InvalidField, QStringLiteral("reviseStroke.row"), reason);
 }
 
 std::vector<StandingStroke> before(const std::vector<StandingStroke>& strokes, RowId row)
@@ -79,15 +78,15 @@ Result<void> ReviseOperation::findStrokes(const SessionState& state)
     const History& history = state.history;
     const std::vector<RowId> path = history.pathTo(history.position());
     if (std::find(path.begin(), path.end(), m_edit.row) == path.end())
-        return refused(m_edit.row, "is not among the steps done so far");
+        return refused(Clause::saying("row %1 is not among the steps done so far", m_edit.row));
     const std::optional<SculptEdit> drawn = sculptEdit(history.row(m_edit.row).edit);
     if (!drawn)
-        return refused(m_edit.row, "is no cut");
+        return refused(Clause::saying("row %1 is no cut", m_edit.row));
     m_strokes = standingStrokes(history, history.position());
     const auto target = std::find_if(m_strokes.begin(), m_strokes.end(),
         [this](const StandingStroke& stroke) { return stroke.row == m_edit.row; });
     if (target == m_strokes.end())
-        return refused(m_edit.row, "was taken back");
+        return refused(Clause::saying("row %1 was taken back", m_edit.row));
     m_before = *target;
     const Result<SculptEdit> after = revised(*drawn, m_edit);
     if (!after)
