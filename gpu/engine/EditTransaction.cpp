@@ -104,10 +104,9 @@ ComparedGrowth EditTransaction::compareGrowth()
         m_fields, m_before, m_work->growingPlane().value(), m_work->touchedKeys());
 }
 
-tl::unexpected<core::Error> refusal(const char* field, const char* reason)
+tl::unexpected<core::Error> refusal(const char* field, const core::Clause& reason)
 {
-    return core::failure(
-        core::ErrorCode::InvalidField, QLatin1String(field), QLatin1String(reason));
+    return core::failure(core::ErrorCode::InvalidField, QLatin1String(field), reason);
 }
 
 } // namespace gpu

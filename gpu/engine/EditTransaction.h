@@ -71,6 +71,6 @@ private:
 };
 
 /// Checks whether the edit is valid for a volume, so that it could begin. Errors: InvalidField.
-[[nodiscard]] tl::unexpected<core::Error> refusal(const char* field, const char* reason);
+[[nodiscard]] tl::unexpected<core::Error> refusal(const char* field, const core::Clause& reason);
 
 } // namespace gpu

@@ -15,7 +15,7 @@ core::Result<void> GpuEditEngine::checkKeys(std::span<const core::BrickKey> keys
         const bool known = key.field == core::Field::Coverage || key.field == core::Field::Labels
             || key.field == core::Field::SeedWords || key.field == core::Field::Overwritten;
         if (!known || key.brick >= std::uint32_t(m_fields->grid().brickCount()))
-            return refusal("brick", "not in this volume");
+            return refusal("brick", core::Clause::saying("not in this volume"));
     }
     return {};
 }
@@ -24,13 +24,13 @@ core::Result<void> GpuEditEngine::checkImages(
     const std::vector<core::BrickImage>& images, bool mayBeEmpty) const
 {
     if (m_transaction)
-        return refusal("transaction", "an edit is open");
+        return refusal("transaction", core::Clause::saying("an edit is open"));
     for (const core::BrickImage& image : images) {
         const bool isWhole = image.bytes.size() == packedBrickBytes(image.key.field);
         if (const core::Result<void> checked = checkKeys({&image.key, 1}); !checked)
             return checked;
         if (!isWhole && !(mayBeEmpty && image.bytes.empty()))
-            return refusal("bytes", "neither none nor a whole brick");
+            return refusal("bytes", core::Clause::saying("neither none nor a whole brick"));
     }
     return {};
 }
@@ -82,7 +82,7 @@ GpuEditEngine::Outcome GpuEditEngine::carryOut(core::XorBricks& command)
 GpuEditEngine::Outcome GpuEditEngine::carryOut(const core::MuteLayers& command)
 {
     if (m_transaction)
-        return refusal("transaction", "an edit is open");
+        return refusal("transaction", core::Clause::saying("an edit is open"));
     hideTolerance();
     const std::bitset<256> before = m_fields->mutedLayers();
     try {

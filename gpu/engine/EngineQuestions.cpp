@@ -32,7 +32,7 @@ GpuEditEngine::Outcome GpuEditEngine::carryOut(const core::ReadSeedWords& comman
         const glm::ivec3& voxel = command.voxels[i];
         if (glm::any(glm::lessThan(voxel, glm::ivec3(0)))
             || glm::any(glm::greaterThanEqual(voxel, m_fields->grid().volumeSize)))
-            return refusal("voxels", "outside the volume");
+            return refusal("voxels", core::Clause::saying("outside the volume"));
         places[std::uint32_t(m_fields->grid().brickOf(voxel))].push_back(i);
     }
     std::vector<core::BrickKey> keys;
@@ -57,7 +57,7 @@ GpuEditEngine::Outcome GpuEditEngine::carryOut(const core::ReadCodes& command)
     const core::VoxelBox& box = command.box;
     if (box.empty() || glm::any(glm::lessThan(box.minimum, glm::ivec3(0)))
         || glm::any(glm::greaterThan(box.maximum, m_fields->grid().volumeSize)))
-        return refusal("box", "is empty or not within the volume");
+        return refusal("box", core::Clause::saying("is empty or not within the volume"));
     const glm::ivec3 size = box.maximum - box.minimum;
     core::EngineResult result;
     result.codes.resize(std::size_t(size.x) * std::size_t(size.y) * std::size_t(size.z));
@@ -71,7 +71,7 @@ GpuEditEngine::Outcome GpuEditEngine::carryOut(const core::ProbeVoxels& command)
     for (const glm::ivec3& voxel : command.voxels) {
         if (glm::any(glm::lessThan(voxel, glm::ivec3(0)))
             || glm::any(glm::greaterThanEqual(voxel, m_fields->grid().volumeSize)))
-            return refusal("voxels", "outside the volume");
+            return refusal("voxels", core::Clause::saying("outside the volume"));
     }
     core::EngineResult result;
     result.probes = m_picks.probe(*m_fields, command);
@@ -100,7 +100,7 @@ GpuEditEngine::Outcome GpuEditEngine::carryOut(const core::ProbeSeeds& command)
 GpuEditEngine::Outcome GpuEditEngine::carryOut(const core::PickVoxels& command)
 {
     if (command.seenBy == core::SeenBy::Opacity && command.opacityOfCode.size() != 256)
-        return refusal("opacityOfCode", "has 256 entries");
+        return refusal("opacityOfCode", core::Clause::saying("has 256 entries"));
     core::EngineResult result;
     result.picks = m_picks.pick(*m_fields, command);
     return result;
@@ -116,7 +116,7 @@ GpuEditEngine::Outcome GpuEditEngine::carryOut(const core::CountGenerations& com
 GpuEditEngine::Outcome GpuEditEngine::carryOut(const core::TraceTolerance& command)
 {
     if (m_transaction)
-        return refusal("transaction", "an edit is open");
+        return refusal("transaction", core::Clause::saying("an edit is open"));
     const Clock::time_point start = Clock::now();
     if (!m_trace || m_trace->done() || !(m_trace->rule() == command.rule)) {
         m_trace.reset();
@@ -151,7 +151,7 @@ GpuEditEngine::Outcome GpuEditEngine::carryOut(const core::DropTolerance&)
 GpuEditEngine::Outcome GpuEditEngine::carryOut(const core::PreviewCut& command)
 {
     if (m_transaction)
-        return refusal("transaction", "an edit is open");
+        return refusal("transaction", core::Clause::saying("an edit is open"));
     if (const core::Result<void> checked = core::checkSound(command.cut, m_fields->grid());
         !checked)
         return tl::unexpected(checked.error());
@@ -180,7 +180,7 @@ GpuEditEngine::Outcome GpuEditEngine::carryOut(const core::CompareGrowth& comman
     const auto plane =
         m_transaction ? m_transaction->growingPlane() : std::optional<std::uint8_t>();
     if (!plane)
-        return refusal("transaction", "no growth is open");
+        return refusal("transaction", core::Clause::saying("no growth is open"));
     ComparedGrowth compared = m_transaction->compareGrowth();
     if (*plane == 0)
         m_growthMarks.show(*m_fields, std::move(compared.bricks), command.keep);

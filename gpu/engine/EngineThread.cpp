@@ -49,7 +49,7 @@ core::Result<void> EngineThread::start()
     if (!isCurrent.get()) {
         m_thread.join();
         return core::failure(core::ErrorCode::GraphicsUnavailable, QStringLiteral("OpenGL"),
-            QStringLiteral("the context cannot be made current"));
+            core::Clause::saying("the context cannot be made current"));
     }
     return {};
 }

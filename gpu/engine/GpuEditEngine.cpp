@@ -46,7 +46,7 @@ core::Result<void> GpuEditEngine::openVolume(
     const bool voxels = size.x > 0 && size.y > 0 && size.z > 0;
     if (!voxels || codes.size() != std::size_t(size.x) * std::size_t(size.y) * std::size_t(size.z))
         return core::failure(core::ErrorCode::InvalidGeometry, QStringLiteral("volume"),
-            QStringLiteral("its size and the number of its codes do not agree"));
+            core::Clause::saying("its size and the number of its codes do not agree"));
     finish();
     m_expectsRanges = false;
     core::Result<void> opened;
@@ -276,7 +276,7 @@ GpuEditEngine::Outcome GpuEditEngine::attempt(core::EngineCommand& command)
     if (m_lost)
         return tl::unexpected(*m_lost);
     if (!m_fields)
-        return refusal("volume", "none is open");
+        return refusal("volume", core::Clause::saying("none is open"));
     try {
         Outcome outcome = std::visit([this](auto& known) { return carryOut(known); }, command);
         requireNoError();
@@ -328,7 +328,7 @@ void GpuEditEngine::clearAfter(const core::CompareGrowth&, const core::Error&)
 GpuEditEngine::Outcome GpuEditEngine::carryOut(const core::BeginEdit& command)
 {
     if (m_transaction)
-        return refusal("transaction", "another edit is open");
+        return refusal("transaction", core::Clause::saying("another edit is open"));
     hideTolerance();
     m_cutPreviewer.forget();
     m_growthMarks.begin(std::holds_alternative<core::GrowBurst>(command.edit));
@@ -344,7 +344,7 @@ GpuEditEngine::Outcome GpuEditEngine::carryOut(const core::BeginEdit& command)
 GpuEditEngine::Outcome GpuEditEngine::carryOut(const core::ExtendEdit& command)
 {
     if (!m_transaction)
-        return refusal("transaction", "no edit is open");
+        return refusal("transaction", core::Clause::saying("no edit is open"));
     if (m_transaction->abandoned())
         return std::nullopt; // told once, or when it ends
     const core::Result<void> extended = m_transaction->extend(command.extension);
@@ -356,7 +356,7 @@ GpuEditEngine::Outcome GpuEditEngine::carryOut(const core::ExtendEdit& command)
 GpuEditEngine::Outcome GpuEditEngine::carryOut(const core::EndEdit& command)
 {
     if (!m_transaction)
-        return refusal("transaction", "no edit is open");
+        return refusal("transaction", core::Clause::saying("no edit is open"));
     m_growthMarks.hide();
     if (const std::optional<core::Error> why = m_transaction->abandoned()) {
         m_transaction.reset();

@@ -136,7 +136,7 @@ private:
             !checked)
             return checked;
         if (burst.plane != m_plane)
-            return refusal("plane", "is another one");
+            return refusal("plane", core::Clause::saying("is another one"));
         m_context.before.restore(touchedKeys());
         m_kernel->releaseUnused();
         m_kernel->releaseOverwritten({});
@@ -172,7 +172,7 @@ public:
         if (!shrink)
             return EditWork::extend(extension);
         if (shrink->keep > m_kernel.openedAt())
-            return refusal("keep", "is more than there is");
+            return refusal("keep", core::Clause::saying("is more than there is"));
         m_kernel.shrinkTo(shrink->keep, shrink->keep == 0);
         return {};
     }
@@ -235,7 +235,7 @@ public:
         if (!further)
             return EditWork::extend(extension);
         if (further->steps < 1)
-            return refusal("steps", "are none");
+            return refusal("steps", core::Clause::saying("are none"));
         m_cut->advanceTo(further->steps);
         return {};
     }

@@ -163,8 +163,9 @@ void putBackImages(VoxelFields& fields, const std::vector<core::BrickImage>& ima
     for (const core::BrickImage& image : images) {
         if (!written({image}))
             throw FieldsLost({core::ErrorCode::OutOfMemory,
-                {QStringLiteral("the graphics processor has no more, not even to put back what was "
-                                "there")}});
+                {core::Clause::saying(
+                    "the graphics processor has no more, not even to put back what was "
+                    "there")}});
     }
 }
 

@@ -63,19 +63,19 @@ std::vector<EGLDisplay> hardwareDisplays()
 }
 
 /// What the driver has instead of OpenGL 4.5.
-QString whatThereIs(EGLDisplay display, EGLConfig config)
+core::Clause whatThereIs(EGLDisplay display, EGLConfig config)
 {
-    const QString none = QStringLiteral("no OpenGL 4.5 core context");
+    const core::Clause none = core::Clause::saying("no OpenGL 4.5 core context");
     const std::array<EGLint, 1> any{EGL_NONE};
     const EGLContext context = eglCreateContext(display, config, EGL_NO_CONTEXT, any.data());
     if (context == EGL_NO_CONTEXT)
         return none;
-    QString told = none;
+    core::Clause told = none;
     if (eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context)) {
         const auto text = [](GLenum name) {
             return QString::fromUtf8(reinterpret_cast<const char*>(glGetString(name)));
         };
-        told = QStringLiteral("%1 has OpenGL %2").arg(text(GL_RENDERER), text(GL_VERSION));
+        told = core::Clause::saying("%1 has OpenGL %2", text(GL_RENDERER), text(GL_VERSION));
         eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
     }
     eglDestroyContext(display, context);
@@ -98,27 +98,27 @@ EGLContext makeContext(
 }
 
 /// @return why not, empty when it worked
-QString createOn(EGLDisplay display, const EglContextOptions& options, EGLContext& context)
+core::Clause createOn(EGLDisplay display, const EglContextOptions& options, EGLContext& context)
 {
     if (display == EGL_NO_DISPLAY || !eglInitialize(display, nullptr, nullptr))
-        return QStringLiteral("the display cannot be initialised");
+        return core::Clause::saying("the display cannot be initialised");
     const char* extensions = eglQueryString(display, EGL_EXTENSIONS);
     if (!hasWord(extensions, "EGL_KHR_surfaceless_context"))
-        return QStringLiteral("EGL_KHR_surfaceless_context is missing");
+        return core::Clause::saying("EGL_KHR_surfaceless_context is missing");
     if (!eglBindAPI(EGL_OPENGL_API))
-        return QStringLiteral("no desktop OpenGL");
+        return core::Clause::saying("no desktop OpenGL");
     EGLConfig config = nullptr;
     if (!hasWord(extensions, "EGL_KHR_no_config_context")) {
         const std::array<EGLint, 3> wanted{EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_NONE};
         EGLint count = 0;
         if (!eglChooseConfig(display, wanted.data(), &config, 1, &count) || count == 0)
-            return QStringLiteral("no framebuffer configuration");
+            return core::Clause::saying("no framebuffer configuration");
     }
     if (hasWord(extensions, "EGL_EXT_create_context_robustness"))
         context = makeContext(display, config, options, true);
     if (context == EGL_NO_CONTEXT)
         context = makeContext(display, config, options, false);
-    return context == EGL_NO_CONTEXT ? whatThereIs(display, config) : QString();
+    return context == EGL_NO_CONTEXT ? whatThereIs(display, config) : core::Clause();
 }
 
 } // namespace
@@ -130,7 +130,7 @@ core::Result<std::unique_ptr<EglContext>> EglContext::create(const EglContextOpt
         displays.push_back(
             eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr));
     }
-    QString reason = QStringLiteral("no device and no surfaceless platform");
+    core::Clause reason = core::Clause::saying("no device and no surfaceless platform");
     for (EGLDisplay display : displays) {
         auto handles = std::make_unique<Handles>();
         handles->display = display;

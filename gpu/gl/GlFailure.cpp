@@ -5,6 +5,8 @@
 #include "gpu/gl/Gl.h"
 #include "gpu/shaders/ShaderLibrary.h"
 
+#include <optional>
+
 namespace gpu {
 
 namespace {
@@ -12,47 +14,47 @@ namespace {
 /// A lost context reports itself for ever.
 constexpr int mostErrors = 64;
 
-/// Why this thread's context is lost; null: it is not. A driver may tell of it only once, and a
-/// thread keeps its context from start to end.
-thread_local const char* whyLost = nullptr;
+/// The reset that has taken away this thread's context; empty: it is there. A driver may tell of it
+/// only once, and a thread keeps its context from start to end.
+thread_local std::optional<GLenum> lostBy;
 
-const char* reasonOf(GLenum resetStatus)
+core::Clause reasonOf(GLenum resetStatus)
 {
     switch (resetStatus) {
     case GL_GUILTY_CONTEXT_RESET:
-        return "the graphics processor was reset in the middle of it";
+        return core::Clause::saying("the graphics processor was reset in the middle of it");
     case GL_INNOCENT_CONTEXT_RESET:
-        return "the graphics processor was reset because of another program";
+        return core::Clause::saying("the graphics processor was reset because of another program");
     case GL_UNKNOWN_CONTEXT_RESET:
-        return "the graphics processor was reset";
+        return core::Clause::saying("the graphics processor was reset");
     default:
-        return "its OpenGL context was lost";
+        return core::Clause::saying("its OpenGL context was lost");
     }
 }
 
-core::Error error(core::ErrorCode code, const QString& text)
+core::Error error(core::ErrorCode code, const core::Clause& reason)
 {
-    return {code, {text}};
+    return {code, {reason}};
 }
 
 /// @param told by an error
 void throwIfLost(bool told)
 {
-    if (whyLost == nullptr) {
+    if (!lostBy) {
         // Without robust access a driver says nothing here; then errors may tell.
         const GLenum status = glGetGraphicsResetStatus();
         if (told || status != GL_NO_ERROR)
-            whyLost = reasonOf(status);
+            lostBy = status;
     }
-    if (whyLost != nullptr)
-        throw ContextLost(error(core::ErrorCode::ContextLost, QLatin1String(whyLost)));
+    if (lostBy)
+        throw ContextLost(error(core::ErrorCode::ContextLost, reasonOf(*lostBy)));
 }
 
 /// The first of the errors since the last look, GL_NO_ERROR if there is none. Throws ContextLost
 /// where one of them, or a look before, says so.
 GLenum takeErrors()
 {
-    if (whyLost != nullptr)
+    if (lostBy)
         throwIfLost(true);
     const GLenum first = glGetError();
     GLenum next = first;
@@ -101,15 +103,16 @@ void requireStorage(const char* label, std::size_t bytes)
 {
     if (takeErrors() != GL_NO_ERROR)
         throw GlFailure(error(core::ErrorCode::OutOfMemory,
-            QStringLiteral("the graphics processor refused %1 MB for “%2”")
-                .arg(megabytes(bytes), QLatin1String(label))));
+            core::Clause::saying("the graphics processor refused %1 MB for “%2”", megabytes(bytes),
+                QLatin1String(label))));
 }
 
 void requireMemory(const char* label)
 {
     if (takeErrors() == GL_OUT_OF_MEMORY)
         throw GlFailure(error(core::ErrorCode::OutOfMemory,
-            QStringLiteral("the graphics driver has no more for “%1”").arg(QLatin1String(label))));
+            core::Clause::saying(
+                "the graphics driver has no more for “%1”", QLatin1String(label))));
     throwIfLost(false);
 }
 
@@ -120,12 +123,12 @@ void requireNoError()
     case GL_NO_ERROR:
         return throwIfLost(false); // a driver may say so without an error
     case GL_OUT_OF_MEMORY:
-        throw GlFailure(error(
-            core::ErrorCode::OutOfMemory, QStringLiteral("the graphics processor has no more")));
+        throw GlFailure(error(core::ErrorCode::OutOfMemory,
+            core::Clause::saying("the graphics processor has no more")));
     default:
         throw GlFailure(error(core::ErrorCode::Internal,
-            QStringLiteral("the graphics driver refused a command (0x%1)")
-                .arg(code, 4, 16, QLatin1Char('0'))));
+            core::Clause::saying("the graphics driver refused a command (0x%1)",
+                QStringLiteral("%1").arg(code, 4, 16, QLatin1Char('0')))));
     }
 }
 

@@ -25,8 +25,8 @@ core::Result<void> PeelKernel::extend(const core::EngineExtension& extension)
     if (!depth)
         return EditWork::extend(extension);
     if (depth->depth < 0)
-        return core::failure(
-            core::ErrorCode::InvalidField, QStringLiteral("depth"), QStringLiteral("is below 0"));
+        return core::failure(core::ErrorCode::InvalidField, QStringLiteral("depth"),
+            core::Clause::saying("is below 0"));
     setDepth(depth->depth);
     return {};
 }

@@ -116,7 +116,7 @@ core::Result<std::unique_ptr<SpreadKernel>> SpreadKernel::begin(SpreadPrograms& 
     const auto [around, labels] = seedBox(programs.find(), fields, spread);
     if (labels < leastStepLabels)
         return core::failure(core::ErrorCode::InvalidField, QStringLiteral("seeds"),
-            QStringLiteral("fewer than two segments have any"));
+            core::Clause::saying("fewer than two segments have any"));
     const core::VoxelBox box = core::spreadBox(spread, around, fields.grid().volumeSize);
     return std::unique_ptr<SpreadKernel>(new SpreadKernel(programs, fields, before, spread, box));
 }

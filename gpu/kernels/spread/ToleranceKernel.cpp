@@ -99,16 +99,15 @@ Program& TolerancePrograms::count()
 core::Result<std::unique_ptr<ToleranceKernel>> ToleranceKernel::begin(
     TolerancePrograms& programs, VoxelFields& fields, const core::ToleranceRule& rule)
 {
-    const auto refuse = [&fields](const char* field, const char* reason) {
+    const auto refuse = [&fields](const char* field, const core::Clause& reason) {
         fields.dropTolerance();
-        return core::failure(
-            core::ErrorCode::InvalidField, QLatin1String(field), QLatin1String(reason));
+        return core::failure(core::ErrorCode::InvalidField, QLatin1String(field), reason);
     };
     if (!core::isSound(rule))
-        return refuse("rule", "is not sound");
+        return refuse("rule", core::Clause::saying("is not sound"));
     const std::optional<int> centre = centreOf(programs.seeds(), fields, rule);
     if (!centre)
-        return refuse("seeds", "there are none");
+        return refuse("seeds", core::Clause::saying("there are none"));
     ToleranceField& field = fields.tolerance();
     const glm::ivec3 size = fields.grid().bricks() * core::BrickGrid::side;
     if (!field.tolerances)

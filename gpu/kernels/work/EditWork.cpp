@@ -10,29 +10,35 @@ namespace {
 
 /// Why an extension does not fit; one of a kind that has no sentence does not compile.
 struct Misfits {
-    const char* operator()(const core::DrillPath&) const
+    core::Clause operator()(const core::DrillPath&) const
     {
-        return "the open edit is no stroke of drill or laser";
+        return core::Clause::saying("the open edit is no stroke of drill or laser");
     }
-    const char* operator()(const core::CapsulePath&) const
+    core::Clause operator()(const core::CapsulePath&) const
     {
-        return "the open edit is no stroke of a brush";
+        return core::Clause::saying("the open edit is no stroke of a brush");
     }
-    const char* operator()(const core::PeelDepth&) const { return "the open edit is no peel"; }
-    const char* operator()(const core::ShrinkTo&) const { return "the open edit is no shrinking"; }
-    const char* operator()(const core::CutFurther&) const
+    core::Clause operator()(const core::PeelDepth&) const
     {
-        return "the open edit is no cut backwards";
+        return core::Clause::saying("the open edit is no peel");
     }
-    const char* operator()(const core::ForgetSpread&) const
+    core::Clause operator()(const core::ShrinkTo&) const
     {
-        return "the open edit does not grow from seeds";
+        return core::Clause::saying("the open edit is no shrinking");
     }
-    const char* operator()(const core::GrowAdvance&) const { return noGrowth; }
-    const char* operator()(const core::GrowPause&) const { return noGrowth; }
-    const char* operator()(const core::GrowAnew&) const { return noGrowth; }
+    core::Clause operator()(const core::CutFurther&) const
+    {
+        return core::Clause::saying("the open edit is no cut backwards");
+    }
+    core::Clause operator()(const core::ForgetSpread&) const
+    {
+        return core::Clause::saying("the open edit does not grow from seeds");
+    }
+    core::Clause operator()(const core::GrowAdvance&) const { return noGrowth(); }
+    core::Clause operator()(const core::GrowPause&) const { return noGrowth(); }
+    core::Clause operator()(const core::GrowAnew&) const { return noGrowth(); }
 
-    static constexpr const char* noGrowth = "the open edit is no growth";
+    static core::Clause noGrowth() { return core::Clause::saying("the open edit is no growth"); }
 };
 
 } // namespace
@@ -40,7 +46,7 @@ struct Misfits {
 core::Result<void> EditWork::extend(const core::EngineExtension& extension)
 {
     return core::failure(core::ErrorCode::InvalidField, QStringLiteral("extension"),
-        QLatin1String(std::visit(Misfits(), extension)));
+        std::visit(Misfits(), extension));
 }
 
 bool EditWork::join(core::EngineExtension&, core::EngineExtension&) const
