@@ -8,6 +8,7 @@
 #include "gpu/engine/GpuEngine.h"
 #include "gpu/engine/MemoryFormula.h"
 #include "ui/base/ErrorText.h"
+#include "ui/texts/ClauseText.h"
 #include "ui/texts/ProblemTexts.h"
 #include "ui/texts/RepairTexts.h"
 
@@ -183,9 +184,10 @@ QStringList refusals(const core::StudyListing& listing)
     for (const core::ForeignObject& object : listing.foreign) {
         lines.append(QStringLiteral("%1 × %2%3  %4")
                          .arg(object.files.size())
-                         .arg(object.kind,
-                             object.reason.isEmpty() ? QString()
-                                                     : QStringLiteral(" (%1)").arg(object.reason),
+                         .arg(ui::clauseText(object.kind),
+                             object.reason.isEmpty()
+                                 ? QString()
+                                 : QStringLiteral(" (%1)").arg(ui::clauseText(object.reason)),
                              QFileInfo(object.files.front()).fileName()));
     }
     for (const core::UnreadableFile& file : listing.unreadable)
@@ -254,8 +256,9 @@ void printVolume(const core::Study& study, const core::VolumeFacts& facts)
     const core::StudyIdentity& identity = facts.entry.identity;
     const core::VolumeGeometry& geometry = geometryOf(facts);
     const glm::dvec3 spacing = geometry.spacingMm();
-    const QString part =
-        facts.entry.part.isEmpty() ? QString() : QStringLiteral(" (%1)").arg(facts.entry.part);
+    const QString part = facts.entry.part.isEmpty()
+        ? QString()
+        : QStringLiteral(" (%1)").arg(ui::clauseText(facts.entry.part));
     print(stdout,
         QStringLiteral("  %1 %2%3").arg(identity.modality, identity.seriesDescription, part));
     print(stdout, QStringLiteral("    series   %1").arg(facts.entry.key));
@@ -286,7 +289,7 @@ void printVolume(const core::Study& study, const core::VolumeFacts& facts)
                 .arg(time.key)
                 .arg(time.minimum)
                 .arg(time.maximum)
-                .arg(time.label));
+                .arg(ui::clauseText(time.label)));
     }
     for (const core::SeriesFinding& finding : findingsOf(study, facts))
         printFinding(finding);

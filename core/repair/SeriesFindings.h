@@ -36,7 +36,7 @@ struct RepairOffer {
     int last = 0;
     int part = 0; ///< 1-based
     int parts = 0;
-    QString stack{}; ///< SeriesAlternatives::Stack::part
+    Clause stack{}; ///< SeriesAlternatives::Stack::part
 };
 
 /// A problem of a series, and what can be done about it. Opening the series unchanged is always

@@ -4,6 +4,7 @@
 #include "core/archive/ArchiveReader.h"
 #include "core/archive/UnpackedArchive.h"
 #include "core/base/files/ReadableFile.h"
+#include "core/dicom/base/DicomFile.h"
 #include "core/dicom/stack/DicomScan.h"
 #include "core/dicom/stack/StackLoader.h"
 #include "core/images/ImagePage.h"
@@ -21,6 +22,7 @@
 #include <algorithm>
 #include <map>
 #include <optional>
+#include <vector>
 
 namespace core {
 
@@ -114,22 +116,24 @@ Error nothingFound(const StudyListing& listing)
     // Files that nothing could be made of explain themselves best.
     const auto telling = std::find_if(
         listing.unreadable.begin(), listing.unreadable.end(), [](const UnreadableFile& file) {
-            return file.error.arguments.value(1)
-                != QLatin1String("not a DICOM, NIfTI, NRRD, MetaImage, PNG or TIFF file");
+            return file.error.arguments.value(1) != ofNoKnownFormat();
         });
     if (listing.unreadable.size() == 1 && listing.foreign.empty())
         return listing.unreadable.front().error;
     if (telling != listing.unreadable.end())
         return telling->error;
-    QStringList reasons;
+    std::vector<Clause> reasons;
     for (const ForeignObject& object : listing.foreign) {
-        const QString text = object.reason.isEmpty()
+        const Clause text = object.reason.isEmpty()
             ? object.kind
-            : QStringLiteral("%1 (%2)").arg(object.kind, object.reason);
-        if (!reasons.contains(text))
-            reasons.append(text);
+            : Clause::saying("%1 (%2)", object.kind, object.reason);
+        if (std::find(reasons.begin(), reasons.end(), text) == reasons.end())
+            reasons.push_back(text);
     }
-    return {ErrorCode::NoImages, {listing.path, reasons.join(QLatin1String("; "))}};
+    Clause all;
+    for (const Clause& reason : reasons)
+        all = all.isEmpty() ? reason : Clause::saying("%1; %2", all, reason);
+    return {ErrorCode::NoImages, {listing.path, all}};
 }
 
 /// A file of an unpacked archive as lying in the archive.
@@ -249,8 +253,8 @@ void Study::Contents::listSingles(const QString& root)
         const QString file = single.entry.files.front();
         if (besideDicom) {
             listing.foreign.push_back(
-                {.kind = QStringLiteral("%1 file").arg(QLatin1String(single.format->name)),
-                    .reason = QStringLiteral("beside a DICOM study; open it by its own name"),
+                {.kind = Clause::saying("%1 file", QLatin1String(single.format->name)),
+                    .reason = Clause::saying("beside a DICOM study; open it by its own name"),
                     .files = single.entry.files});
             continue;
         }
@@ -272,8 +276,8 @@ void Study::Contents::listPictures(const QString& root)
     // Beside a volume they are views of it, or of something else, and seldom one of their own.
     if (!listing.studies.empty()) {
         for (const SeriesEntry& entry : pictures) {
-            listing.foreign.push_back({.kind = QStringLiteral("picture (PNG or TIFF)"),
-                .reason = QStringLiteral("beside other volumes; open it by its own name"),
+            listing.foreign.push_back({.kind = Clause::saying("picture (PNG or TIFF)"),
+                .reason = Clause::saying("beside other volumes; open it by its own name"),
                 .files = entry.files});
         }
         pictures.clear();

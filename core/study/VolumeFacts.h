@@ -12,7 +12,7 @@ namespace core {
 /// One point of a series in time.
 struct TimeFacts {
     QString key; ///< SeriesEntry::keyAtTime()
-    QString label; ///< SeriesEntry::times
+    Clause label; ///< SeriesEntry::times
     double minimum = 0.0;
     double maximum = 0.0;
     QByteArray voxelsSha256; ///< Volume::voxelsSha256

@@ -36,10 +36,10 @@ ProblemSentence::Argument withCommas(std::vector<ProblemSentence> parts)
     return ProblemSentence::Listed{.joiner = ProblemCode::Comma, .all = std::move(parts)};
 }
 
-ProblemSentence::Argument namesIn(const QStringList& names, ProblemCode joiner)
+ProblemSentence::Argument namesIn(const Clauses& names, ProblemCode joiner)
 {
     ProblemSentence::Listed listed{.joiner = joiner};
-    for (const QString& name : names)
+    for (const Clause& name : names)
         listed.all.push_back({ProblemCode::AsStored, {name}});
     return listed;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/base/words/Clauses.h"
 #include "core/base/words/Said.h"
 
 #include <QStringList>
@@ -24,7 +25,7 @@ using ProblemSentence = Said<ProblemCode>;
 [[nodiscard]] ProblemSentence::Argument withCommas(std::vector<ProblemSentence> parts);
 /// Names, with what stands between two of them.
 [[nodiscard]] ProblemSentence::Argument namesIn(
-    const QStringList& names, ProblemCode joiner = ProblemCode::Comma);
+    const Clauses& names, ProblemCode joiner = ProblemCode::Comma);
 /// A sentence in another one.
 [[nodiscard]] ProblemSentence::Argument asPart(ProblemSentence sentence);
 

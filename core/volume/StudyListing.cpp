@@ -14,27 +14,28 @@ QString SeriesEntry::keyAtTime(int time) const
     return time == 0 ? key : QStringLiteral("%1@%2").arg(key).arg(time + 1);
 }
 
-QString SeriesEntry::line() const
+Clause SeriesEntry::line() const
 {
-    QStringList words;
     const QString patient =
         identity.patientName.isEmpty() ? identity.patientId : identity.patientName;
-    words << key << (patient.isEmpty() ? QStringLiteral("no patient name") : patient);
+    std::vector<Clause> words{patient.isEmpty() ? Clause::saying("no patient name") : patient};
     if (!identity.studyDate.isEmpty())
-        words << identity.studyDate;
+        words.push_back(identity.studyDate);
     const QString description =
         QString(identity.modality + QLatin1Char(' ') + identity.seriesDescription).trimmed();
     if (!description.isEmpty())
-        words << description;
+        words.push_back(description);
     if (!part.isEmpty())
-        words << part;
-    words << (slices() == 1 ? QStringLiteral("1 slice")
-                            : QStringLiteral("%1 slices").arg(slices()));
+        words.push_back(part);
+    words.push_back(
+        slices() == 1 ? Clause::saying("1 slice") : Clause::saying("%1 slices", slices()));
     if (!times.isEmpty())
-        words << QStringLiteral("%1 points in time").arg(times.size());
-    QString line = words.join(QLatin1String(", "));
+        words.push_back(Clause::saying("%1 points in time", times.size()));
+    Clause line = key;
+    for (const Clause& word : words)
+        line = Clause::saying("%1, %2", line, word);
     for (const VolumeProblem& problem : problems)
-        line += QStringLiteral(" · ") + storedText(problem.said);
+        line = Clause::saying("%1 · %2", line, storedText(problem.said));
     return line;
 }
 

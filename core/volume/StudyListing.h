@@ -25,13 +25,13 @@ struct SeriesEntry {
     StudyIdentity identity;
     VolumeGeometry geometry;
     QString unit; ///< "HU" for CT, else what the source says; may be empty
-    QString part; ///< which part of a split series, in words; empty for a whole series
+    Clause part; ///< which part of a split series; empty for a whole series
     std::vector<VolumeProblem> problems; ///< those that are visible from headers
     QStringList files{}; ///< one per slice k, or a single one that holds the volume
-    /// For a series in time: what distinguishes its points, in words and in order ("temporal
+    /// For a series in time: what distinguishes its points, in order ("temporal
     /// position 3"); a text may be empty. Empty for a volume of one moment. All other members
     /// describe the first point.
-    QStringList times{};
+    Clauses times{};
     /// The grid with one image at each position, if several images share positions and one of them
     /// can be chosen ("duplicates=first").
     std::optional<VolumeGeometry> undoubled{};
@@ -48,7 +48,7 @@ struct SeriesEntry {
     /// third; the key itself names the first.
     [[nodiscard]] QString keyAtTime(int time) const;
     /// One line for a list: key, patient, date, description, slices, problems.
-    [[nodiscard]] QString line() const;
+    [[nodiscard]] Clause line() const;
 };
 
 /// A volume, by name; the point in time if it is a series in time (SeriesEntry::keyAtTime()); and
@@ -68,8 +68,8 @@ struct StudyEntry {
 /// Valid files that are not slices of a volume: SEG, RTSTRUCT, reports, DICOMDIR, localizers,
 /// colour screens, multi-frame images. They are listed beside the volumes and are never an error.
 struct ForeignObject {
-    QString kind; ///< "localizer", "DICOM SEG", …
-    QString reason{}; ///< why it is no volume; may be empty
+    Clause kind; ///< "localizer", "DICOM SEG", …
+    Clause reason{}; ///< why it is no volume; may be empty
     StudyIdentity identity{};
     QStringList files{};
 };

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/Error.h"
+#include "core/base/words/Clauses.h"
 #include "core/volume/ProblemSentence.h"
 #include "core/volume/VolumeGeometry.h"
 #include "core/volume/VoxelEncoding.h"
@@ -104,13 +105,13 @@ struct SeriesAsIs {
 struct SeriesAlternatives {
     struct Stack {
         QString key; ///< what `--series` takes
-        QString part; ///< which of the stacks it is, in words
+        Clause part; ///< which of the stacks it is
         VolumeGeometry geometry;
     };
     QString key; ///< that of the volume, without the point in time
-    QString part; ///< which of several stacks it is, in words; empty if it is the only one
+    Clause part; ///< which of several stacks it is; empty if it is the only one
     std::vector<Stack> stacks{}; ///< the others
-    QStringList times{}; ///< for a series in time, what distinguishes its points; else empty
+    Clauses times{}; ///< for a series in time, what distinguishes its points; else empty
     int time = 0; ///< which of these points it is, 0-based
     std::optional<VolumeGeometry> undoubled{}; ///< SeriesEntry::undoubled
 };

@@ -181,13 +181,6 @@ bool mayHoldClauses(const QString& file)
         QStringLiteral("core/dicom/codecs/JpegCheck.cpp"),
         QStringLiteral("core/fence/DecodeWorker.cpp"), QStringLiteral("core/images/ImageCodec.cpp"),
         QStringLiteral("core/images/PngDecoder.cpp"), QStringLiteral("core/images/TiffDecoder.cpp"),
-        // What a thing of a series is, which ui does not word yet.
-        QStringLiteral("core/dicom/items/SopClass.cpp"),
-        QStringLiteral("core/dicom/stack/ApartImage.cpp"),
-        QStringLiteral("core/dicom/stack/SliceStack.cpp"),
-        QStringLiteral("core/study/StudyLoader.cpp"),
-        QStringLiteral("core/volume/StudyListing.cpp"),
-        QStringLiteral("core/dicom/header/ImageQuantity.cpp"),
         // Words of file formats, and of SQL.
         QStringLiteral("core/meshfile/MeshWriter.cpp"), QStringLiteral("core/nrrd/NrrdReader.cpp"),
         QStringLiteral("core/nrrd/NrrdWriter.cpp"),

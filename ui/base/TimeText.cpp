@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/base/TimeText.h"
 
+#include "ui/texts/ClauseText.h"
+
 namespace ui {
 
 QString timeText(const core::Volume& volume)
@@ -10,7 +12,7 @@ QString timeText(const core::Volume& volume)
     const core::SeriesAlternatives& series = *volume.alternatives;
     const QString point =
         QStringLiteral("point %1 of %2").arg(series.time + 1).arg(series.times.size());
-    const QString label = series.times.value(series.time);
+    const QString label = clauseText(series.times.value(series.time));
     return label.isEmpty() ? point : point + QStringLiteral(" · ") + label;
 }
 

@@ -2,6 +2,7 @@
 #include "ui/panels/TimePoints.h"
 
 #include "ui/base/Theme.h"
+#include "ui/texts/ClauseText.h"
 #include "ui/workspace/Workspace.h"
 
 #include <QActionGroup>
@@ -84,7 +85,7 @@ QString TimePoints::chosenText() const
     const core::SeriesAlternatives* points = pointsOf(m_workspace);
     if (!points)
         return {};
-    const QString label = points->times.value(m_slider->value());
+    const QString label = clauseText(points->times.value(m_slider->value()));
     return tr("Point %1 of %2%3.")
         .arg(m_slider->value() + 1)
         .arg(points->times.size())

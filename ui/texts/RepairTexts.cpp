@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/texts/RepairTexts.h"
 
+#include "ui/texts/ClauseText.h"
+
 #include <QCoreApplication>
 #include <QStringList>
 
@@ -63,7 +65,7 @@ QString repairTitle(const RepairOffer& offer)
             .arg(millimetres(spacing.x), millimetres(spacing.y), millimetres(spacing.z));
     }
     case Kind::OtherStack:
-        return RepairTexts::tr("Open %1").arg(offer.stack);
+        return RepairTexts::tr("Open %1").arg(clauseText(offer.stack));
     case Kind::AsRepaired:
         return RepairTexts::tr("As repaired (%1)").arg(offer.repair);
     }

@@ -29,11 +29,15 @@ QString uidText(DicomBytes bytes, const DicomElement& element)
 
 tl::unexpected<Error> notDicom(const QString& path)
 {
-    return failure(ErrorCode::UnsupportedFormat, path,
-        Clause::saying("not a DICOM, NIfTI, NRRD, MetaImage, PNG or TIFF file"));
+    return failure(ErrorCode::UnsupportedFormat, path, ofNoKnownFormat());
 }
 
 } // namespace
+
+Clause ofNoKnownFormat()
+{
+    return Clause::saying("not a DICOM, NIfTI, NRRD, MetaImage, PNG or TIFF file");
+}
 
 Result<DicomFile> DicomFile::open(const QString& path)
 {

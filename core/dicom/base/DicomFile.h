@@ -79,4 +79,7 @@ private:
     PreflightFacts m_facts;
 };
 
+/// The reason for which a file of none of the formats that are read is refused.
+[[nodiscard]] Clause ofNoKnownFormat();
+
 } // namespace core

@@ -48,7 +48,7 @@ struct ImageHeader {
     QString sopClassUid;
     QString transferSyntaxUid; ///< as the file states it; guessed if it does not
     QStringList imageType;
-    QString quantity; ///< what the values measure: "magnitude", "field map"; empty: not stated
+    Clause quantity; ///< what the values measure: "magnitude", "field map"; empty: not stated
 
     bool hasPixels = false;
     bool pixelsCut = false; ///< the file ends before its pixel data do

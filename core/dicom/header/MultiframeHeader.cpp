@@ -71,7 +71,7 @@ std::vector<ImageHeader> framesOf(
         readWindow(about(DCM_FrameVOILUTSequence, frame), header);
         header.stackId = about(DCM_FrameContentSequence, frame).text(DCM_StackID);
         const HeaderAttributes kind = about(DCM_MRImageFrameTypeSequence, frame);
-        const QString quantity =
+        const Clause quantity =
             imageQuantity(kind.text(DCM_FrameType), kind.text(DCM_ComplexImageComponent));
         if (!quantity.isEmpty())
             header.quantity = quantity;

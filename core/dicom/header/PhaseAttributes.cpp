@@ -18,7 +18,7 @@ struct Phase {
     DcmTagKey key; ///< in a single-frame object
     DcmTagKey macro; ///< what holds it of a frame
     DcmTagKey frameKey;
-    const char* name;
+    Clause name;
     const char* unit = "";
     Kind kind = Kind::Number;
 };
@@ -30,27 +30,30 @@ const std::vector<Phase>& table()
 {
     static const std::vector<Phase> phases{
         {DCM_TemporalPositionIdentifier, DCM_FrameContentSequence, DCM_TemporalPositionIndex,
-            "temporal position"},
+            Clause::saying("temporal position")},
         {DCM_NominalPercentageOfCardiacPhase, DCM_CardiacSynchronizationSequence,
-            DCM_NominalPercentageOfCardiacPhase, "cardiac phase", "%"},
+            DCM_NominalPercentageOfCardiacPhase, Clause::saying("cardiac phase"), "%"},
         {DCM_TriggerTime, DCM_CardiacSynchronizationSequence, DCM_NominalCardiacTriggerDelayTime,
-            "trigger time", "ms"},
-        {DCM_EchoNumbers, none, none, "echo"},
-        {DCM_EchoTime, DCM_MREchoSequence, DCM_EffectiveEchoTime, "echo time", "ms"},
-        {DCM_DiffusionBValue, DCM_MRDiffusionSequence, DCM_DiffusionBValue, "b-value", "s/mm²"},
+            Clause::saying("trigger time"), "ms"},
+        {DCM_EchoNumbers, none, none, Clause::saying("echo")},
+        {DCM_EchoTime, DCM_MREchoSequence, DCM_EffectiveEchoTime, Clause::saying("echo time"),
+            "ms"},
+        {DCM_DiffusionBValue, DCM_MRDiffusionSequence, DCM_DiffusionBValue,
+            Clause::saying("b-value"), "s/mm²"},
         {DCM_DiffusionGradientOrientation, DCM_MRDiffusionSequence,
-            DCM_DiffusionGradientOrientation, "gradient", "", Kind::Label},
-        {DCM_ImageType, DCM_MRImageFrameTypeSequence, DCM_FrameType, "image type", "", Kind::Label},
-        {DCM_InversionTime, none, none, "inversion time", "ms"},
-        {DCM_FlipAngle, none, none, "flip angle", "°"},
-        {DCM_AcquisitionNumber, DCM_FrameContentSequence, DCM_FrameAcquisitionNumber, "acquisition",
+            DCM_DiffusionGradientOrientation, Clause::saying("gradient"), "", Kind::Label},
+        {DCM_ImageType, DCM_MRImageFrameTypeSequence, DCM_FrameType, Clause::saying("image type"),
             "", Kind::Label},
+        {DCM_InversionTime, none, none, Clause::saying("inversion time"), "ms"},
+        {DCM_FlipAngle, none, none, Clause::saying("flip angle"), "°"},
+        {DCM_AcquisitionNumber, DCM_FrameContentSequence, DCM_FrameAcquisitionNumber,
+            Clause::saying("acquisition"), "", Kind::Label},
         {DCM_AcquisitionDateTime, DCM_FrameContentSequence, DCM_FrameAcquisitionDateTime,
-            "acquired at", "", Kind::Time},
-        {DCM_AcquisitionTime, none, none, "acquired at", "", Kind::Time},
-        {DCM_ContentTime, DCM_FrameContentSequence, DCM_FrameReferenceDateTime, "time", "",
-            Kind::Time},
-        {none, none, none, "dimension index", "", Kind::Label},
+            Clause::saying("acquired at"), "", Kind::Time},
+        {DCM_AcquisitionTime, none, none, Clause::saying("acquired at"), "", Kind::Time},
+        {DCM_ContentTime, DCM_FrameContentSequence, DCM_FrameReferenceDateTime,
+            Clause::saying("time"), "", Kind::Time},
+        {none, none, none, Clause::saying("dimension index"), "", Kind::Label},
     };
     return phases;
 }
@@ -112,13 +115,13 @@ std::size_t phaseAttributeCount()
     return table().size();
 }
 
-QString phaseText(std::size_t attribute, const QString& value)
+Clause phaseText(std::size_t attribute, const QString& value)
 {
     const Phase& phase = table().at(attribute);
     QString text = phase.kind == Kind::Time ? clockText(value) : value;
     if (*phase.unit != '\0')
         text += QLatin1Char(' ') + QString::fromUtf8(phase.unit);
-    return QString::fromLatin1(phase.name) + QLatin1Char(' ') + text;
+    return Clause::saying("%1 %2", phase.name, text);
 }
 
 bool phaseHasOrder(std::size_t attribute)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/base/words/Clause.h"
 #include "core/dicom/items/HeaderAttributes.h"
 
 #include <QString>
@@ -16,8 +17,8 @@ class FunctionalGroups;
 /// b-value …
 [[nodiscard]] std::size_t phaseAttributeCount();
 
-/// One value of such an attribute in words: "trigger time 160 ms".
-[[nodiscard]] QString phaseText(std::size_t attribute, const QString& value);
+/// One value of such an attribute: "trigger time 160 ms".
+[[nodiscard]] Clause phaseText(std::size_t attribute, const QString& value);
 
 /// Whether the order of the values is meaningful; otherwise they merely differ.
 [[nodiscard]] bool phaseHasOrder(std::size_t attribute);

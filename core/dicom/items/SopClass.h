@@ -8,7 +8,7 @@ namespace core {
 
 /// What a DICOM object is if it cannot contain slices of a volume ("DICOM SEG", "RT structure set",
 /// "DICOMDIR", "report" …); empty if it may be an image.
-[[nodiscard]] QString kindWithoutSlices(const ImageHeader& header);
+[[nodiscard]] Clause kindWithoutSlices(const ImageHeader& header);
 
 /// The SOP class of a DICOM file, from its header. Errors: those of DicomFile::open().
 [[nodiscard]] Result<QString> sopClassOf(const QString& path);

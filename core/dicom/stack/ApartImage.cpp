@@ -5,19 +5,17 @@ namespace core {
 
 namespace {
 
-QString inFrames(const ImageHeader& image)
+Clause inFrames(const Clause& reason, const ImageHeader& image)
 {
-    return image.frames > 1 ? QStringLiteral(", %1 frames").arg(image.frames) : QString();
+    return image.frames > 1 ? Clause::saying("%1, %2 frames", reason, image.frames) : reason;
 }
 
-QString missingOf(const ImageHeader& image)
+Clause missingOf(const ImageHeader& image)
 {
-    QStringList missing;
-    if (!image.position)
-        missing.append(QStringLiteral("position"));
-    if (!image.plane)
-        missing.append(QStringLiteral("orientation"));
-    return QStringLiteral("no %1 in the patient").arg(missing.join(QLatin1String(" or ")));
+    if (image.position)
+        return Clause::saying("no orientation in the patient");
+    return image.plane ? Clause::saying("no position in the patient")
+                       : Clause::saying("no position or orientation in the patient");
 }
 
 } // namespace
@@ -27,30 +25,30 @@ std::optional<ApartImage> whyApart(const ImageHeader& image)
     const QString& photometric = image.layout.photometric;
     if (image.layout.samplesPerPixel != 1
         || !(photometric.isEmpty() || photometric.startsWith(QLatin1String("MONOCHROME")))) {
-        return ApartImage{QStringLiteral("colour image"), photometric + inFrames(image)};
+        return ApartImage{Clause::saying("colour image"), inFrames(photometric, image)};
     }
     const QString type = image.imageType.join(QLatin1Char('\\'));
     for (const char* word : {"LOCALIZER", "SCOUT", "TOPOGRAM", "SURVIEW", "SCANOSCOPE"}) {
         if (type.contains(QLatin1String(word)))
-            return ApartImage{QStringLiteral("localizer"), type};
+            return ApartImage{Clause::saying("localizer"), type};
     }
     if (type.contains(QLatin1String("MOSAIC"))) {
-        return ApartImage{QStringLiteral("mosaic"),
-            QStringLiteral("Siemens mosaic: many slices tiled in one image; not read as a volume")};
+        return ApartImage{Clause::saying("mosaic"),
+            Clause::saying("Siemens mosaic: many slices tiled in one image; not read as a volume")};
     }
     if (image.framesUnplaced) {
-        return ApartImage{QStringLiteral("multi-frame image"),
-            QStringLiteral("nothing says where each of its %1 frames lies").arg(image.frames)};
+        return ApartImage{Clause::saying("multi-frame image"),
+            Clause::saying("nothing says where each of its %1 frames lies", image.frames)};
     }
     if (!image.position || !image.plane) {
-        return ApartImage{QStringLiteral("image without a place"),
-            missingOf(image)
-                + (image.frames > 1 ? QStringLiteral(" for its %1 frames").arg(image.frames)
-                                    : QString())};
+        return ApartImage{Clause::saying("image without a place"),
+            image.frames > 1
+                ? Clause::saying("%1 for its %2 frames", missingOf(image), image.frames)
+                : missingOf(image)};
     }
     if (!image.spacing)
-        return ApartImage{QStringLiteral("image without a scale"),
-            QStringLiteral("no pixel spacing") + inFrames(image)};
+        return ApartImage{Clause::saying("image without a scale"),
+            inFrames(Clause::saying("no pixel spacing"), image)};
     return std::nullopt;
 }
 

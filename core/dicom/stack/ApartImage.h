@@ -7,10 +7,10 @@
 
 namespace core {
 
-/// Why an image is not a slice of a volume, in words.
+/// Why an image is not a slice of a volume.
 struct ApartImage {
-    QString kind; ///< "localizer", "colour image" …
-    QString reason;
+    Clause kind; ///< "localizer", "colour image" …
+    Clause reason;
 };
 
 /// Recognises colour images, localizers, mosaics and images without a position or a scale; none for

@@ -89,7 +89,7 @@ ListedStack listed(SliceStack stack)
 bool takeFile(const std::vector<ImageHeader>& images, DicomScan& scan)
 {
     const ImageHeader& first = images.front();
-    if (const QString kind = kindWithoutSlices(first); !kind.isEmpty()) {
+    if (const Clause kind = kindWithoutSlices(first); !kind.isEmpty()) {
         const auto same = std::find_if(
             scan.foreign.begin(), scan.foreign.end(), [&](const ForeignObject& object) {
                 return object.kind == kind && object.identity.seriesUid == first.identity.seriesUid;

@@ -11,9 +11,9 @@ namespace core {
 namespace {
 
 /// All of one place; none unless each of its images says what it measures.
-std::set<QString> quantitiesAt(const SlicePlace& place)
+std::set<Clause> quantitiesAt(const SlicePlace& place)
 {
-    std::set<QString> quantities;
+    std::set<Clause> quantities;
     for (const ImageHeader& image : place.images) {
         if (image.quantity.isEmpty())
             return {};
@@ -28,12 +28,12 @@ std::vector<QuantityImages> takeApartByQuantity(std::vector<SlicePlace>& places)
 {
     if (places.empty())
         return {};
-    const std::set<QString> quantities = quantitiesAt(places.front());
+    const std::set<Clause> quantities = quantitiesAt(places.front());
     if (quantities.size() < 2
         || !std::all_of(places.begin(), places.end(),
             [&](const SlicePlace& place) { return quantitiesAt(place) == quantities; }))
         return {};
-    std::map<QString, std::vector<ImageHeader>> apart;
+    std::map<Clause, std::vector<ImageHeader>> apart;
     for (SlicePlace& place : places) {
         for (ImageHeader& image : place.images)
             apart[image.quantity].push_back(std::move(image));

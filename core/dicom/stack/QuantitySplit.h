@@ -11,7 +11,7 @@ namespace core {
 
 /// The images of one quantity (ImageHeader::quantity), at least one at each position.
 struct QuantityImages {
-    QString quantity;
+    Clause quantity;
     std::vector<ImageHeader> images{};
 };
 

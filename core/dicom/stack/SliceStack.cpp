@@ -99,11 +99,8 @@ void stackCandidates(TimeAxis axis, const std::vector<SliceSpan>& places, const 
     for (TimePoint& point : axis.points) {
         SliceStack stack = stackOf(std::move(point.slices));
         putFirst(stack, problems);
-        stack.part =
-            QStringLiteral("%1 of %2 (%3)")
-                .arg(++number)
-                .arg(count)
-                .arg(point.label.isEmpty() ? QStringLiteral("by instance number") : point.label);
+        stack.part = Clause::saying("%1 of %2 (%3)", ++number, count,
+            point.label.isEmpty() ? Clause::saying("by instance number") : point.label);
         stack.doubled = doubled;
         stack.problems.push_back({.kind = VolumeProblem::Kind::DoubledSlices,
             .said = {ProblemCode::Doubled, {count, slicesInWords(places), stack.part}},
@@ -119,16 +116,15 @@ void stackGroup(Images group, StackSorting& sorting);
 void stackQuantities(std::vector<QuantityImages> quantities,
     const std::vector<VolumeProblem>& problems, StackSorting& sorting)
 {
-    QStringList names;
+    Clauses names;
     for (const QuantityImages& each : quantities)
         names.append(each.quantity);
     for (QuantityImages& each : quantities) {
         StackSorting own;
         stackGroup(std::move(each.images), own);
         for (SliceStack& stack : own.stacks) {
-            stack.part = stack.part.isEmpty()
-                ? each.quantity
-                : QStringLiteral("%1, %2").arg(each.quantity, stack.part);
+            stack.part = stack.part.isEmpty() ? each.quantity
+                                              : Clause::saying("%1, %2", each.quantity, stack.part);
             putFirst(stack, problems);
             stack.problems.push_back({.kind = VolumeProblem::Kind::MixedSlices,
                 .said = {
@@ -189,8 +185,9 @@ void putCrookedApart(StackSorting& sorting)
             straight.push_back(std::move(stack));
             continue;
         }
-        const ApartImage why{QStringLiteral("images that are no stack"),
-            QStringLiteral("their positions wander sideways by %1 mm").arg(drift, 0, 'f', 1)};
+        const ApartImage why{Clause::saying("images that are no stack"),
+            Clause::saying(
+                "their positions wander sideways by %1 mm", QString::number(drift, 'f', 1))};
         for (const ImageHeader& image : stack.slices)
             putApart(sorting.foreign, image, why);
         for (const SliceStack& later : stack.laterTimes) {
@@ -262,9 +259,9 @@ StackSorting sortIntoStacks(std::vector<ImageHeader> images)
 
     if (sorting.stacks.size() > 1) {
         for (std::size_t index = 0; index < sorting.stacks.size(); ++index) {
-            QString& part = sorting.stacks[index].part;
+            Clause& part = sorting.stacks[index].part;
             if (part.isEmpty())
-                part = QStringLiteral("part %1 of %2").arg(index + 1).arg(sorting.stacks.size());
+                part = Clause::saying("part %1 of %2", index + 1, sorting.stacks.size());
         }
     }
     return sorting;

@@ -14,8 +14,8 @@ struct SliceStack {
     std::vector<ImageHeader> slices; ///< along row × column direction
     VolumeGeometry geometry;
     std::vector<VolumeProblem> problems;
-    QString part; ///< which part of a split series, in words; empty for a whole one
-    QString time; ///< for a series in time: which point this is, in words
+    Clause part; ///< which part of a split series; empty for a whole one
+    Clause time; ///< for a series in time: which point this is
     std::vector<SliceStack> laterTimes; ///< the other points in order, each on the same grid
     /// All images of the group, if several share a position and are not points in time; another
     /// choice among them is made from these (oneAtEveryPlace()). Null: there is no choice.

@@ -30,11 +30,11 @@ struct Attributes {
         return !image.phases.at(first).isEmpty() && !image.phases.at(second).isEmpty();
     }
     [[nodiscard]] bool haveOrder() const { return phaseHasOrder(first) && phaseHasOrder(second); }
-    [[nodiscard]] QString text(const Value& value) const
+    [[nodiscard]] Clause text(const Value& value) const
     {
-        const QString text = phaseText(first, value.first);
+        const Clause text = phaseText(first, value.first);
         return first == second ? text
-                               : text + QStringLiteral(", ") + phaseText(second, value.second);
+                               : Clause::saying("%1, %2", text, phaseText(second, value.second));
     }
 };
 

@@ -11,7 +11,7 @@ namespace core {
 
 /// One point in time: one of the images at each position.
 struct TimePoint {
-    QString label; ///< what distinguishes it from the others, in words; empty if nothing does
+    Clause label; ///< what distinguishes it from the others; empty if nothing does
     std::vector<ImageHeader> slices{}; ///< in the order of positions
 };
 

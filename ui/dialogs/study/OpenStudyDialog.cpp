@@ -6,6 +6,7 @@
 #include "ui/base/TabOrder.h"
 #include "ui/base/Theme.h"
 #include "ui/tasks/ThumbnailLoader.h"
+#include "ui/texts/ClauseText.h"
 #include "ui/texts/ProblemTexts.h"
 
 #include <QComboBox>
@@ -37,7 +38,7 @@ QString descriptionOf(const core::SeriesEntry& entry)
 {
     QString text = seriesText(entry.identity);
     if (!entry.part.isEmpty())
-        text += (text.isEmpty() ? QString() : QStringLiteral("\n")) + entry.part;
+        text += (text.isEmpty() ? QString() : QStringLiteral("\n")) + clauseText(entry.part);
     return text.isEmpty() ? entry.key : text;
 }
 
@@ -84,7 +85,7 @@ QString othersIn(const core::StudyListing& listing, std::size_t offered)
     singles -= offered;
     QMap<QString, qsizetype> kinds;
     for (const core::ForeignObject& object : listing.foreign)
-        kinds[object.kind] += std::max<qsizetype>(1, object.files.size());
+        kinds[clauseText(object.kind)] += std::max<qsizetype>(1, object.files.size());
     QStringList parts;
     if (singles > 0)
         parts += QStringLiteral("%1 × single image (open its file)").arg(singles);
@@ -233,7 +234,7 @@ void OpenStudyDialog::offerTimes()
             const QString number = QStringLiteral("%1 of %2").arg(time + 1).arg(entry.times.size());
             m_time->addItem(entry.times[time].isEmpty()
                     ? number
-                    : QStringLiteral("%1: %2").arg(number, entry.times[time]));
+                    : QStringLiteral("%1: %2").arg(number, clauseText(entry.times[time])));
         }
     }
     m_timeRow->setVisible(m_time->count() > 0);

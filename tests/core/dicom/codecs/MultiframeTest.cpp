@@ -164,7 +164,7 @@ void MultiframeTest::everyFrameHasItsPlaceValueAndTime()
     QVERIFY(study);
     QCOMPARE(study->listing().candidates().size(), std::size_t(1));
     const core::SeriesEntry& entry = *study->listing().candidates().front();
-    QCOMPARE(entry.times,
+    QCOMPARE(QStringList(entry.times),
         (QStringList{QStringLiteral("temporal position 1"), QStringLiteral("temporal position 2"),
             QStringLiteral("temporal position 3")}));
     for (int time = 0; time < times; ++time) {

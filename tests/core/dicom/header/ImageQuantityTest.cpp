@@ -46,7 +46,7 @@ void ImageQuantityTest::words()
 {
     QFETCH(QString, type);
     QFETCH(QString, component);
-    QTEST(core::imageQuantity(type, component), "quantity");
+    QTEST(core::imageQuantity(type, component).english(), "quantity");
 }
 
 void ImageQuantityTest::everyPlaceMustHaveEveryQuantity()
@@ -64,7 +64,7 @@ void ImageQuantityTest::everyPlaceMustHaveEveryQuantity()
     QVERIFY(core::takeApartByQuantity(lacking).empty());
     QCOMPARE(lacking[0].images.size(), std::size_t(2));
     std::vector<core::SlicePlace> silent = places;
-    silent[2].images[0].quantity.clear();
+    silent[2].images[0].quantity = {};
     QVERIFY(core::takeApartByQuantity(silent).empty());
     const std::vector<core::QuantityImages> apart = core::takeApartByQuantity(places);
     QCOMPARE(apart.size(), std::size_t(2));

@@ -156,7 +156,8 @@ void SeriesSplitTest::noSlicesAreNamed()
     change(image);
     const std::optional<core::ApartImage> why = core::whyApart(image);
     QVERIFY(why);
-    QCOMPARE(why->kind, kind);
+    QCOMPARE(why->kind.english(), kind);
+    QVERIFY2(why->kind.form() != nullptr, "ui could not word it");
     QVERIFY2(why->reason.contains(reason), qPrintable(why->reason));
 }
 

@@ -208,7 +208,7 @@ void SliceStackTest::phasesAreTimes()
     const core::Result<core::StudyListing> listing = core::scanStudies(path());
     QVERIFY(listing);
     QCOMPARE(listing->candidates().size(), std::size_t(1));
-    QCOMPARE(listing->candidates().front()->times,
+    QCOMPARE(QStringList(listing->candidates().front()->times),
         (QStringList{QStringLiteral("trigger time 80 ms"), QStringLiteral("trigger time 160 ms")}));
     const core::LoadedVolume one = test::openVolume(path(), first.seriesUid);
     const core::LoadedVolume two = test::openVolume(path(), first.seriesUid + QStringLiteral("@2"));
