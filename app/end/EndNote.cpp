@@ -7,6 +7,7 @@
 
 #include <QCoreApplication>
 #include <QDir>
+#include <QObject>
 
 #include <sys/file.h>
 
@@ -23,13 +24,13 @@ QDir notes()
 
 QString sentence(const QByteArray& why)
 {
-    const QString whole = QStringLiteral("Every step that was done is in its session.");
+    const QString whole = QObject::tr("Every step that was done is in its session.");
     if (why == EndNote::outOfMemory)
-        return QStringLiteral("Burin ended by itself last time: there was not enough memory. %1")
+        return QObject::tr("Burin ended by itself last time: there was not enough memory. %1")
             .arg(whole);
     if (why == EndNote::crashed)
-        return QStringLiteral("Burin crashed last time. %1").arg(whole);
-    return QStringLiteral("Burin was ended from outside last time. %1").arg(whole);
+        return QObject::tr("Burin crashed last time. %1").arg(whole);
+    return QObject::tr("Burin was ended from outside last time. %1").arg(whole);
 }
 
 } // namespace

@@ -35,7 +35,7 @@ namespace {
 
 QString stepsText(std::size_t steps)
 {
-    return steps == 1 ? QStringLiteral("1 step") : QStringLiteral("%1 steps").arg(steps);
+    return steps == 1 ? QObject::tr("1 step") : QObject::tr("%1 steps").arg(steps);
 }
 
 } // namespace
@@ -129,7 +129,7 @@ void Application::openSession(const std::shared_ptr<core::LoadedVolume>& loaded,
         if (!isWorkingSession(m_sessionFile))
             ui::RecentStudies::add(m_sessionFile);
         if (m_goesOn)
-            m_workspace->say(QStringLiteral("The session goes on with %1")
+            m_workspace->say(tr("The session goes on with %1")
                                  .arg(stepsText(m_workspace->session()->history().rows().size())));
     });
 }
@@ -139,7 +139,7 @@ void Application::make(const std::shared_ptr<core::LoadedVolume>& loaded, Sessio
 {
     wish.redo = !m_notRedone.contains(wish.file);
     wish.wakeUp = [this] { wake(); };
-    m_window->opener().goOn(QStringLiteral("Preparing the views"), [this, loaded, wish, then] {
+    m_window->opener().goOn(tr("Preparing the views"), [this, loaded, wish, then] {
         const auto opening = SessionOpening::make(*m_engine, std::move(*loaded), wish);
         return [this, opening, file = wish.file, then] { then(take(*opening, file)); };
     });
@@ -176,9 +176,9 @@ core::Result<void> Application::take(SessionOpening& opening, const QString& fil
     m_goesOn = opening.plan && !showSessionProblem(opening, file) && steps > 0;
     if (!opening.plan && whyNoFile)
         m_window->messages().show(ui::MessageBar::Kind::Caution,
-            QStringLiteral("Steps stay in memory only, until you save the session elsewhere: %1.")
+            tr("Steps stay in memory only, until you save the session elsewhere: %1.")
                 .arg(ui::noFileText(*whyNoFile)),
-            QStringLiteral("Save session as …"), [this] { m_window->saveSessionAs(); });
+            tr("Save session as …"), [this] { m_window->saveSessionAs(); });
     return {};
 }
 
@@ -194,12 +194,12 @@ bool Application::showSessionProblem(const SessionOpening& opening, const QStrin
         m_workspace->fail(*plan.damage);
     } else if (!plan.whyReadOnly.isEmpty()) {
         m_window->messages().show(ui::MessageBar::Kind::Caution,
-            QStringLiteral("%1 is %2. Here it can be looked at, not edited.")
+            tr("%1 is %2. Here it can be looked at, not edited.")
                 .arg(QFileInfo(file).fileName(), plan.whyReadOnly),
-            QStringLiteral("Save session as …"), [this] { m_window->saveSessionAs(); });
+            tr("Save session as …"), [this] { m_window->saveSessionAs(); });
     } else if (!contents.leftOpen.isEmpty()) {
         m_window->messages().show(ui::MessageBar::Kind::Caution,
-            QStringLiteral("%1: %2. Its last steps may be missing.")
+            tr("%1: %2. Its last steps may be missing.")
                 .arg(QFileInfo(file).fileName(), ui::clauseText(contents.leftOpen)));
     } else if (opening.notFromStudy) {
         showWhereImagesAre(*opening.notFromStudy, file);
@@ -212,11 +212,11 @@ bool Application::showSessionProblem(const SessionOpening& opening, const QStrin
 void Application::showThatItGoesOn(const QString& path, const QString& series)
 {
     m_rowsWhenOpened = m_workspace->session()->history().rows().size();
-    m_goesOnSentence = QStringLiteral("This study was worked on before; its session goes on with "
-                                      "%1. Begin anew to leave that session as it is.")
+    m_goesOnSentence = tr("This study was worked on before; its session goes on with "
+                          "%1. Begin anew to leave that session as it is.")
                            .arg(stepsText(m_rowsWhenOpened));
-    m_window->messages().show(ui::MessageBar::Kind::Notice, m_goesOnSentence,
-        QStringLiteral("Begin anew"), [this, path, series] { beginAnew(path, series); });
+    m_window->messages().show(ui::MessageBar::Kind::Notice, m_goesOnSentence, tr("Begin anew"),
+        [this, path, series] { beginAnew(path, series); });
 }
 
 void Application::beginAnew(const QString& path, const QString& series)
@@ -241,11 +241,10 @@ void Application::showWhereImagesAre(const core::Error& whyNotFromStudy, const Q
 {
     const QString name = QFileInfo(file).fileName();
     const QString why = whyNotFromStudy.code == core::ErrorCode::StudyMissing
-        ? QStringLiteral("The study is no longer at %1").arg(whyNotFromStudy.arguments.value(1))
+        ? tr("The study is no longer at %1").arg(whyNotFromStudy.arguments.value(1))
         : ui::errorText(whyNotFromStudy);
     m_window->messages().show(ui::MessageBar::Kind::Notice,
-        QStringLiteral("%1. Its images are taken from %2 and agree with the session.")
-            .arg(why, name));
+        tr("%1. Its images are taken from %2 and agree with the session.").arg(why, name));
 }
 
 void Application::showError(const core::Error& error)
@@ -267,7 +266,7 @@ void Application::showWhyNot(
         return;
     // The study is not to be lost with its session; what is left of that stays beside the new one.
     m_window->messages().show(ui::MessageBar::Kind::Error, ui::errorText(error),
-        QStringLiteral("Put it aside and start a new session"), [this, file, path, series] {
+        tr("Put it aside and start a new session"), [this, file, path, series] {
             const QString time =
                 QDateTime::currentDateTime().toString(QStringLiteral("yyyyMMdd-HHmmss"));
             if (QFile::rename(file, file + QStringLiteral(".aside-") + time))

@@ -24,19 +24,19 @@ QString whatIsKept(core::EditSession& session)
 {
     const core::RowId position = session.history().position();
     if (session.storage().whyNoFile())
-        return QStringLiteral("Its steps were in memory only");
+        return QObject::tr("Its steps were in memory only");
     if (session.history().rows().empty())
-        return QStringLiteral("No step had been done");
+        return QObject::tr("No step had been done");
     return position == 0
-        ? QStringLiteral("Every step is in its session, which stands at its beginning")
-        : QStringLiteral("Every step is in its session, which stands at '%1'")
+        ? QObject::tr("Every step is in its session, which stands at its beginning")
+        : QObject::tr("Every step is in its session, which stands at '%1'")
               .arg(ui::nameOf(session.history().row(position)));
 }
 
 QString sentenceFor(const core::Error& error, core::EditSession& session)
 {
-    return QStringLiteral("The graphics driver broke off its work (%1), so the study was closed. "
-                          "%2; what was under way is not done.")
+    return QObject::tr("The graphics driver broke off its work (%1), so the study was closed. "
+                       "%2; what was under way is not done.")
         .arg(ui::clauseText(error.arguments.value(0)), whatIsKept(session));
 }
 
@@ -96,8 +96,8 @@ void LostContext::show()
 {
     if (!m_offer)
         return;
-    m_window.messages().show(ui::MessageBar::Kind::Error, m_offer->sentence,
-        QStringLiteral("Open it again"), [this] { openAgain(); });
+    m_window.messages().show(ui::MessageBar::Kind::Error, m_offer->sentence, tr("Open it again"),
+        [this] { openAgain(); });
 }
 
 void LostContext::openAgain()

@@ -53,7 +53,7 @@ std::optional<QSize> sizeFrom(const QString& text)
 QString parse(const Arguments& arguments, OpenArguments& parsed)
 {
     if (arguments.rest().size() > 1)
-        return QStringLiteral("one path at a time: %1").arg(arguments.rest()[1]);
+        return QObject::tr("one path at a time: %1").arg(arguments.rest()[1]);
     parsed.path = arguments.rest().value(0);
     parsed.demonstration = arguments.has("demo");
     parsed.series = arguments.value("series");
@@ -64,25 +64,25 @@ QString parse(const Arguments& arguments, OpenArguments& parsed)
     if (arguments.has("size")) {
         const auto size = sizeFrom(arguments.value("size"));
         if (!size)
-            return QStringLiteral("--size %1: expected WIDTHxHEIGHT, at least 320x240")
+            return QObject::tr("--size %1: expected WIDTHxHEIGHT, at least 320x240")
                 .arg(arguments.value("size"));
         parsed.size = *size;
     }
     if (parsed.demonstration && !parsed.path.isEmpty())
-        return QStringLiteral("--demo opens no path");
+        return QObject::tr("--demo opens no path");
     const bool isSession = core::SessionFile::isNamedAt(parsed.path);
     if (isSession && !(parsed.series.isEmpty() && repair.isEmpty() && spacing.isEmpty()))
-        return QStringLiteral(
+        return QObject::tr(
             "--series, --repair and --spacing are for studies; a session knows its own");
     core::Clause wrong;
     if (!spacing.isEmpty() && !core::spacingWord(spacing, &wrong))
-        return QStringLiteral("--spacing: %1").arg(wrong);
+        return QObject::tr("--spacing: %1").arg(wrong);
     repair = repairWords(repair, spacing);
     if (!core::SeriesRepair::fromText(repair, &wrong))
-        return QStringLiteral("--repair: %1").arg(wrong);
+        return QObject::tr("--repair: %1").arg(wrong);
     parsed.series = core::withRepair(parsed.series, repair);
     if (!isSession && !parsed.study.isEmpty())
-        return QStringLiteral("--study says where the study of a session is; name a session");
+        return QObject::tr("--study says where the study of a session is; name a session");
     return {};
 }
 
@@ -186,8 +186,8 @@ void rescueBy(Application* application, bool goesOn)
         application->workspace().setSession(nullptr);
         core::keepMemoryReserve();
         window.messages().show(ui::MessageBar::Kind::Error,
-            QStringLiteral("The study was closed: %1. Every step that was done is in its session; "
-                           "open it again to go on.")
+            QObject::tr("The study was closed: %1. Every step that was done is in its session; "
+                        "open it again to go on.")
                 .arg(ui::errorText(error)));
     });
 }
@@ -206,8 +206,8 @@ int runOpen(const Arguments& arguments)
         complain(why, 1);
         // Whoever clicked on an icon sees no stderr.
         if (parsed.screenshot.isEmpty())
-            QMessageBox::critical(nullptr, QStringLiteral("Burin"),
-                QStringLiteral("Burin cannot start: %1.").arg(why));
+            QMessageBox::critical(
+                nullptr, QStringLiteral("Burin"), QObject::tr("Burin cannot start: %1.").arg(why));
         return 1;
     }
     ui::MainWindow& window = (*application)->window();

@@ -141,7 +141,7 @@ void addDoctor(ui::MainWindow& window)
         [&window](
             const QString& path, const QString& series) { window.opener().open(path, series); });
     QAction& action = window.actionTable().add({.id = QStringLiteral("file.seriesDoctor"),
-        .text = QStringLiteral("Series doctor …"),
+        .text = ui::Actions::tr("Series doctor …"),
         .run = [&window, doctor] { window.bringUp(*doctor); },
         .possible = [doctor] { return doctor->hasSomething(); }});
     window.fileMenu().insertAction(
@@ -155,8 +155,8 @@ ui::MendingSteps& addMending(ui::MainWindow& window, ui::ComparePanel& panel)
     ui::Actions& actions = window.actionTable();
     auto* steps = new ui::MendingSteps(workspace, panel, window.mendingStrip());
     actions.add({.id = QStringLiteral("mending.look"),
-        .text = QStringLiteral("Places to look at first"),
-        .tip = QStringLiteral("Lists places of the active segment that may be wrong"),
+        .text = ui::Actions::tr("Places to look at first"),
+        .tip = ui::Actions::tr("Lists places of the active segment that may be wrong"),
         .run =
             [&window, &workspace, &panel] {
                 static_cast<void>(ui::ensureActiveSegment(workspace));
@@ -168,7 +168,7 @@ ui::MendingSteps& addMending(ui::MainWindow& window, ui::ComparePanel& panel)
                 return workspace.session() && !workspace.session()->document().segments.empty();
             }});
     actions.add({.id = QStringLiteral("mending.compare"),
-        .text = QStringLiteral("Compare with what was imported"),
+        .text = ui::Actions::tr("Compare with what was imported"),
         .run =
             [&window, &workspace, &panel] {
                 static_cast<void>(ui::ensureActiveSegment(workspace));
@@ -182,8 +182,8 @@ ui::MendingSteps& addMending(ui::MainWindow& window, ui::ComparePanel& panel)
                     && !workspace.session()->document().segments.empty();
             }});
     actions.add({.id = QStringLiteral("mending.strip"),
-        .text = QStringLiteral("Steps of mending a mask"),
-        .tip = QStringLiteral("A strip over the views, while there is an imported mask"),
+        .text = ui::Actions::tr("Steps of mending a mask"),
+        .tip = ui::Actions::tr("A strip over the views, while there is an imported mask"),
         .run = [steps] { steps->setWanted(!steps->isWanted()); },
         .checked = [steps] { return steps->isWanted(); }});
     actions.fill(window.segmentsMenu(),
@@ -238,7 +238,7 @@ void addExport(ui::MainWindow& window, ui::MendingSteps& mending, ui::Statistics
     QObject::connect(&statistics, &ui::StatisticsPanel::exportRequested, &window,
         [&window, &mending] { openExport(window, mending, core::ExportFormat::Csv); });
     QAction& action = window.actionTable().add({.id = QStringLiteral("file.export"),
-        .text = QStringLiteral("Export segments …"),
+        .text = ui::Actions::tr("Export segments …"),
         .keys = {QKeySequence(QStringLiteral("Ctrl+E"))},
         .icon = QStringLiteral("export"),
         .run = [&window, &mending] { openExport(window, mending); },
@@ -247,7 +247,7 @@ void addExport(ui::MainWindow& window, ui::MendingSteps& mending, ui::Statistics
                 return workspace.session() && !workspace.session()->document().segments.empty();
             }});
     QAction& carved = window.actionTable().add({.id = QStringLiteral("file.exportCarved"),
-        .text = QStringLiteral("Export carved volume …"),
+        .text = ui::Actions::tr("Export carved volume …"),
         .run =
             [&window, &workspace] {
                 auto* dialog = new ui::CarvedExportDialog(workspace, &window);
@@ -256,7 +256,7 @@ void addExport(ui::MainWindow& window, ui::MendingSteps& mending, ui::Statistics
             },
         .possible = [&workspace] { return workspace.session() != nullptr; }});
     QAction& deidentified = window.actionTable().add({.id = QStringLiteral("file.deidentify"),
-        .text = QStringLiteral("Save de-identified session as …"),
+        .text = ui::Actions::tr("Save de-identified session as …"),
         .run =
             [&window, &workspace] {
                 auto* dialog = new ui::DeidentifySessionDialog(workspace, &window);
@@ -269,7 +269,7 @@ void addExport(ui::MainWindow& window, ui::MendingSteps& mending, ui::Statistics
                 return session && !session->file().isEmpty() && !session->storage().whyNoFile();
             }});
     QAction& picture = window.actionTable().add({.id = QStringLiteral("file.savePicture"),
-        .text = QStringLiteral("Save picture of the window …"),
+        .text = ui::Actions::tr("Save picture of the window …"),
         .run =
             [&window, &workspace] {
                 const QString verdict = ui::askAndSavePicture(workspace, window);
@@ -290,15 +290,15 @@ void addTimes(ui::MainWindow& window, ui::TimeSteps& steps)
 {
     ui::Actions& actions = window.actionTable();
     QAction& toPrevious = actions.add({.id = QStringLiteral("file.previousTime"),
-        .text = QStringLiteral("Previous point in time"),
+        .text = ui::Actions::tr("Previous point in time"),
         .keys = {QKeySequence(QStringLiteral("Ctrl+PgUp"))},
-        .tip = QStringLiteral("Opens it with its own session; this one stays with its point"),
+        .tip = ui::Actions::tr("Opens it with its own session; this one stays with its point"),
         .run = [&steps] { steps.go(-1); },
         .possible = [&steps] { return steps.hasPoint(-1); }});
     QAction& toNext = actions.add({.id = QStringLiteral("file.nextTime"),
-        .text = QStringLiteral("Next point in time"),
+        .text = ui::Actions::tr("Next point in time"),
         .keys = {QKeySequence(QStringLiteral("Ctrl+PgDown"))},
-        .tip = QStringLiteral("Opens it with its own session; this one stays with its point"),
+        .tip = ui::Actions::tr("Opens it with its own session; this one stays with its point"),
         .run = [&steps] { steps.go(1); },
         .possible = [&steps] { return steps.hasPoint(1); }});
     for (QAction* each : {&toPrevious, &toNext})

@@ -218,8 +218,9 @@ QStringList clausesIn(QString code)
     for (auto match = literals().globalMatch(code); match.hasNext();) {
         const QRegularExpressionMatch literal = match.next();
         const QString text = literal.captured().remove(seam);
-        const QString before = code.left(literal.capturedStart()).right(80);
-        if (clause.match(text).hasMatch() && !worded.match(before).hasMatch())
+        if (!clause.match(text).hasMatch())
+            continue;
+        if (!worded.match(code.left(literal.capturedStart()).right(80)).hasMatch())
             clauses += text;
     }
     return clauses;
@@ -238,6 +239,50 @@ QStringList sentencesIn(const QString& code)
             sentences += text;
     }
     return sentences;
+}
+
+/// Where ui words texts that are not translated. None is to be added.
+bool mayHoldTexts(const QString& file)
+{
+    // The report stays English, as DICOM does; names of fonts, styles and folders.
+    static const QStringList files{QStringLiteral("ui/report/AuditHtml.cpp"),
+        QStringLiteral("ui/report/AuditPages.cpp"), QStringLiteral("ui/report/AuditTexts.cpp"),
+        QStringLiteral("ui/report/PaperText.cpp"), QStringLiteral("ui/base/Theme.cpp"),
+        QStringLiteral("ui/dialogs/export/SuggestedTarget.cpp"),
+        QStringLiteral("app/end/OrderlyEnd.cpp")}; // knows messages of Qt by their words
+    return files.contains(file);
+}
+
+/// What a user reads of the literals that are made a QString as they stand: two words, or one with
+/// a capital letter. Style sheets, HTML, keys and names of widgets are none.
+QStringList textsIn(const QString& code)
+{
+    static const QRegularExpression begin(
+        QStringLiteral("\\b(?:QStringLiteral|QLatin1String|fromUtf8|fromLatin1)\\(\\s*(?=\")"));
+    static const QRegularExpression words(
+        QStringLiteral("[A-Za-z]{2,}[,;:.]? +[a-zA-Z(%“]|^\"[A-Z][a-z]+(?: …|\\.|: .*)?\"$"));
+    static const QRegularExpression markup(
+        QStringLiteral("[{}<>]|^\"(?:color|background|padding|border)\\b[^ ]*: |^\"\\w+\\+|"
+                       "^\"(?:Burin|Between|Reshape)\"$"));
+    static const QRegularExpression oneWord(QStringLiteral("^\"\\w+\"$"));
+    static const QRegularExpression behindAName(QStringLiteral("\\+\\s*$"));
+    static const QRegularExpression seam(QStringLiteral("\"\\s*\""));
+    QStringList texts;
+    for (auto match = begin.globalMatch(code); match.hasNext();) {
+        const QRegularExpressionMatch here = match.next();
+        const QString text = literals()
+                                 .match(code, here.capturedEnd(), QRegularExpression::NormalMatch,
+                                     QRegularExpression::AnchorAtOffsetMatchOption)
+                                 .captured()
+                                 .remove(seam);
+        if (!words.match(text).hasMatch() || markup.match(text).hasMatch())
+            continue;
+        const bool isEndOfName = oneWord.match(text).hasMatch()
+            && behindAName.match(code.left(here.capturedStart()).right(40)).hasMatch();
+        if (!isEndOfName)
+            texts += text;
+    }
+    return texts;
 }
 
 /// One sentence per broken rule. @p file is the path from the top of the tree.
@@ -313,6 +358,13 @@ QStringList brokenRules(const QString& file, const QString& text)
                           .arg(file, sentence);
         for (const QString& clause : mayHoldClauses(file) ? QStringList() : clausesIn(code))
             broken << QStringLiteral("%1 says %2: a reason is a core::Clause").arg(file, clause);
+    }
+    const bool isWindow = inFolder(
+        file, {QStringLiteral("ui"), QStringLiteral("app/window"), QStringLiteral("app/end")});
+    if (isWindow && !mayHoldTexts(file)) {
+        for (const QString& said : textsIn(QString(text).remove(include).remove(comment)))
+            broken << QStringLiteral("%1 says %2: what a user reads goes through tr()")
+                          .arg(file, said);
     }
     return broken;
 }
@@ -500,6 +552,17 @@ void HouseTest::ruleBites_data()
     row("core/export/A.cpp", "report += QStringLiteral(\"The slices are tilted.\");", false);
     row("core/edits/schema/A.h", "about = \"Carves along the view.\";", true);
     row("ui/texts/A.cpp", "return Texts::tr(\"The mask is empty.\");", true);
+    row("ui/a/A.cpp", "label->setText(QStringLiteral(\"No study is open\"));", false);
+    row("ui/a/A.cpp", "new QPushButton(QStringLiteral(\"Send\"));", false);
+    row("app/window/A.cpp", "say(QStringLiteral(\"%1 is \"\n    \"not there.\").arg(name));",
+        false);
+    row("ui/a/A.cpp", "label->setText(tr(\"No study is open\"));", true);
+    row("ui/a/A.cpp", "setObjectName(QStringLiteral(\"exportAll\"));", true);
+    row("ui/a/A.cpp", "setObjectName(name + QStringLiteral(\"Progress\"));", true);
+    row("ui/a/A.cpp", "setStyleSheet(QStringLiteral(\"color: %1\").arg(name));", true);
+    row("ui/a/A.cpp", "keys = {QKeySequence(QStringLiteral(\"Shift+J\"))};", true);
+    row("ui/a/A.cpp", "return core::Clause::saying(\"no study is open\");", true);
+    row("app/commands/A.cpp", "print(QStringLiteral(\"no study is open\"));", true);
     row("core/a/A.cpp", "return tr(\"empty\");", false);
     row("gpu/A.cpp", "return QCoreApplication::translate(\"gpu\", \"empty\");", false);
     row("core/a/A.cpp", "moved = glm::translate(moved, by);", true);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/base/StudyTexts.h"
 
+#include <QObject>
+
 #include <cmath>
 
 namespace ui {
@@ -39,7 +41,7 @@ QStringList patientLines(const core::StudyIdentity& identity)
         prefixed(QStringLiteral("ID "), identity.patientId),
         joined({prefixed(QStringLiteral("born "), identity.birthDate), identity.sex})};
     lines.removeAll(QString());
-    return lines.isEmpty() ? QStringList{QStringLiteral("patient not named in the source")} : lines;
+    return lines.isEmpty() ? QStringList{QObject::tr("patient not named in the source")} : lines;
 }
 
 QString patientText(const core::StudyIdentity& identity)
@@ -61,8 +63,8 @@ QString seriesText(const core::StudyIdentity& identity)
 QString slicesApartText(const core::VolumeGeometry& geometry)
 {
     return geometry.slicePositions.empty()
-        ? QStringLiteral("every %1 mm").arg(QString::number(geometry.spacingMm().z, 'g', 4))
-        : QStringLiteral("unevenly spaced");
+        ? QObject::tr("every %1 mm").arg(QString::number(geometry.spacingMm().z, 'g', 4))
+        : QObject::tr("unevenly spaced");
 }
 
 QString numberText(double value, int decimals)
@@ -95,7 +97,7 @@ QString toleranceText(int tolerance, const core::Volume& volume)
 
 QString positionText(const glm::dvec3& lps)
 {
-    return QStringLiteral("%1, %2, %3 mm")
+    return QObject::tr("%1, %2, %3 mm")
         .arg(numberText(lps.x, 1), numberText(lps.y, 1), numberText(lps.z, 1));
 }
 

@@ -3,6 +3,8 @@
 
 #include "ui/texts/ClauseText.h"
 
+#include <QObject>
+
 namespace ui {
 
 QString timeText(const core::Volume& volume)
@@ -11,7 +13,7 @@ QString timeText(const core::Volume& volume)
         return {};
     const core::SeriesAlternatives& series = *volume.alternatives;
     const QString point =
-        QStringLiteral("point %1 of %2").arg(series.time + 1).arg(series.times.size());
+        QObject::tr("point %1 of %2").arg(series.time + 1).arg(series.times.size());
     const QString label = clauseText(series.times.value(series.time));
     return label.isEmpty() ? point : point + QStringLiteral(" · ") + label;
 }

@@ -15,7 +15,7 @@ namespace ui {
 AboutDialog::AboutDialog(const QString& graphics, QWidget* parent)
     : QDialog(parent)
 {
-    setWindowTitle(QStringLiteral("About Burin"));
+    setWindowTitle(tr("About Burin"));
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(24, 24, 24, 16);
     layout->setSpacing(16);

@@ -57,12 +57,11 @@ const Binding bindings[] = {
 KeysDialog::KeysDialog(const Actions& actions, QWidget* parent)
     : QDialog(parent)
 {
-    setWindowTitle(QStringLiteral("Mouse, pen and keys"));
+    setWindowTitle(tr("Mouse, pen and keys"));
     resize(760, 640);
     auto* list = new QTreeWidget(this);
     list->setColumnCount(3);
-    list->setHeaderLabels(
-        {QStringLiteral("Input"), QStringLiteral("In a slice"), QStringLiteral("In 3D")});
+    list->setHeaderLabels({tr("Input"), tr("In a slice"), QStringLiteral("In 3D")});
     list->setRootIsDecorated(false);
     list->setSelectionMode(QAbstractItemView::NoSelection);
     list->setFocusPolicy(Qt::NoFocus);
@@ -71,7 +70,7 @@ KeysDialog::KeysDialog(const Actions& actions, QWidget* parent)
             {QString::fromUtf8(binding.input), QString::fromUtf8(binding.slice),
                 QString::fromUtf8(binding.volume)});
     }
-    auto* heading = new QTreeWidgetItem(list, {QStringLiteral("Anywhere")});
+    auto* heading = new QTreeWidgetItem(list, {tr("Anywhere")});
     heading->setFont(0, theme::headingFont());
     for (const QAction* action : actions.all()) {
         if (action->shortcuts().isEmpty())

@@ -27,7 +27,7 @@ LoadingBar::LoadingBar(QWidget* parent)
     m_step->setMinimumWidth(280);
     m_bar->setTextVisible(false);
     m_bar->setFixedHeight(6);
-    auto* abort = new QPushButton(QStringLiteral("Abort"), this);
+    auto* abort = new QPushButton(tr("Abort"), this);
     layout->addWidget(m_what);
     layout->addWidget(m_step);
     layout->addWidget(m_bar, 1);
@@ -38,9 +38,8 @@ LoadingBar::LoadingBar(QWidget* parent)
 
 void LoadingBar::follow(StudyOpener& opener)
 {
-    connect(&opener, &StudyOpener::started, this, [this](const QString& path) {
-        begin(QStringLiteral("Opening %1").arg(QFileInfo(path).fileName()));
-    });
+    connect(&opener, &StudyOpener::started, this,
+        [this](const QString& path) { begin(tr("Opening %1").arg(QFileInfo(path).fileName())); });
     connect(&opener, &StudyOpener::progressed, this, &LoadingBar::progress);
     connect(&opener, &StudyOpener::finished, this, [this, &opener] {
         if (!opener.busy())
@@ -68,12 +67,12 @@ void LoadingBar::progress(const QString& step, int done, int total)
     m_bar->setValue(done);
     QString text = step;
     if (total > 0) {
-        text += QStringLiteral(" · %1 of %2").arg(done).arg(total);
+        text += tr(" · %1 of %2").arg(done).arg(total);
         const double elapsed = double(m_clock.elapsed()) / 1000.0;
         // A first guess only once there is something to guess from.
         if (done > 0 && elapsed > 1.0 && done < total) {
             const double left = elapsed * (total - done) / done;
-            text += QStringLiteral(" · about %1 s left").arg(int(left) + 1);
+            text += tr(" · about %1 s left").arg(int(left) + 1);
         }
     }
     m_step->setText(text);

@@ -84,33 +84,31 @@ StartPage::StartPage(QWidget* parent)
     auto* words = new QVBoxLayout;
     words->setSpacing(0);
     words->addWidget(text(QStringLiteral("Burin"), 30.0, theme::text, column));
-    words->addWidget(text(QStringLiteral("Carve a study open, grow what you mark, sign the mask."),
-        14.0, theme::secondary, column));
+    words->addWidget(text(tr("Carve a study open, grow what you mark, sign the mask."), 14.0,
+        theme::secondary, column));
     title->addLayout(words, 1);
     layout->addLayout(title);
     layout->addSpacing(18);
 
-    auto* folder = choice(QStringLiteral("open"), QStringLiteral("Open a study"),
-        QStringLiteral("A folder with DICOM images, or PNG or TIFF slices; everything below it is "
-                       "searched"),
+    auto* folder = choice(QStringLiteral("open"), tr("Open a study"),
+        tr("A folder with DICOM images, or PNG or TIFF slices; everything below it is "
+           "searched"),
         column);
-    auto* file = choice(QStringLiteral("segments"), QStringLiteral("Open a file"),
-        QStringLiteral(
-            "A volume in one file (NIfTI, NRRD, MetaImage, TIFF), a session (.burin) or one DICOM "
-            "file"),
+    auto* file = choice(QStringLiteral("segments"), tr("Open a file"),
+        tr("A volume in one file (NIfTI, NRRD, MetaImage, TIFF), a session (.burin) or one DICOM "
+           "file"),
         column);
-    auto* demonstration = choice(QStringLiteral("demo"), QStringLiteral("Open the demonstration"),
-        QStringLiteral("A head made by computation, to try every tool on"), column);
+    auto* demonstration = choice(QStringLiteral("demo"), tr("Open the demonstration"),
+        tr("A head made by computation, to try every tool on"), column);
     for (QPushButton* button : {folder, file, demonstration})
         layout->addWidget(button);
     layout->addSpacing(14);
     m_recent->setSpacing(2);
     layout->addLayout(m_recent);
     layout->addSpacing(18);
-    layout->addWidget(
-        text(QStringLiteral("Studies and sessions can also be dropped onto this window.\n"
-                            "Research use; not a medical device."),
-            12.0, theme::secondary, column));
+    layout->addWidget(text(tr("Studies and sessions can also be dropped onto this window.\n"
+                              "Research use; not a medical device."),
+        12.0, theme::secondary, column));
 
     auto* centre = new QVBoxLayout(this);
     centre->setContentsMargins(24, 24, 24, 24);
@@ -163,7 +161,7 @@ void StartPage::showRecent(const QStringList& paths)
     }
     if (paths.isEmpty())
         return;
-    m_recent->addWidget(text(QStringLiteral("Recent"), 12.5, theme::secondary, this));
+    m_recent->addWidget(text(tr("Recent"), 12.5, theme::secondary, this));
     for (const QString& path : paths.mid(0, 5)) {
         auto* button = new QToolButton(this);
         const QFileInfo info(path);

@@ -104,21 +104,21 @@ void WindowHeader::fillViewMenu(
     m_layouts->setMenu(layouts);
     actions.fill(
         *view, ids({"", "view.reset", "view.resetAll", "view.linkedPlaces", "", "view.bookmark"}));
-    m_bookmarksMenu = view->addMenu(QStringLiteral("Bookmarks"));
+    m_bookmarksMenu = view->addMenu(tr("Bookmarks"));
     view->addSeparator();
-    QMenu* grey = view->addMenu(QStringLiteral("Grey scale"));
+    QMenu* grey = view->addMenu(tr("Grey scale"));
     for (int number = 1; number <= 9; ++number)
         grey->addAction(&actions[QStringLiteral("window.preset%1").arg(number)]);
     grey->addSeparator();
     grey->addAction(&actions[QStringLiteral("window.box")]);
     grey->addAction(&actions[QStringLiteral("view.inverted")]);
-    actions.fill(*view->addMenu(QStringLiteral("Colours")),
+    actions.fill(*view->addMenu(tr("Colours")),
         ids({"view.coloursGrey", "view.coloursHotIron", "view.coloursHotMetalBlue",
             "view.coloursPet20Step", "view.coloursEvenLightness", "", "view.inverted"}));
-    actions.fill(*view->addMenu(QStringLiteral("Flip and turn slice")),
+    actions.fill(*view->addMenu(tr("Flip and turn slice")),
         ids({"view.flipLeftRight", "view.flipTopBottom", "view.quarterRight", "view.quarterLeft",
             "", "view.upright", "", "view.alongPatient"}));
-    actions.fill(*view->addMenu(QStringLiteral("Slab")),
+    actions.fill(*view->addMenu(tr("Slab")),
         ids({"view.slabOff", "view.slabMip", "view.slabMinip", "view.slabMean"}));
     QMenu* volume = view->addMenu(QStringLiteral("3D"));
     actions.fill(*volume,
@@ -126,8 +126,8 @@ void WindowHeader::fillViewMenu(
             "view.contextTranslucent", "view.contextCutAway", "view.contextHidden", "",
             "view.fromFront", "view.fromBack", "view.fromLeft", "view.fromRight", "view.fromAbove",
             "view.fromBelow"}));
-    actions.fill(*view->addMenu(QStringLiteral("Stage")), stage);
-    actions.fill(*view->addMenu(QStringLiteral("Cutting plane")), plane);
+    actions.fill(*view->addMenu(tr("Stage")), stage);
+    actions.fill(*view->addMenu(tr("Cutting plane")), plane);
     actions.fill(*view->addMenu(tr("Segments in slices")),
         ids({"segments.fillAndOutline", "segments.fill", "segments.outline", "",
             "segments.fillMore", "segments.fillLess"}));
@@ -137,7 +137,7 @@ void WindowHeader::fillViewMenu(
     actions.fill(*view,
         ids({"view.crosshair", "view.referenceLines", "view.patient", "view.segments",
             "view.carved", "view.hole", "view.barriers", ""}));
-    m_panelsMenu = view->addMenu(QStringLiteral("Panels"));
+    m_panelsMenu = view->addMenu(tr("Panels"));
     actions.fill(*m_panelsMenu, ids({"view.panels", "view.resetPanels", ""}));
     actions.fill(*view, ids({"view.fullScreen"}));
 }

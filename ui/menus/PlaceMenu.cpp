@@ -108,7 +108,7 @@ void addPlaceEntries(QMenu& menu, Workspace& workspace, const PointedVoxel& poin
     const glm::ivec3& voxel = pointed.voxel;
     const QString value = valueText(
         volume->encoding.value(pointed.code), volume->unit, volume->maximum - volume->minimum);
-    const QString place = QStringLiteral("%1 · voxel %2, %3, %4")
+    const QString place = QObject::tr("%1 · voxel %2, %3, %4")
                               .arg(positionText(pointed.centreLps))
                               .arg(voxel.x)
                               .arg(voxel.y)

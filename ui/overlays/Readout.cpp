@@ -32,7 +32,7 @@ void Readout::look()
     const glm::ivec3 voxel(glm::round(volume->geometry.toIndex(m_lps)));
     if (!volume->geometry.contains(voxel)) {
         m_voxel = voxel;
-        return show(positionText(m_lps) + QStringLiteral(" · outside the volume"));
+        return show(positionText(m_lps) + tr(" · outside the volume"));
     }
     m_voxel = voxel;
     if (m_asking) {
@@ -56,7 +56,7 @@ void Readout::answer(const glm::ivec3& voxel, const core::ProbedVoxel* probe)
         return;
     if (voxel == m_voxel && probe) {
         QString text = positionText(m_lps)
-            + QStringLiteral(" · voxel %1, %2, %3 · ").arg(voxel.x).arg(voxel.y).arg(voxel.z)
+            + tr(" · voxel %1, %2, %3 · ").arg(voxel.x).arg(voxel.y).arg(voxel.z)
             + valueText(volume->encoding.value(probe->code), volume->unit,
                 volume->maximum - volume->minimum);
         QStringList names;
@@ -66,7 +66,7 @@ void Readout::answer(const glm::ivec3& voxel, const core::ProbedVoxel* probe)
         if (!names.empty())
             text += QStringLiteral(" · ") + names.join(QStringLiteral(", "));
         if (probe->tolerance)
-            text += QStringLiteral(" · joins at ") + toleranceText(*probe->tolerance, *volume);
+            text += tr(" · joins at ") + toleranceText(*probe->tolerance, *volume);
         show(text);
     }
     if (m_stale)

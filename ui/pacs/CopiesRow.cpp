@@ -18,7 +18,7 @@ CopiesRow::CopiesRow(const core::DownloadCache& cache, QWidget* parent)
     , m_cache(cache)
     , m_copies(new QLabel(this))
     , m_limit(new QSpinBox(this))
-    , m_clear(new QPushButton(QStringLiteral("Clear"), this))
+    , m_clear(new QPushButton(tr("Clear"), this))
 {
     m_copies->setObjectName(QStringLiteral("pacsCopies"));
     m_copies->setProperty("role", QStringLiteral("secondary"));
@@ -26,8 +26,8 @@ CopiesRow::CopiesRow(const core::DownloadCache& cache, QWidget* parent)
     m_limit->setRange(1, 10000);
     m_limit->setSuffix(QStringLiteral(" GB"));
     m_limit->setValue(cacheGibibytes());
-    m_limit->setToolTip(QStringLiteral("How much room local copies may take; those used longest ago"
-                                       " go first, what is open stays"));
+    m_limit->setToolTip(tr("How much room local copies may take; those used longest ago"
+                           " go first, what is open stays"));
     m_clear->setObjectName(QStringLiteral("pacsClear"));
     m_clear->setAutoDefault(false);
     m_clear->hide();
@@ -48,8 +48,8 @@ void CopiesRow::count()
             const qint64 bytes = cache.bytes();
             return [this, bytes] {
                 m_copies->setText(bytes > 0
-                        ? QStringLiteral("Local copies: %1 of at most").arg(bytesText(bytes))
-                        : QStringLiteral("Local copies: none, at most"));
+                        ? tr("Local copies: %1 of at most").arg(bytesText(bytes))
+                        : tr("Local copies: none, at most"));
                 m_clear->setVisible(bytes > 0);
             };
         },

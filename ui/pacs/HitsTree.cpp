@@ -68,10 +68,9 @@ HitsTree::HitsTree(QWidget* parent)
 {
     setObjectName(QStringLiteral("pacsHits"));
     setColumnCount(ColumnCount);
-    setHeaderLabels({QStringLiteral("Patient"), QStringLiteral("ID"), QStringLiteral("Study date"),
-        QStringLiteral("Modality"), QStringLiteral("Description"), QStringLiteral("Series"),
-        QStringLiteral("Images"), QStringLiteral("Here")});
-    headerItem()->setToolTip(Here, QStringLiteral("Whether a copy is on this computer"));
+    setHeaderLabels({tr("Patient"), QStringLiteral("ID"), tr("Study date"), tr("Modality"),
+        tr("Description"), tr("Series"), tr("Images"), tr("Here")});
+    headerItem()->setToolTip(Here, tr("Whether a copy is on this computer"));
     setAllColumnsShowFocus(true);
     setUniformRowHeights(true);
     setExpandsOnDoubleClick(false);
@@ -109,7 +108,7 @@ void HitsTree::showStudies(const std::vector<core::StudyHit>& studies)
         const core::StudyHit& study = studies[place];
         auto* row = new Row(this, place);
         const QString name = personName(study.patientName);
-        row->setText(Name, name.isEmpty() ? QStringLiteral("not named") : name);
+        row->setText(Name, name.isEmpty() ? tr("not named") : name);
         if (name.isEmpty())
             row->setForeground(Name, theme::secondary);
         row->setText(Id, study.patientId);
@@ -120,12 +119,12 @@ void HitsTree::showStudies(const std::vector<core::StudyHit>& studies)
         putCount(*row, Images, study.instances);
         QStringList more{name};
         if (!study.birthDate.isEmpty())
-            more += QStringLiteral("born %1").arg(study.birthDate);
+            more += tr("born %1").arg(study.birthDate);
         if (!study.accessionNumber.isEmpty())
-            more += QStringLiteral("accession %1").arg(study.accessionNumber);
+            more += tr("accession %1").arg(study.accessionNumber);
         row->setToolTip(Name, more.join(QStringLiteral(" · ")));
         row->setToolTip(Description, study.description);
-        note(row, QStringLiteral("Asking for the series …"));
+        note(row, tr("Asking for the series …"));
     }
     setSortingEnabled(true);
     if (studies.size() == 1)
@@ -152,13 +151,11 @@ void HitsTree::showSeries(const QString& studyUid, const std::vector<core::Serie
     // Rows are put in order once they are whole.
     setSortingEnabled(false);
     if (series.empty())
-        note(parent, QStringLiteral("The source lists no series of it."));
+        note(parent, tr("The source lists no series of it."));
     for (std::size_t place = 0; place < series.size(); ++place) {
         const core::SeriesHit& one = series[place];
         auto* row = new Row(parent, place);
-        row->setText(Name,
-            one.number.isEmpty() ? QStringLiteral("Series")
-                                 : QStringLiteral("Series %1").arg(one.number));
+        row->setText(Name, one.number.isEmpty() ? tr("Series") : tr("Series %1").arg(one.number));
         row->setText(Modality, one.modality);
         QStringList words{one.description, one.bodyPart};
         words.removeAll(QString());
@@ -209,7 +206,7 @@ void HitsTree::markHere(const std::function<bool(const Choice&)>& isHere)
         item->setText(Here, here ? QStringLiteral("✓") : QString());
         item->setForeground(Here, theme::good);
         item->setTextAlignment(Here, Qt::AlignCenter);
-        item->setToolTip(Here, here ? QStringLiteral("A copy is on this computer") : QString());
+        item->setToolTip(Here, here ? tr("A copy is on this computer") : QString());
     };
     for (int row = 0; row < topLevelItemCount(); ++row) {
         mark(topLevelItem(row));

@@ -43,14 +43,14 @@ PacsBrowserDialog::PacsBrowserDialog(QWidget* parent)
     , m_state(new StateLine(QStringLiteral("pacsState"), this))
     , m_progress(new QProgressBar(this))
     , m_copies(new CopiesRow(m_cache, this))
-    , m_test(new QPushButton(QStringLiteral("Test"), this))
-    , m_edit(new QPushButton(QStringLiteral("Sources …"), this))
-    , m_search(new QPushButton(QStringLiteral("Search"), this))
-    , m_download(new QPushButton(QStringLiteral("Download"), this))
-    , m_open(new QPushButton(QStringLiteral("Open"), this))
-    , m_close(new QPushButton(QStringLiteral("Close"), this))
+    , m_test(new QPushButton(tr("Test"), this))
+    , m_edit(new QPushButton(tr("Sources …"), this))
+    , m_search(new QPushButton(tr("Search"), this))
+    , m_download(new QPushButton(tr("Download"), this))
+    , m_open(new QPushButton(tr("Open"), this))
+    , m_close(new QPushButton(tr("Close"), this))
 {
-    setWindowTitle(QStringLiteral("From PACS"));
+    setWindowTitle(tr("From PACS"));
     resize(1140, 640);
     build();
 
@@ -69,18 +69,17 @@ PacsBrowserDialog::PacsBrowserDialog(QWidget* parent)
             fillSources();
     });
     connect(m_copies, &CopiesRow::cleared, this, [this](int removed, bool someStay) {
-        const QString count = removed == 1 ? QStringLiteral("1 copy was removed")
-                                           : QStringLiteral("%1 copies were removed").arg(removed);
-        m_state->say(someStay ? count + QStringLiteral("; what is open stays.") : count + u'.');
+        const QString count =
+            removed == 1 ? tr("1 copy was removed") : tr("%1 copies were removed").arg(removed);
+        m_state->say(someStay ? count + tr("; what is open stays.") : count + u'.');
         markCopies();
     });
     connect(&m_downloadJob, &BackgroundJob::progressed, this,
         [this](const QString& step, int done, int total) {
             m_progress->setRange(0, std::max(total, 0));
             m_progress->setValue(done);
-            m_state->say(total > 0
-                    ? QStringLiteral("%1 · %2 of %3 images").arg(step).arg(done).arg(total)
-                    : QStringLiteral("%1 · %2 images").arg(step).arg(done));
+            m_state->say(total > 0 ? tr("%1 · %2 of %3 images").arg(step).arg(done).arg(total)
+                                   : tr("%1 · %2 images").arg(step).arg(done));
         });
     for (BackgroundJob* job : {&m_queryJob, &m_downloadJob})
         connect(job, &BackgroundJob::ended, this, &PacsBrowserDialog::showButtons);
@@ -138,7 +137,7 @@ QWidget* PacsBrowserDialog::sourceRow()
     layout->setSpacing(theme::smallPadding);
     m_source->setObjectName(QStringLiteral("pacsSource"));
     m_source->setMinimumWidth(420);
-    layout->addWidget(new QLabel(QStringLiteral("Source"), row));
+    layout->addWidget(new QLabel(tr("Source"), row));
     layout->addWidget(m_source);
     layout->addWidget(m_test);
     layout->addStretch(1);
@@ -154,9 +153,9 @@ void PacsBrowserDialog::fillSources()
         m_source->addItem(QStringLiteral("%1  ·  %2").arg(one.name, one.address()), one.name);
     m_source->setCurrentIndex(
         std::max(0, m_source->findData(QSettings().value(lastSourceKey).toString())));
-    m_source->setPlaceholderText(QStringLiteral("none yet"));
+    m_source->setPlaceholderText(tr("none yet"));
     m_state->say(m_sources.empty()
-            ? QStringLiteral("There is no source yet: add one by Sources … at the right.")
+            ? tr("There is no source yet: add one by Sources … at the right.")
             : QString());
     showButtons();
 }
@@ -172,13 +171,13 @@ void PacsBrowserDialog::test()
     const core::PacsSource* one = source();
     if (!one || m_downloadJob.running())
         return;
-    m_state->say(QStringLiteral("Asking %1 …").arg(one->address()));
+    m_state->say(tr("Asking %1 …").arg(one->address()));
     m_queryJob.start(
         [this, asked = *one](const core::Progress& progress) -> std::function<void()> {
             const core::Result<void> answered = core::echoNode(asked, progress);
             return [this, asked, answered] {
                 if (answered)
-                    m_state->say(QStringLiteral("✓ %1 answers.").arg(asked.address()), "good");
+                    m_state->say(tr("✓ %1 answers.").arg(asked.address()), "good");
                 else
                     m_state->say(errorText(answered.error()), "bad");
             };
@@ -197,7 +196,7 @@ void PacsBrowserDialog::search()
     m_seriesJob.cancel();
     m_hits->showStudies({});
     showChoice();
-    m_state->say(QStringLiteral("Searching %1 …").arg(one->address()));
+    m_state->say(tr("Searching %1 …").arg(one->address()));
     m_queryJob.start(
         [this, asked = *one, filter = m_form->filter()](
             const core::Progress& progress) -> std::function<void()> {
@@ -209,16 +208,15 @@ void PacsBrowserDialog::search()
                 showCopies();
                 const std::size_t count = found->hits.size();
                 if (found->more)
-                    m_state->say(
-                        QStringLiteral("The first %1 studies; there are more: say more of what you "
-                                       "look for.")
-                            .arg(count),
+                    m_state->say(tr("The first %1 studies; there are more: say more of what you "
+                                    "look for.")
+                                     .arg(count),
                         "caution");
                 else if (count == 0)
-                    m_state->say(QStringLiteral("No study there matches."));
+                    m_state->say(tr("No study there matches."));
                 else
-                    m_state->say(count == 1 ? QStringLiteral("1 study")
-                                            : QStringLiteral("%1 studies").arg(count));
+                    m_state->say(
+                        count == 1 ? tr("1 study") : tr("%1 studies").arg(count));
             };
         },
         [this](const core::Error& error) { m_state->say(errorText(error), "bad"); });
@@ -271,7 +269,7 @@ void PacsBrowserDialog::download(bool thenOpen)
     const core::RetrieveWish wish{
         .studyUid = choice->study.studyUid, .seriesUid = choice->seriesUid()};
     m_progress->setRange(0, 0);
-    m_state->say(QStringLiteral("Asking %1 what it holds of it …").arg(m_searched.address()));
+    m_state->say(tr("Asking %1 what it holds of it …").arg(m_searched.address()));
     m_downloadJob.start(
         [this, asked = m_searched, wish, path, thenOpen, cache = m_cache,
             limit = cacheLimitBytes()](const core::Progress& progress) -> std::function<void()> {
@@ -304,8 +302,8 @@ void PacsBrowserDialog::showDownloaded(
 {
     showCopies();
     const int count = got.received + got.kept;
-    m_state->say(count == 0 ? QStringLiteral("✓ It is here already.")
-                            : QStringLiteral("✓ %1 images are here, each checked.").arg(count),
+    m_state->say(count == 0 ? tr("✓ It is here already.")
+                            : tr("✓ %1 images are here, each checked.").arg(count),
         "good");
     if (!thenOpen)
         return;
@@ -318,7 +316,7 @@ void PacsBrowserDialog::showButtons()
     const bool isLoading = m_downloadJob.running();
     const bool isOne = m_hits->chosen().has_value();
     m_progress->setVisible(isLoading);
-    m_close->setText(isLoading ? QStringLiteral("Abort") : QStringLiteral("Close"));
+    m_close->setText(isLoading ? tr("Abort") : tr("Close"));
     m_download->setEnabled(isOne && !isLoading);
     m_open->setEnabled(isOne && !isLoading);
     m_search->setEnabled(source() && !isLoading);
@@ -346,7 +344,7 @@ void PacsBrowserDialog::reject()
         return QDialog::reject();
     m_downloadJob.cancel();
     m_state->say(
-        QStringLiteral("Aborted. What has come is kept: the same download goes on from there."));
+        tr("Aborted. What has come is kept: the same download goes on from there."));
 }
 
 } // namespace ui

@@ -40,11 +40,11 @@ QString startingWith(const QLineEdit& field)
 SearchForm::SearchForm(QWidget* parent)
     : QWidget(parent)
     , m_name(field("pacsName", QStringLiteral("Doe^J, Müller …")))
-    , m_id(field("pacsId", QStringLiteral("whole ID")))
+    , m_id(field("pacsId", tr("whole ID")))
     , m_from(field("pacsFrom", QStringLiteral("YYYY-MM-DD")))
     , m_to(field("pacsTo", QStringLiteral("YYYY-MM-DD")))
     , m_modality(new QComboBox(this))
-    , m_accession(field("pacsAccession", QStringLiteral("whole number")))
+    , m_accession(field("pacsAccession", tr("whole number")))
     , m_description(field("pacsDescription", QStringLiteral("*thorax*")))
 {
     m_modality->setObjectName(QStringLiteral("pacsModality"));
@@ -105,7 +105,7 @@ QString SearchForm::problem() const
 {
     for (const QLineEdit* date : {m_from, m_to}) {
         if (!dicomDay(date->text()))
-            return QStringLiteral("“%1” is no date; write 2024-01-31.").arg(date->text().trimmed());
+            return tr("“%1” is no date; write 2024-01-31.").arg(date->text().trimmed());
     }
     return {};
 }

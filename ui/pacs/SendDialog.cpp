@@ -33,11 +33,11 @@ SendDialog::SendDialog(const QStringList& files, QWidget* parent)
     , m_source(new QComboBox(this))
     , m_state(new StateLine(QStringLiteral("sendState"), this))
     , m_progress(new QProgressBar(this))
-    , m_edit(new QPushButton(QStringLiteral("Sources …"), this))
-    , m_send(new QPushButton(QStringLiteral("Send"), this))
-    , m_close(new QPushButton(QStringLiteral("Close"), this))
+    , m_edit(new QPushButton(tr("Sources …"), this))
+    , m_send(new QPushButton(tr("Send"), this))
+    , m_close(new QPushButton(tr("Close"), this))
 {
-    setWindowTitle(QStringLiteral("Send to PACS"));
+    setWindowTitle(tr("Send to PACS"));
     resize(560, 200);
     m_source->setObjectName(QStringLiteral("sendSource"));
     m_send->setObjectName(QStringLiteral("sendStart"));
@@ -51,11 +51,11 @@ SendDialog::SendDialog(const QStringList& files, QWidget* parent)
     what->setProperty("role", QStringLiteral("heading"));
     what->setTextFormat(Qt::PlainText);
     what->setWordWrap(true);
-    what->setText(files.size() == 1 ? QFileInfo(files.front()).fileName()
-                                    : QStringLiteral("%1 files").arg(files.size()));
+    what->setText(
+        files.size() == 1 ? QFileInfo(files.front()).fileName() : tr("%1 files").arg(files.size()));
     auto* to = new QHBoxLayout;
     to->setSpacing(theme::smallPadding);
-    to->addWidget(new QLabel(QStringLiteral("To"), this));
+    to->addWidget(new QLabel(tr("To"), this));
     to->addWidget(m_source, 1);
     to->addWidget(m_edit);
     auto* buttons = new QHBoxLayout;
@@ -82,7 +82,7 @@ SendDialog::SendDialog(const QStringList& files, QWidget* parent)
         m_progress->setRange(0, total);
         m_progress->setValue(done);
         if (total > 1 && done > 0)
-            m_state->say(QStringLiteral("Sending · %1 of %2 files").arg(done).arg(total));
+            m_state->say(tr("Sending · %1 of %2 files").arg(done).arg(total));
     });
     connect(&m_job, &BackgroundJob::ended, this, [this] { showRunning(false); });
     fillSources();
@@ -97,7 +97,7 @@ void SendDialog::fillSources()
     m_source->setCurrentIndex(
         std::max(0, m_source->findData(QSettings().value(lastTargetKey).toString())));
     m_send->setEnabled(!m_sources.empty());
-    m_state->say(m_sources.empty() ? QStringLiteral("There is no source yet: add one by Sources …")
+    m_state->say(m_sources.empty() ? tr("There is no source yet: add one by Sources …")
                                    : QString());
 }
 
@@ -108,7 +108,7 @@ void SendDialog::send()
         return;
     const core::PacsSource source = m_sources[std::size_t(row)];
     QSettings().setValue(lastTargetKey, source.name);
-    m_state->say(QStringLiteral("Sending to %1 …").arg(source.address()));
+    m_state->say(tr("Sending to %1 …").arg(source.address()));
     m_progress->setRange(0, 0);
     m_job.start(
         [this, source, files = m_files](const core::Progress& progress) -> std::function<void()> {
@@ -118,10 +118,8 @@ void SendDialog::send()
                     return m_state->say(errorText(sent.error()), "bad");
                 m_close->setDefault(true); // it is done: Enter is not to send it again
                 QStringList lines{sent->sent == 1
-                        ? QStringLiteral("✓ %1 took it.").arg(source.address())
-                        : QStringLiteral("✓ %1 took %2 files.")
-                              .arg(source.address())
-                              .arg(sent->sent)};
+                        ? tr("✓ %1 took it.").arg(source.address())
+                        : tr("✓ %1 took %2 files.").arg(source.address()).arg(sent->sent)};
                 lines += sent->warnings;
                 m_state->say(lines.join(u'\n'), sent->warnings.isEmpty() ? "good" : "caution");
             };
@@ -136,7 +134,7 @@ void SendDialog::showRunning(bool running)
     m_source->setEnabled(!running);
     m_edit->setEnabled(!running);
     m_send->setEnabled(!running && !m_sources.empty());
-    m_close->setText(running ? QStringLiteral("Abort") : QStringLiteral("Close"));
+    m_close->setText(running ? tr("Abort") : tr("Close"));
 }
 
 void SendDialog::reject()
@@ -144,7 +142,7 @@ void SendDialog::reject()
     if (!m_job.running())
         return QDialog::reject();
     m_job.cancel();
-    m_state->say(QStringLiteral("Aborted; what was sent before stays there."));
+    m_state->say(tr("Aborted; what was sent before stays there."));
 }
 
 } // namespace ui

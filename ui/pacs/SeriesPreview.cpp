@@ -23,9 +23,9 @@ QString wordsOf(const HitsTree::Choice& choice)
 {
     QStringList words{personName(choice.study.patientName)};
     if (!choice.study.birthDate.isEmpty())
-        words += QStringLiteral("born %1").arg(choice.study.birthDate);
+        words += QObject::tr("born %1").arg(choice.study.birthDate);
     if (!choice.study.accessionNumber.isEmpty())
-        words += QStringLiteral("accession %1").arg(choice.study.accessionNumber);
+        words += QObject::tr("accession %1").arg(choice.study.accessionNumber);
     if (choice.series)
         words += QStringLiteral("%1 %2").arg(choice.series->modality, choice.series->description);
     words.removeAll(QString());
@@ -93,12 +93,12 @@ void SeriesPreview::showChoice(
     m_source = source;
     m_words->setText(choice ? wordsOf(*choice) : QString());
     if (!choice)
-        return sayInstead(QStringLiteral("A picture of the series that is chosen"));
+        return sayInstead(tr("A picture of the series that is chosen"));
     if (!choice->series)
-        return sayInstead(QStringLiteral("Choose one of its series for a picture"));
+        return sayInstead(tr("Choose one of its series for a picture"));
     // One object may be a whole volume, or no picture at all.
     if (choice->series->instances == 1)
-        return sayInstead(QStringLiteral("One object; no picture"));
+        return sayInstead(tr("One object; no picture"));
     sayInstead(QString());
     m_delay.start();
 }
@@ -111,21 +111,19 @@ void SeriesPreview::stop()
 
 void SeriesPreview::ask()
 {
-    sayInstead(QStringLiteral("Asking for a picture …"));
+    sayInstead(tr("Asking for a picture …"));
     m_job.start(
         [this, source = m_source, series = *m_choice->series, cache = m_cache](
             const core::Progress& progress) -> std::function<void()> {
             const Made made = make(source, series, cache, progress);
             return [this, made] {
                 if (made.picture.isNull())
-                    sayInstead(QStringLiteral("No picture"), made.trouble);
+                    sayInstead(tr("No picture"), made.trouble);
                 else
                     showPicture(made.picture);
             };
         },
-        [this](const core::Error& error) {
-            sayInstead(QStringLiteral("No picture"), errorText(error));
-        });
+        [this](const core::Error& error) { sayInstead(tr("No picture"), errorText(error)); });
 }
 
 void SeriesPreview::showPicture(const QImage& picture)

@@ -33,12 +33,12 @@ SourcesDialog::SourcesDialog(QWidget* parent)
     , m_form(new QFormLayout(m_fields))
     , m_movePort(new QSpinBox(m_fields))
     , m_timeout(new QSpinBox(m_fields))
-    , m_remove(new QPushButton(QStringLiteral("Remove"), this))
-    , m_test(new QPushButton(QStringLiteral("Test"), this))
+    , m_remove(new QPushButton(tr("Remove"), this))
+    , m_test(new QPushButton(tr("Test"), this))
     , m_ok(nullptr)
     , m_state(new StateLine(QStringLiteral("sourcesState"), this))
 {
-    setWindowTitle(QStringLiteral("Sources"));
+    setWindowTitle(tr("Sources"));
     resize(820, 520);
     m_list->setObjectName(QStringLiteral("sourcesList"));
     m_list->setFixedWidth(210);
@@ -46,33 +46,33 @@ SourcesDialog::SourcesDialog(QWidget* parent)
     m_form->setHorizontalSpacing(theme::padding);
     m_form->setVerticalSpacing(theme::smallPadding);
     m_form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
-    m_name = field(*m_form, "sourceName", QStringLiteral("Name"), QStringLiteral("Archive"));
-    m_address = field(*m_form, "sourceAddress", QStringLiteral("Address"),
+    m_name = field(*m_form, "sourceName", tr("Name"), tr("Archive"));
+    m_address = field(*m_form, "sourceAddress", tr("Address"),
         QStringLiteral("AETITLE@host:port or https://host/dicom-web"));
-    m_ownTitle = field(*m_form, "sourceOwnTitle", QStringLiteral("Our AE title"),
-        QStringLiteral("BURIN; the node must know it"));
+    m_ownTitle =
+        field(*m_form, "sourceOwnTitle", tr("Our AE title"), tr("BURIN; the node must know it"));
     m_movePort->setObjectName(QStringLiteral("sourceMovePort"));
     m_movePort->setRange(0, 65535);
-    m_movePort->setSpecialValueText(QStringLiteral("over the same connection (C-GET)"));
-    m_movePort->setPrefix(QStringLiteral("to our port "));
+    m_movePort->setSpecialValueText(tr("over the same connection (C-GET)"));
+    m_movePort->setPrefix(tr("to our port "));
     m_movePort->setSuffix(QStringLiteral(" (C-MOVE)"));
-    m_form->addRow(QStringLiteral("Images come"), m_movePort);
-    m_loginFile = field(*m_form, "sourceLoginFile", QStringLiteral("Login file"),
-        QStringLiteral("holds user:password or Bearer TOKEN; only you may read it"));
-    m_user = field(*m_form, "sourceUser", QStringLiteral("or user"), QString());
-    m_password = field(*m_form, "sourcePassword", QStringLiteral("and password"),
-        QStringLiteral("known until Burin ends, kept nowhere"));
+    m_form->addRow(tr("Images come"), m_movePort);
+    m_loginFile = field(*m_form, "sourceLoginFile", tr("Login file"),
+        tr("holds user:password or Bearer TOKEN; only you may read it"));
+    m_user = field(*m_form, "sourceUser", tr("or user"), QString());
+    m_password = field(
+        *m_form, "sourcePassword", tr("and password"), tr("known until Burin ends, kept nowhere"));
     m_password->setEchoMode(QLineEdit::Password);
-    m_authority = field(*m_form, "sourceAuthority", QStringLiteral("TLS: authority"), QString());
-    m_certificate = field(*m_form, "sourceCertificate", QStringLiteral("TLS: our certificate"),
-        QStringLiteral("PEM file, where the source asks for it"));
-    m_key = field(*m_form, "sourceKey", QStringLiteral("TLS: our key"), QStringLiteral("PEM file"));
+    m_authority = field(*m_form, "sourceAuthority", tr("TLS: authority"), QString());
+    m_certificate = field(*m_form, "sourceCertificate", tr("TLS: our certificate"),
+        tr("PEM file, where the source asks for it"));
+    m_key = field(*m_form, "sourceKey", tr("TLS: our key"), tr("PEM file"));
     m_timeout->setObjectName(QStringLiteral("sourceTimeout"));
     m_timeout->setRange(1, 3600);
-    m_timeout->setSuffix(QStringLiteral(" s without a sign of life"));
-    m_form->addRow(QStringLiteral("Give up after"), m_timeout);
+    m_timeout->setSuffix(tr(" s without a sign of life"));
+    m_form->addRow(tr("Give up after"), m_timeout);
 
-    auto* addOne = new QPushButton(QStringLiteral("Add"), this);
+    auto* addOne = new QPushButton(tr("Add"), this);
     for (QPushButton* button : {addOne, m_remove, m_test})
         button->setAutoDefault(false);
     auto* edits = new QHBoxLayout;
@@ -143,7 +143,7 @@ void SourcesDialog::offerFiles(QLineEdit& edit)
 
 void SourcesDialog::add()
 {
-    core::PacsSource fresh{.name = QStringLiteral("New source"), .node = {}, .movePort = {}};
+    core::PacsSource fresh{.name = tr("New source"), .node = {}, .movePort = {}};
     m_sources.push_back(std::move(fresh));
     m_list->addItem(m_sources.back().name);
     m_list->setCurrentRow(m_list->count() - 1);
@@ -207,9 +207,8 @@ void SourcesDialog::showKind()
         show(input, !isWeb);
     for (QWidget* input : {m_loginFile, m_user, m_password})
         show(input, isWeb);
-    m_authority->setPlaceholderText(isWeb
-            ? QStringLiteral("PEM file; empty: those that the system trusts")
-            : QStringLiteral("PEM file that signs this one node; empty: no TLS"));
+    m_authority->setPlaceholderText(isWeb ? tr("PEM file; empty: those that the system trusts")
+                                          : tr("PEM file that signs this one node; empty: no TLS"));
 }
 
 core::Result<core::PacsSource> SourcesDialog::source() const
@@ -220,7 +219,7 @@ core::Result<core::PacsSource> SourcesDialog::source() const
     source->name = m_name->text().simplified();
     if (source->name.isEmpty()) {
         return core::failure(core::ErrorCode::InvalidField, QStringLiteral("name"),
-            QStringLiteral("the source needs one"));
+            core::Clause::saying("the source needs one"));
     }
     if (auto* web = std::get_if<core::WebNode>(&source->node)) {
         web->loginFile = m_loginFile->text().trimmed();
@@ -270,13 +269,13 @@ void SourcesDialog::test()
     const core::Result<core::PacsSource> now = source();
     if (!now)
         return;
-    m_state->say(QStringLiteral("Asking %1 …").arg(now->address()));
+    m_state->say(tr("Asking %1 …").arg(now->address()));
     m_job.start(
         [this, source = *now](const core::Progress& progress) -> std::function<void()> {
             const core::Result<void> answered = core::echoNode(source, progress);
             return [this, source, answered] {
                 if (answered)
-                    m_state->say(QStringLiteral("%1 answers.").arg(source.address()), "good");
+                    m_state->say(tr("%1 answers.").arg(source.address()), "good");
                 else
                     m_state->say(errorText(answered.error()), "bad");
             };

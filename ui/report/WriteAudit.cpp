@@ -51,7 +51,7 @@ QString auditNameProblem(const QString& path)
         if (path.endsWith(QLatin1String(ending), Qt::CaseInsensitive))
             return {};
     }
-    return QStringLiteral("the name of a report ends in .html or .pdf");
+    return QObject::tr("the name of a report ends in .html or .pdf");
 }
 
 core::Result<void> writeAudit(const core::AuditReport& report, const QString& path,

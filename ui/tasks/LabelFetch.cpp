@@ -14,7 +14,7 @@ namespace {
 core::Error editedMeanwhile()
 {
     return {core::ErrorCode::Internal,
-        {QStringLiteral("export"), QStringLiteral("the study was edited meanwhile")}};
+        {QStringLiteral("export"), core::Clause::saying("the study was edited meanwhile")}};
 }
 
 } // namespace

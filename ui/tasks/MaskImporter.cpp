@@ -48,7 +48,7 @@ struct MaskImporter::Waiting {
 
 QString maskFilter()
 {
-    return QStringLiteral("Masks (%1);;All files (*)")
+    return QObject::tr("Masks (%1);;All files (*)")
         .arg(core::maskNamePatterns().join(QLatin1Char(' ')));
 }
 

@@ -365,8 +365,7 @@ void ImageView::paintEvent(QPaintEvent*)
                 .bottomLeft = {},
                 .bottomRight = {}});
         painter.setPen(theme::secondary);
-        painter.drawText(
-            rect(), Qt::AlignCenter, QStringLiteral("Comes when all slices are there"));
+        painter.drawText(rect(), Qt::AlignCenter, tr("Comes when all slices are there"));
     } else if (m_early) {
         paintAnnotations(painter, shownContext());
         if (m_early->volume.needsCaution())

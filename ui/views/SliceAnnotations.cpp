@@ -37,7 +37,7 @@ QColor colourAcross(const glm::dvec3& directionLps)
 /// Mode and thickness of a slab, and what tools work on; empty if there is none.
 QString slabText(const gpu::SceneSlab& slab)
 {
-    const QString thickness = QStringLiteral("%1 mm slab · tools work on the middle slice")
+    const QString thickness = QObject::tr("%1 mm slab · tools work on the middle slice")
                                   .arg((2 * slab.reach + 1) * slab.stepMm, 0, 'f', 1);
     switch (slab.mode) {
     case gpu::SlabMode::Maximum:
@@ -177,7 +177,7 @@ void SliceView::paintAnnotations(QPainter& painter, const ViewContext& shown)
     if (options.showPatient)
         texts.topLeft = patientLines(volume.identity);
     texts.topRight = {studyText(volume.identity), seriesText(volume.identity), timeText(volume)};
-    texts.bottomLeft = {QStringLiteral("zoom %1").arg(zoom, 0, 'f', 1), windowText()};
+    texts.bottomLeft = {QObject::tr("zoom %1").arg(zoom, 0, 'f', 1), windowText()};
     if (slice.slab.mode != gpu::SlabMode::Off)
         texts.bottomLeft.append(slabText(slice.slab));
     if (const QString caution = workspace().refinement().caution(); !early() && !caution.isEmpty())
@@ -186,7 +186,7 @@ void SliceView::paintAnnotations(QPainter& painter, const ViewContext& shown)
         texts.bottomLeft.append(tr("oblique"));
     if (m_turn.mirrored)
         texts.bottomLeft.append(tr("mirrored"));
-    texts.bottomRight = {QStringLiteral("%1 / %2 · %3 %4 mm")
+    texts.bottomRight = {QObject::tr("%1 / %2 · %3 %4 mm")
                              .arg(number + 1)
                              .arg(m_stack.count)
                              .arg(directionLetters(side), numberText(std::abs(position), 1))};

@@ -295,14 +295,14 @@ QString VolumeView::modeText() const
     case gpu::RenderMode::Surface:
         return tr("isosurface at %1").arg(valueText(display.surfaceThreshold, volume.unit, span));
     case gpu::RenderMode::Dvr:
-        return QStringLiteral("volume rendering");
+        return tr("volume rendering");
     case gpu::RenderMode::Mip:
     case gpu::RenderMode::Xray:
         break;
     }
     const core::WindowLevel& window = display.*Workspace::greyWindow(display.mode);
-    const QString what = display.mode == gpu::RenderMode::Mip ? QStringLiteral("maximum intensity")
-                                                              : QStringLiteral("X-ray, mean");
+    const QString what =
+        display.mode == gpu::RenderMode::Mip ? tr("maximum intensity") : tr("X-ray, mean");
     return QStringLiteral("%1 · W %2  L %3")
         .arg(what, valueText(window.width, QString(), span),
             valueText(window.centre, volume.unit, span));
@@ -321,8 +321,7 @@ QString VolumeView::qualityText() const
     const auto shown = quality();
     if (!shown || *shown == gpu::Frame::Quality::Coarse)
         return QStringLiteral("drawing …");
-    return *shown == gpu::Frame::Quality::Full ? QStringLiteral("refining …")
-                                               : QStringLiteral("full quality");
+    return *shown == gpu::Frame::Quality::Full ? QStringLiteral("refining …") : tr("full quality");
 }
 
 void VolumeView::paintAnnotations(QPainter& painter, const ViewContext& shown)

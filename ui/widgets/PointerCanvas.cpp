@@ -21,26 +21,26 @@ constexpr double widestPixels = 14.0;
 QString deviceText(const QPointingDevice* device)
 {
     if (!device)
-        return QStringLiteral("unknown device");
+        return QObject::tr("unknown device");
     QString type;
     switch (device->type()) {
     case QInputDevice::DeviceType::Stylus:
-        type = QStringLiteral("Pen");
+        type = QObject::tr("Pen");
         break;
     case QInputDevice::DeviceType::Airbrush:
-        type = QStringLiteral("Airbrush");
+        type = QObject::tr("Airbrush");
         break;
     case QInputDevice::DeviceType::Puck:
-        type = QStringLiteral("Puck");
+        type = QObject::tr("Puck");
         break;
     case QInputDevice::DeviceType::TouchPad:
-        type = QStringLiteral("Touch pad");
+        type = QObject::tr("Touch pad");
         break;
     case QInputDevice::DeviceType::Mouse:
-        type = QStringLiteral("Mouse");
+        type = QObject::tr("Mouse");
         break;
     default:
-        type = QStringLiteral("Device");
+        type = QObject::tr("Device");
         break;
     }
     // Names that come from an X server may end in what is no character.
@@ -52,7 +52,7 @@ QString deviceText(const QPointingDevice* device)
     if (!name.isEmpty())
         type += QStringLiteral(" '%1'").arg(name);
     if (device->pointerType() == QPointingDevice::PointerType::Eraser)
-        type += QStringLiteral(", eraser end");
+        type += QObject::tr(", eraser end");
     return type;
 }
 
@@ -169,7 +169,7 @@ void PointerCanvas::paintEvent(QPaintEvent*)
     if (m_dabs.empty() && m_last.kind.isEmpty()) {
         painter.setPen(theme::secondary);
         painter.drawText(rect(), Qt::AlignCenter,
-            QStringLiteral("Draw here with the pen or the mouse. It changes nothing."));
+            tr("Draw here with the pen or the mouse. It changes nothing."));
     }
     // Which way the pen leans.
     if (m_last.pen && !m_last.tiltDegrees.isNull()) {

@@ -49,7 +49,7 @@ void addEditActions(MainWindow& window)
     Actions& actions = window.actionTable();
     Workspace& workspace = window.workspace();
     actions.add({.id = QStringLiteral("edit.undo"),
-        .text = QStringLiteral("Undo"),
+        .text = Actions::tr("Undo"),
         .keys = {QKeySequence(QStringLiteral("Ctrl+Z"))},
         .icon = QStringLiteral("undo"),
         .run =
@@ -69,17 +69,17 @@ void addEditActions(MainWindow& window)
         .currentText =
             [&workspace] {
                 if (drawsStepwise(workspace))
-                    return QStringLiteral("Undo: %1").arg(workspace.activeTool()->stepText());
+                    return Actions::tr("Undo: %1").arg(workspace.activeTool()->stepText());
                 if (const auto shown = workspace.viewSteps().undoable())
-                    return QStringLiteral("Undo: %1").arg(nameOfStep(*shown));
+                    return Actions::tr("Undo: %1").arg(nameOfStep(*shown));
                 if (!workspace.session() || !workspace.session()->history().canUndo())
-                    return QStringLiteral("Undo");
+                    return Actions::tr("Undo");
                 const core::History& history = workspace.session()->history();
-                return QStringLiteral("Undo: %1")
+                return Actions::tr("Undo: %1")
                     .arg(menuText(nameOf(history.row(history.position()))));
             }});
     actions.add({.id = QStringLiteral("edit.redo"),
-        .text = QStringLiteral("Redo"),
+        .text = Actions::tr("Redo"),
         .keys = {QKeySequence(QStringLiteral("Ctrl+Y")),
             QKeySequence(QStringLiteral("Ctrl+Shift+Z"))},
         .icon = QStringLiteral("redo"),
@@ -98,18 +98,18 @@ void addEditActions(MainWindow& window)
         .currentText =
             [&workspace] {
                 if (const auto shown = workspace.viewSteps().redoable())
-                    return QStringLiteral("Redo: %1").arg(nameOfStep(*shown));
+                    return Actions::tr("Redo: %1").arg(nameOfStep(*shown));
                 if (!workspace.session() || !workspace.session()->history().canRedo())
-                    return QStringLiteral("Redo");
+                    return Actions::tr("Redo");
                 const core::History& history = workspace.session()->history();
-                return QStringLiteral("Redo: %1")
+                return Actions::tr("Redo: %1")
                     .arg(menuText(nameOf(history.row(history.redoTarget()))));
             }});
     actions.add({.id = QStringLiteral("edit.author"),
-        .text = QStringLiteral("Name in the audit trail …"),
+        .text = Actions::tr("Name in the audit trail …"),
         .run = [&window] { AuthorDialog(&window).exec(); }});
     actions.add({.id = QStringLiteral("edit.historyMemory"),
-        .text = QStringLiteral("Memory for history …"),
+        .text = Actions::tr("Memory for history …"),
         .run = [&window] { HistoryMemoryDialog(window.workspace(), &window).exec(); }});
 }
 

@@ -238,7 +238,7 @@ void MainWindow::buildCentre()
     placeMessages();
     setCentralWidget(centre);
 
-    m_tools->addTool(m_actions[QStringLiteral("tool.navigate")], QStringLiteral("Navigate"));
+    m_tools->addTool(m_actions[QStringLiteral("tool.navigate")], tr("Navigate"));
 
     statusBar()->setSizeGripEnabled(false);
     statusBar()->setContentsMargins(0, 0, 0, 0);
@@ -267,7 +267,7 @@ void MainWindow::connectOpener()
     connect(&m_opener, &StudyOpener::failed, &m_workspace, &Workspace::fail);
     answerQuestions(m_opener, *m_messages, *this);
     connect(m_saver, &SessionSaver::imagesBegun, this, [this](const QString& target) {
-        m_loading->begin(QStringLiteral("Saving %1").arg(QFileInfo(target).fileName()));
+        m_loading->begin(tr("Saving %1").arg(QFileInfo(target).fileName()));
     });
     connect(m_saver, &SessionSaver::imagesProgressed, m_loading, &LoadingBar::progress);
     connect(m_saver, &SessionSaver::imagesEnded, m_loading, &LoadingBar::end);

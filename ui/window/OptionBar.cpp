@@ -178,8 +178,8 @@ void OptionBar::showKeys()
     const Tool* tool = m_workspace.activeTool();
     m_keys->setText(!m_workspace.volume() ? QString()
             : tool                        ? tool->keys()
-                                          : QStringLiteral("left grey scale · middle pan · right "
-                                                                                  "zoom · wheel slices · Shift crosshair"));
+                                          : tr("left grey scale · middle pan · right "
+                                                                      "zoom · wheel slices · Shift crosshair"));
     m_keys->setToolTip(m_keys->text());
 }
 

@@ -16,9 +16,9 @@ void addPacsActions(MainWindow& window)
     Actions& actions = window.actionTable();
     new CacheHolder(window.workspace());
     actions.add({.id = QStringLiteral("file.fromPacs"),
-        .text = QStringLiteral("From PACS …"),
-        .tip = QStringLiteral("Look for a study at a DICOM node or a DICOMweb server, download it, "
-                              "open it"),
+        .text = Actions::tr("From PACS …"),
+        .tip = Actions::tr("Look for a study at a DICOM node or a DICOMweb server, download it, "
+                           "open it"),
         .run = [&window, dialog = QPointer<PacsBrowserDialog>()]() mutable {
             if (!dialog) {
                 dialog = new PacsBrowserDialog(&window);
@@ -32,12 +32,12 @@ void addPacsActions(MainWindow& window)
             dialog->activateWindow();
         }});
     actions.add({.id = QStringLiteral("file.toPacs"),
-        .text = QStringLiteral("Send to PACS …"),
-        .tip = QStringLiteral("Store DICOM files, masks for example, at a node or server"),
+        .text = Actions::tr("Send to PACS …"),
+        .tip = Actions::tr("Store DICOM files, masks for example, at a node or server"),
         .run = [&window] {
             const QStringList files =
-                QFileDialog::getOpenFileNames(&window, QStringLiteral("Send DICOM files"),
-                    QString(), QStringLiteral("DICOM (*.dcm);;All files (*)"));
+                QFileDialog::getOpenFileNames(&window, Actions::tr("Send DICOM files"), QString(),
+                    Actions::tr("DICOM (*.dcm);;All files (*)"));
             if (files.isEmpty())
                 return;
             auto* dialog = new SendDialog(files, &window);

@@ -24,25 +24,24 @@ void addPieceActions(MainWindow& window)
         return layer() && !workspace.session()->document().pieceOfLayer(layer()->id);
     };
     QAction& lift = actions.add({.id = QStringLiteral("pieces.lift"),
-        .text = QStringLiteral("Lift last cut as a piece"),
+        .text = Actions::tr("Lift last cut as a piece"),
         .keys = {QKeySequence(QStringLiteral("Ctrl+L"))},
         .run = [&workspace] { workspace.pieces().liftLast(workspace.activeLayer()); },
         .possible = liftable});
     // A key that is held would lift one cut after the other.
     lift.setAutoRepeat(false);
     actions.add({.id = QStringLiteral("pieces.liftLayer"),
-        .text = QStringLiteral("Lift whole layer as a piece"),
+        .text = Actions::tr("Lift whole layer as a piece"),
         .keys = {QKeySequence(QStringLiteral("Ctrl+Shift+L"))},
         .run = [&workspace] { workspace.pieces().lift(workspace.activeLayer()); },
         .possible = liftable,
         .currentText =
             [layer] {
-                return layer()
-                    ? QStringLiteral("Lift all of layer '%1' as a piece").arg(layer()->name)
-                    : QStringLiteral("Lift whole layer as a piece");
+                return layer() ? Actions::tr("Lift all of layer '%1' as a piece").arg(layer()->name)
+                               : Actions::tr("Lift whole layer as a piece");
             }});
     actions.add({.id = QStringLiteral("pieces.lid"),
-        .text = QStringLiteral("Open piece like a lid"),
+        .text = Actions::tr("Open piece like a lid"),
         .run =
             [&workspace, &window] {
                 workspace.pieces().openLikeALid(
@@ -50,7 +49,7 @@ void addPieceActions(MainWindow& window)
             },
         .possible = [&workspace] { return workspace.pieces().active() != 0; }});
     actions.add({.id = QStringLiteral("pieces.home"),
-        .text = QStringLiteral("Send all pieces home"),
+        .text = Actions::tr("Send all pieces home"),
         .keys = {QKeySequence(QStringLiteral("Ctrl+H"))},
         .run = [&workspace] { workspace.pieces().sendHome(); },
         .possible = [&workspace] { return !workspace.pieces().allHome(); }});

@@ -32,14 +32,14 @@ QStringList addPlaneActions(MainWindow& window)
     const auto hasVolume = [&workspace] { return workspace.volume() != nullptr; };
     addToggle(actions, plane,
         {.id = QStringLiteral("plane.shown"),
-            .text = QStringLiteral("Cutting plane"),
-            .tip = QStringLiteral("In the 3D view, and as a line in slices"),
+            .text = Actions::tr("Cutting plane"),
+            .tip = Actions::tr("In the 3D view, and as a line in slices"),
             .run = {},
             .possible = hasVolume},
         &CuttingPlane::Look::shown);
     addToggle(actions, plane,
         {.id = QStringLiteral("plane.clips"),
-            .text = QStringLiteral("Clip above the plane"),
+            .text = Actions::tr("Clip above the plane"),
             .keys = {QKeySequence(QStringLiteral("Ctrl+P"))},
             .run = {},
             .possible = [&plane, hasVolume] { return hasVolume() && plane.look().shown; }},
@@ -69,9 +69,9 @@ QStringList addPlaneActions(MainWindow& window)
 
     ViewGrid& views = window.views();
     actions.add({.id = QStringLiteral("view.penAndStage"),
-        .text = QStringLiteral("Pen and stage"),
+        .text = Actions::tr("Pen and stage"),
         .keys = {QKeySequence(QStringLiteral("Ctrl+6"))},
-        .tip = QStringLiteral("The cutting plane beside the 3D view"),
+        .tip = Actions::tr("The cutting plane beside the 3D view"),
         .run = [&views] { views.arrange(ViewGrid::Layout::PenAndStage); },
         .possible = hasVolume,
         .checked =
@@ -79,7 +79,7 @@ QStringList addPlaneActions(MainWindow& window)
                 return views.arrangement() == ViewGrid::Layout::PenAndStage && !views.maximised();
             }});
     actions.add({.id = QStringLiteral("view.plane"),
-        .text = QStringLiteral("Cutting plane alone"),
+        .text = Actions::tr("Cutting plane alone"),
         .keys = {QKeySequence(QStringLiteral("Ctrl+7"))},
         .run =
             [&views, &plane] {
@@ -89,8 +89,8 @@ QStringList addPlaneActions(MainWindow& window)
         .possible = [&views, hasVolume] { return hasVolume() && !views.isPenApart(); },
         .checked = [&views] { return views.maximised() == &views.plane(); }});
     actions.add({.id = QStringLiteral("view.penApart"),
-        .text = QStringLiteral("Cutting plane in a window of its own"),
-        .tip = QStringLiteral("For another screen, such as a pen display"),
+        .text = Actions::tr("Cutting plane in a window of its own"),
+        .tip = Actions::tr("For another screen, such as a pen display"),
         .run = [&views] { views.setPenApart(!views.isPenApart()); },
         .possible = hasVolume,
         .checked = [&views] { return views.isPenApart(); }});

@@ -13,8 +13,8 @@ namespace {
 
 QString cautionSentence(const core::Volume& volume)
 {
-    return QStringLiteral("%1 Views say so until you choose to keep the series as it is, exports "
-                          "always; the panel Series doctor shows what can be mended.")
+    return QObject::tr("%1 Views say so until you choose to keep the series as it is, exports "
+                       "always; the panel Series doctor shows what can be mended.")
         .arg(cautionText(volume));
 }
 
@@ -75,12 +75,11 @@ void ShownStudy::showCaution()
     if (!volume || !volume->needsCaution() || m_workspace.cautionAccepted())
         return;
     // In the words of the series doctor, whose button does the same.
-    m_messages.show(MessageBar::Kind::Caution, cautionSentence(*volume),
-        QStringLiteral("Keep as it is"), [this] { m_workspace.acceptCaution(); });
-    m_messages.setTips(
-        QStringLiteral("Takes the caution out of the views: nothing of the series changes, and "
-                       "exports still tell it"),
-        QStringLiteral("Closes this message only: the views keep their caution"));
+    m_messages.show(MessageBar::Kind::Caution, cautionSentence(*volume), tr("Keep as it is"),
+        [this] { m_workspace.acceptCaution(); });
+    m_messages.setTips(tr("Takes the caution out of the views: nothing of the series changes, and "
+                          "exports still tell it"),
+        tr("Closes this message only: the views keep their caution"));
 }
 
 } // namespace ui

@@ -103,7 +103,7 @@ QStringList addStageActions(MainWindow& window)
     eyes("view.eyesApart", "Eyes further apart", "Alt++", eyesStep);
     eyes("view.eyesCloser", "Eyes closer together", "Alt+-", -eyesStep);
     actions.add({.id = QStringLiteral("view.eyesSwapped"),
-        .text = QStringLiteral("Left and right eye swapped"),
+        .text = Actions::tr("Left and right eye swapped"),
         .run =
             [&view] {
                 Stereo stereo = view.stereo();

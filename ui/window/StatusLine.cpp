@@ -92,9 +92,9 @@ void StatusLine::showMachine()
 {
     QString text;
     if (m_pressure >= 0.0)
-        text = QStringLiteral("pen %1 · ").arg(m_pressure, 0, 'f', 2);
+        text = tr("pen %1 · ").arg(m_pressure, 0, 'f', 2);
     if (m_frameMilliseconds > 0.0)
-        text += QStringLiteral("picture %1 ms")
+        text += tr("picture %1 ms")
                     .arg(m_frameMilliseconds, 0, 'f', m_frameMilliseconds < 10.0 ? 1 : 0);
     m_machine->setText(text);
 }

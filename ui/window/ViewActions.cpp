@@ -113,7 +113,7 @@ void addTurns(MainWindow& window)
                     if (auto* slice = qobject_cast<SliceView*>(&window.views().current()))
                         slice->setTurn(each.after(slice->turn()));
                     else
-                        window.workspace().say(QStringLiteral(
+                        window.workspace().say(Actions::tr(
                             "Only slices are flipped and turned so: point at one first."));
                 },
             .possible = [&window] { return window.workspace().volume() != nullptr; }});
@@ -123,8 +123,8 @@ void addTurns(MainWindow& window)
 void addPlanesReset(MainWindow& window)
 {
     window.actionTable().add({.id = QStringLiteral("view.alongPatient"),
-        .text = QStringLiteral("Slices along the patient again"),
-        .tip = QStringLiteral("Turns the crosshair back whose handles were dragged"),
+        .text = Actions::tr("Slices along the patient again"),
+        .tip = Actions::tr("Turns the crosshair back whose handles were dragged"),
         .run = [&window] { window.views().planes().reset(); },
         .possible = [&window] { return window.workspace().volume() != nullptr; }});
 }
@@ -176,7 +176,7 @@ void addViewActions(MainWindow& window)
     addTurns(window);
     addPlanesReset(window);
     actions.add({.id = QStringLiteral("view.four"),
-        .text = QStringLiteral("Four views"),
+        .text = Actions::tr("Four views"),
         .keys = {QKeySequence(QStringLiteral("Ctrl+1"))},
         .run = [&window] { window.views().arrange(ViewGrid::Layout::Four); },
         .checked =
@@ -193,23 +193,23 @@ void addViewActions(MainWindow& window)
     addLayout(window, "view.coronal", "Coronal alone", "Ctrl+5",
         [&window] { return &window.views().coronal(); });
     actions.add({.id = QStringLiteral("view.reset"),
-        .text = QStringLiteral("Reset view"),
+        .text = Actions::tr("Reset view"),
         .keys = {QKeySequence(QStringLiteral("R"))},
         .icon = QStringLiteral("reset-view"),
         .run = [&window] { window.views().current().resetView(); }});
     actions.add({.id = QStringLiteral("view.resetAll"),
-        .text = QStringLiteral("Reset all views"),
+        .text = Actions::tr("Reset all views"),
         .keys = {QKeySequence(QStringLiteral("Ctrl+R"))},
         .run = [&window] { window.views().resetViews(); }});
     actions.add({.id = QStringLiteral("view.bookmark"),
-        .text = QStringLiteral("Bookmark this view …"),
+        .text = Actions::tr("Bookmark this view …"),
         .keys = {QKeySequence(QStringLiteral("Ctrl+B"))},
         .run = [&window] { window.bookmarks().ask(); },
         .possible = [&window] { return window.workspace().session() != nullptr; }});
     actions.add({.id = QStringLiteral("window.box"),
-        .text = QStringLiteral("From a box on a slice"),
-        .tip = QStringLiteral("The next box that you drag over a slice sets the grey scale from "
-                              "its values; Ctrl and the right button do so at any time"),
+        .text = Actions::tr("From a box on a slice"),
+        .tip = Actions::tr("The next box that you drag over a slice sets the grey scale from "
+                           "its values; Ctrl and the right button do so at any time"),
         .run = [&window] { window.views().awaitBox(!window.views().awaitsBox()); },
         .possible = [&window] { return window.workspace().volume() != nullptr; },
         .checked = [&window] { return window.views().awaitsBox(); }});
@@ -248,15 +248,15 @@ void addViewActions(MainWindow& window)
     addSlab(window, "view.slabMinip", "Slices: slab, least value (MinIP)", gpu::SlabMode::Minimum);
     addSlab(window, "view.slabMean", "Slices: slab, mean", gpu::SlabMode::Mean);
     actions.add({.id = QStringLiteral("view.panels"),
-        .text = QStringLiteral("Show panels"),
+        .text = Actions::tr("Show panels"),
         .keys = {QKeySequence(QStringLiteral("F9"))},
         .run = [&window] { window.showPanels(!window.panelsShown()); },
         .checked = [&window] { return window.panelsShown(); }});
     actions.add({.id = QStringLiteral("view.resetPanels"),
-        .text = QStringLiteral("All panels back into the column"),
+        .text = Actions::tr("All panels back into the column"),
         .run = [&window] { window.resetPanels(); }});
     actions.add({.id = QStringLiteral("view.fullScreen"),
-        .text = QStringLiteral("Full screen"),
+        .text = Actions::tr("Full screen"),
         .keys = {QKeySequence(QStringLiteral("F11"))},
         .run = [&window] { window.setWindowState(window.windowState() ^ Qt::WindowFullScreen); },
         .checked = [&window] { return window.isFullScreen(); }});

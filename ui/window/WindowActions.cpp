@@ -33,27 +33,27 @@ void addFileActions(MainWindow& window)
     Actions& actions = window.actionTable();
     Workspace& workspace = window.workspace();
     actions.add({.id = QStringLiteral("file.openFolder"),
-        .text = QStringLiteral("Open study folder …"),
+        .text = Actions::tr("Open study folder …"),
         .keys = {QKeySequence::Open},
         .icon = QStringLiteral("open"),
         .run = [&window] { askForFolder(window.opener(), window); }});
     actions.add({.id = QStringLiteral("file.openFile"),
-        .text = QStringLiteral("Open file …"),
+        .text = Actions::tr("Open file …"),
         .keys = {QKeySequence(QStringLiteral("Ctrl+Shift+O"))},
         .run = [&window] { askForFile(window.opener(), window); }});
     actions.add({.id = QStringLiteral("file.openSession"),
-        .text = QStringLiteral("Open session …"),
+        .text = Actions::tr("Open session …"),
         .run = [&window] { askForSession(window.opener(), window); }});
     auto* audit = new AuditSaver(workspace, &window);
     QObject::connect(audit, &AuditSaver::failed, &workspace, &Workspace::fail);
     QObject::connect(audit, &AuditSaver::saved, &window, [&window](const QString& path) {
         window.messages().show(MessageBar::Kind::Notice,
-            QStringLiteral("The audit report is in %1.").arg(path), QStringLiteral("Show it"),
+            Actions::tr("The audit report is in %1.").arg(path), Actions::tr("Show it"),
             [path] { QDesktopServices::openUrl(QUrl::fromLocalFile(path)); });
     });
     actions.add({.id = QStringLiteral("file.auditReport"),
-        .text = QStringLiteral("Audit report …"),
-        .tip = QStringLiteral("Who did what and when in this session, checked, to print or keep"),
+        .text = Actions::tr("Audit report …"),
+        .tip = Actions::tr("Who did what and when in this session, checked, to print or keep"),
         .run = [audit] { audit->ask(); },
         .possible = [&workspace] { return workspace.session() != nullptr; }});
     MaskImporter& importer = window.importer();
@@ -65,7 +65,7 @@ void addFileActions(MainWindow& window)
                 notes.isEmpty() ? MessageBar::Kind::Notice : MessageBar::Kind::Caution;
             window.messages().show(kind,
                 (QStringList{rowName + QLatin1Char('.')} + notes).join(QLatin1Char(' ')),
-                QStringLiteral("Undo"), [&workspace] {
+                Actions::tr("Undo"), [&workspace] {
                     if (core::EditSession* session = workspace.session())
                         static_cast<void>(session->undo());
                 });
@@ -73,50 +73,50 @@ void addFileActions(MainWindow& window)
     QObject::connect(
         &importer, &MaskImporter::nothingTaken, &window, [&window](const QString& path) {
             window.messages().show(MessageBar::Kind::Notice,
-                QStringLiteral("%1: segments that are here have all of its voxels already; nothing "
-                               "was taken.")
+                Actions::tr("%1: segments that are here have all of its voxels already; nothing "
+                            "was taken.")
                     .arg(path));
         });
     actions.add({.id = QStringLiteral("file.importMask"),
-        .text = QStringLiteral("Import mask …"),
-        .tip = QStringLiteral("Segments from a DICOM SEG, NIfTI, NRRD or MetaImage file, laid on "
-                              "this study"),
+        .text = Actions::tr("Import mask …"),
+        .tip = Actions::tr("Segments from a DICOM SEG, NIfTI, NRRD or MetaImage file, laid on "
+                           "this study"),
         .run = [&importer] { importer.ask(); },
         .possible = [&workspace,
                         &importer] { return workspace.session() != nullptr && !importer.busy(); }});
     actions.add({.id = QStringLiteral("file.demonstration"),
-        .text = QStringLiteral("Open the demonstration study"),
+        .text = Actions::tr("Open the demonstration study"),
         .icon = QStringLiteral("demo"),
         .run = [&window] { Q_EMIT window.demonstrationRequested(); }});
     actions.add({.id = QStringLiteral("file.saveAs"),
-        .text = QStringLiteral("Save session as …"),
+        .text = Actions::tr("Save session as …"),
         .keys = {QKeySequence(QStringLiteral("Ctrl+Shift+S"))},
-        .tip = QStringLiteral("Every step is on disk already; this moves the session to a file of "
-                              "your own, with the study's images if you like"),
+        .tip = Actions::tr("Every step is on disk already; this moves the session to a file of "
+                           "your own, with the study's images if you like"),
         .run = [&window] { window.saveSessionAs(); },
         .possible =
             [&workspace] {
                 return workspace.session() && !workspace.session()->file().isEmpty();
             }});
     actions.add({.id = QStringLiteral("file.close"),
-        .text = QStringLiteral("Close study"),
+        .text = Actions::tr("Close study"),
         .keys = {QKeySequence(QStringLiteral("Ctrl+W"))},
         .run = [&window] { window.closeStudy(); },
         .possible = [&window,
                         &workspace] { return workspace.session() || window.opener().busy(); }});
     actions.add({.id = QStringLiteral("file.quit"),
-        .text = QStringLiteral("Quit"),
+        .text = Actions::tr("Quit"),
         .keys = {QKeySequence(QStringLiteral("Ctrl+Q"))},
         .run = [] { QApplication::closeAllWindows(); }});
     actions.add({.id = QStringLiteral("help.keys"),
-        .text = QStringLiteral("Mouse, pen and keys"),
+        .text = Actions::tr("Mouse, pen and keys"),
         .keys = {QKeySequence(QStringLiteral("F1"))},
         .run = [&window] { KeysDialog(window.actionTable(), &window).exec(); }});
     actions.add({.id = QStringLiteral("help.pen"),
-        .text = QStringLiteral("Pen tester"),
+        .text = Actions::tr("Pen tester"),
         .run = [&window] { PenTesterDialog(&window).exec(); }});
     actions.add({.id = QStringLiteral("help.about"),
-        .text = QStringLiteral("About Burin"),
+        .text = Actions::tr("About Burin"),
         .run = [&window] { window.showAbout(); }});
 }
 
@@ -125,7 +125,7 @@ void addToolActions(MainWindow& window)
     Actions& actions = window.actionTable();
     Workspace& workspace = window.workspace();
     actions.add({.id = QStringLiteral("tool.navigate"),
-        .text = QStringLiteral("Navigate"),
+        .text = Actions::tr("Navigate"),
         .keys = {QKeySequence(QStringLiteral("V"))},
         .icon = QStringLiteral("navigate"),
         .run = [&workspace] { workspace.setActiveTool(nullptr); },
@@ -136,12 +136,12 @@ void addToolActions(MainWindow& window)
     };
     const auto hasTool = [&workspace] { return workspace.volume() && workspace.activeTool(); };
     actions.add({.id = QStringLiteral("tool.larger"),
-        .text = QStringLiteral("Larger mask"),
+        .text = Actions::tr("Larger mask"),
         .keys = {QKeySequence(QStringLiteral("]"))},
         .run = radius(1),
         .possible = hasTool});
     actions.add({.id = QStringLiteral("tool.smaller"),
-        .text = QStringLiteral("Smaller mask"),
+        .text = Actions::tr("Smaller mask"),
         .keys = {QKeySequence(QStringLiteral("["))},
         .run = radius(-1),
         .possible = hasTool});
@@ -161,7 +161,7 @@ void addListActions(MainWindow& window)
         return session ? session->document().layer(workspace.activeLayer()) : nullptr;
     };
     actions.add({.id = QStringLiteral("segments.add"),
-        .text = QStringLiteral("Add segment"),
+        .text = Actions::tr("Add segment"),
         .run =
             [&workspace] {
                 if (const auto added = addSegment(workspace); !added)
@@ -183,7 +183,7 @@ void addListActions(MainWindow& window)
     }
     openSegmentDialogs(workspace, window);
     actions.add({.id = QStringLiteral("layers.add"),
-        .text = QStringLiteral("Add sculpt layer"),
+        .text = Actions::tr("Add sculpt layer"),
         .run =
             [&workspace] {
                 if (const auto added = addLayer(workspace); !added)
@@ -191,7 +191,7 @@ void addListActions(MainWindow& window)
             },
         .possible = isOpen});
     actions.add({.id = QStringLiteral("layers.mute"),
-        .text = QStringLiteral("Mute sculpt layer"),
+        .text = Actions::tr("Mute sculpt layer"),
         .run =
             [&workspace, activeLayer] {
                 const core::SculptLayer* layer = activeLayer();
@@ -205,11 +205,11 @@ void addListActions(MainWindow& window)
         .currentText =
             [activeLayer] {
                 const core::SculptLayer* layer = activeLayer();
-                return layer ? QStringLiteral("Mute layer '%1'").arg(layer->name)
-                             : QStringLiteral("Mute sculpt layer");
+                return layer ? Actions::tr("Mute layer '%1'").arg(layer->name)
+                             : Actions::tr("Mute sculpt layer");
             }});
     actions.add({.id = QStringLiteral("layers.solo"),
-        .text = QStringLiteral("Solo sculpt layer"),
+        .text = Actions::tr("Solo sculpt layer"),
         .run =
             [&workspace, activeLayer] {
                 const core::SculptLayer* layer = activeLayer();
@@ -223,15 +223,15 @@ void addListActions(MainWindow& window)
         .currentText =
             [activeLayer] {
                 const core::SculptLayer* layer = activeLayer();
-                return layer ? QStringLiteral("Solo layer '%1'").arg(layer->name)
-                             : QStringLiteral("Solo sculpt layer");
+                return layer ? Actions::tr("Solo layer '%1'").arg(layer->name)
+                             : Actions::tr("Solo sculpt layer");
             }});
     actions.add({.id = QStringLiteral("layers.toSegment"),
-        .text = QStringLiteral("New segment of what the layer has carved"),
+        .text = Actions::tr("New segment of what the layer has carved"),
         .run = [&workspace] { layerToSegment(workspace, workspace.activeLayer(), std::nullopt); },
         .possible = [activeLayer] { return activeLayer() != nullptr; }});
     actions.add({.id = QStringLiteral("segments.seen"),
-        .text = QStringLiteral("New segment of what I see in 3D"),
+        .text = Actions::tr("New segment of what I see in 3D"),
         .run = [&workspace] { segmentWhatIsSeen(workspace, std::nullopt); },
         .possible = isOpen});
 }

@@ -4,6 +4,8 @@
 #include "core/volume/SurfaceThreshold.h"
 #include "ui/settings/TransferPresets.h"
 
+#include <QObject>
+
 #include <algorithm>
 #include <numeric>
 
@@ -59,20 +61,20 @@ glm::dvec3 initialCrosshairLps(const core::VolumeGeometry& geometry)
 std::vector<WindowPreset> windowPresets(const core::Volume& volume)
 {
     if (volume.unit == QLatin1String("HU")) {
-        return {{QStringLiteral("Soft tissue"), {40.0, 400.0}},
-            {QStringLiteral("Lung"), {-600.0, 1500.0}}, {QStringLiteral("Liver"), {90.0, 150.0}},
-            {QStringLiteral("Bone"), {480.0, 2500.0}}, {QStringLiteral("Brain"), {40.0, 80.0}},
-            {QStringLiteral("Mediastinum"), {50.0, 350.0}},
-            {QStringLiteral("Angio"), {300.0, 600.0}}, {QStringLiteral("Stroke"), {32.0, 12.0}},
-            {QStringLiteral("As stored"), volume.defaultWindow}};
+        return {{QObject::tr("Soft tissue"), {40.0, 400.0}},
+            {QObject::tr("Lung"), {-600.0, 1500.0}}, {QObject::tr("Liver"), {90.0, 150.0}},
+            {QObject::tr("Bone"), {480.0, 2500.0}}, {QObject::tr("Brain"), {40.0, 80.0}},
+            {QObject::tr("Mediastinum"), {50.0, 350.0}}, {QObject::tr("Angio"), {300.0, 600.0}},
+            {QObject::tr("Stroke"), {32.0, 12.0}},
+            {QObject::tr("As stored"), volume.defaultWindow}};
     }
     const double range = std::max(volume.maximum - volume.minimum, 1e-6);
     const auto share = [&](double part) {
         return core::WindowLevel{volume.minimum + 0.5 * part * range, part * range};
     };
-    return {{QStringLiteral("As stored"), volume.defaultWindow},
-        {QStringLiteral("Full range"), share(1.0)}, {QStringLiteral("Lower half"), share(0.5)},
-        {QStringLiteral("Lower quarter"), share(0.25)}};
+    return {{QObject::tr("As stored"), volume.defaultWindow},
+        {QObject::tr("Full range"), share(1.0)}, {QObject::tr("Lower half"), share(0.5)},
+        {QObject::tr("Lower quarter"), share(0.25)}};
 }
 
 } // namespace ui

@@ -37,7 +37,7 @@ core::Result<int> addLayer(Workspace& workspace)
 {
     core::EditSession* session = workspace.session();
     if (!session)
-        return core::failure(core::ErrorCode::Internal, QStringLiteral("no study is open"));
+        return core::failure(core::ErrorCode::Internal, core::Clause::saying("no study is open"));
     // While the engine is busy the new layer waits in line; its id is known all the same.
     const core::AddLayer edit{.name = nextLayerName(session->foreseenDocument())};
     if (const auto added = session->apply(edit); !added)

@@ -51,7 +51,7 @@ core::Result<int> addSegment(Workspace& workspace)
 {
     core::EditSession* session = workspace.session();
     if (!session)
-        return core::failure(core::ErrorCode::Internal, QStringLiteral("no study is open"));
+        return core::failure(core::ErrorCode::Internal, core::Clause::saying("no study is open"));
     // While the engine is busy the new segment waits in line; its label is known all the same.
     const core::Document before = session->foreseenDocument();
     core::AddSegment edit;

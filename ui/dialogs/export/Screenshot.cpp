@@ -30,7 +30,7 @@ core::Result<core::ExportReport> savePicture(
 {
     if (volume && core::isSourceFile(*volume, file))
         return core::failure(core::ErrorCode::FileUnwritable, file,
-            QStringLiteral("it is a file of the study itself"));
+            core::Clause::saying("it is a file of the study itself"));
     if (!isDicomPicture(file)) {
         auto staged = core::StagedFile::create(file, true);
         if (!staged)
@@ -53,7 +53,7 @@ core::Result<core::ExportReport> savePicture(
     }
     if (!volume)
         return core::failure(core::ErrorCode::UnsupportedFormat, file,
-            QStringLiteral("no study is open, which a DICOM picture would belong to"));
+            core::Clause::saying("no study is open, which a DICOM picture would belong to"));
     // Rows without the padding that images have.
     const QImage rows = picture.convertToFormat(QImage::Format_RGB888);
     std::vector<std::uint8_t> rgb;

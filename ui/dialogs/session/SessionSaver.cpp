@@ -48,9 +48,9 @@ core::Result<std::shared_ptr<core::StagedFile>> stageFromStudy(
         return tl::unexpected(study.error());
     if (!study)
         return core::failure(core::ErrorCode::FileUnwritable, target,
-            QStringLiteral("the study's images cannot be read (%1); the session can be saved "
-                           "without them")
-                .arg(errorText(study.error())));
+            core::Clause::saying("the study's images cannot be read (%1); the session can be saved "
+                                 "without them",
+                errorText(study.error())));
     auto staged = core::stageImages(target, true, *study, progress);
     if (!staged)
         return tl::unexpected(staged.error());

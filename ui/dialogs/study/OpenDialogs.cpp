@@ -26,7 +26,7 @@ bool isFolder(const LostStudy& lost)
 
 QString volumeFilter()
 {
-    return QStringLiteral(
+    return QObject::tr(
         "Volumes and archives (*.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.dcm *.tif *.tiff *.png "
         "*.zip *.7z *.tar *.tar.gz *.tgz);;All files (*)");
 }
@@ -35,8 +35,8 @@ QString volumeFilter()
 
 void askForFolder(StudyOpener& opener, QWidget& parent)
 {
-    const QString path = QFileDialog::getExistingDirectory(
-        &parent, QStringLiteral("Open a study: choose its folder"));
+    const QString path =
+        QFileDialog::getExistingDirectory(&parent, QObject::tr("Open a study: choose its folder"));
     if (!path.isEmpty())
         opener.open(path);
 }
@@ -44,15 +44,15 @@ void askForFolder(StudyOpener& opener, QWidget& parent)
 void askForFile(StudyOpener& opener, QWidget& parent)
 {
     const QString path = QFileDialog::getOpenFileName(
-        &parent, QStringLiteral("Open a volume"), QString(), volumeFilter());
+        &parent, QObject::tr("Open a volume"), QString(), volumeFilter());
     if (!path.isEmpty())
         opener.open(path);
 }
 
 void askForSession(StudyOpener& opener, QWidget& parent)
 {
-    const QString path = QFileDialog::getOpenFileName(&parent, QStringLiteral("Open a session"),
-        QString(), QStringLiteral("Sessions of Burin (*.burin);;All files (*)"));
+    const QString path = QFileDialog::getOpenFileName(&parent, QObject::tr("Open a session"),
+        QString(), QObject::tr("Sessions of Burin (*.burin);;All files (*)"));
     if (!path.isEmpty())
         opener.openSession(path);
 }
@@ -78,15 +78,14 @@ void offerToFindStudy(const LostStudy& lost, MessageBar& bar, StudyOpener& opene
     const core::Error& why = lost.why;
     const QString name = QFileInfo(lost.sessionFile).fileName();
     const QString problem = why.code == core::ErrorCode::StudyMissing
-        ? QStringLiteral("%1: its study is no longer at %2%3.")
+        ? QObject::tr("%1: its study is no longer at %2%3.")
               .arg(name, why.arguments.value(1),
-                  why.arguments.size() > 2
-                      ? QStringLiteral(", and its own images cannot be used (%1)")
-                            .arg(clauseText(why.arguments[2]))
-                      : QString())
+                  why.arguments.size() > 2 ? QObject::tr(", and its own images cannot be used (%1)")
+                                                 .arg(clauseText(why.arguments[2]))
+                                           : QString())
         : errorText(why) + QLatin1Char('.');
     const auto ask = [file = lost.sessionFile, name, folder = isFolder(lost), &opener, &parent] {
-        const QString title = QStringLiteral("The study of %1").arg(name);
+        const QString title = QObject::tr("The study of %1").arg(name);
         const QString place = folder
             ? QFileDialog::getExistingDirectory(&parent, title)
             : QFileDialog::getOpenFileName(&parent, title, QString(), volumeFilter());
@@ -94,8 +93,8 @@ void offerToFindStudy(const LostStudy& lost, MessageBar& bar, StudyOpener& opene
             opener.openSession(file, place);
     };
     bar.show(MessageBar::Kind::Error,
-        problem + QStringLiteral(" Say where it is; it is checked before the session goes on."),
-        QStringLiteral("Choose its study …"), ask);
+        problem + QObject::tr(" Say where it is; it is checked before the session goes on."),
+        QObject::tr("Choose its study …"), ask);
 }
 
 void answerQuestions(StudyOpener& opener, MessageBar& bar, QWidget& window)

@@ -47,7 +47,7 @@ QString sizeOf(const core::SeriesEntry& entry)
     const glm::ivec3 size = entry.geometry.size;
     const QString times = entry.times.isEmpty()
         ? QString()
-        : QStringLiteral(", %1 points in time").arg(entry.times.size());
+        : QObject::tr(", %1 points in time").arg(entry.times.size());
     const QString every =
         entry.needsSpacing() ? QString() : QStringLiteral(", ") + slicesApartText(entry.geometry);
     return QStringLiteral("%1%2\n%3 × %4%5")
@@ -61,11 +61,11 @@ QString sizeOf(const core::SeriesEntry& entry)
 QString question(const QString& path, const std::vector<const core::SeriesEntry*>& candidates)
 {
     if (candidates.size() == 1) {
-        return QStringLiteral("%1 holds a series of %2 points in time. Which one?")
+        return QObject::tr("%1 holds a series of %2 points in time. Which one?")
             .arg(path)
             .arg(candidates.front()->times.size());
     }
-    return QStringLiteral("%1 holds %2 volumes. Which one?").arg(path).arg(candidates.size());
+    return QObject::tr("%1 holds %2 volumes. Which one?").arg(path).arg(candidates.size());
 }
 
 QString problemsOf(const core::SeriesEntry& entry)
@@ -88,16 +88,16 @@ QString othersIn(const core::StudyListing& listing, std::size_t offered)
         kinds[clauseText(object.kind)] += std::max<qsizetype>(1, object.files.size());
     QStringList parts;
     if (singles > 0)
-        parts += QStringLiteral("%1 × single image (open its file)").arg(singles);
+        parts += QObject::tr("%1 × single image (open its file)").arg(singles);
     for (auto kind = kinds.cbegin(); kind != kinds.cend(); ++kind)
         parts += QStringLiteral("%1 × %2").arg(kind.value()).arg(kind.key());
     if (!listing.unreadable.empty()) {
-        parts += QStringLiteral("%1 unreadable (%2)")
+        parts += QObject::tr("%1 unreadable (%2)")
                      .arg(listing.unreadable.size())
                      .arg(errorText(listing.unreadable.front().error));
     }
     return parts.isEmpty() ? QString()
-                           : QStringLiteral("Also found: ") + parts.join(QStringLiteral(", "));
+                           : QObject::tr("Also found: ") + parts.join(QStringLiteral(", "));
 }
 
 /// Words keep their colour in the row that is chosen.
@@ -122,7 +122,7 @@ OpenStudyDialog::OpenStudyDialog(const core::StudyListing& listing, QWidget* par
     , m_time(new QComboBox(m_timeRow))
     , m_open(nullptr)
 {
-    setWindowTitle(QStringLiteral("Choose a volume"));
+    setWindowTitle(tr("Choose a volume"));
     resize(1080, 560);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(16, 16, 16, 16);
@@ -134,9 +134,8 @@ OpenStudyDialog::OpenStudyDialog(const core::StudyListing& listing, QWidget* par
     layout->addWidget(heading);
 
     m_list->setColumnCount(ColumnCount);
-    m_list->setHeaderLabels({QString(), QStringLiteral("Patient"), QStringLiteral("Study date"),
-        QStringLiteral("Modality"), QStringLiteral("Series"), QStringLiteral("Slices"),
-        QStringLiteral("Problems")});
+    m_list->setHeaderLabels({QString(), tr("Patient"), tr("Study date"), tr("Modality"),
+        tr("Series"), tr("Slices"), tr("Problems")});
     m_list->setRootIsDecorated(false);
     m_list->setUniformRowHeights(false);
     m_list->setIconSize(QSize(pictureSize, pictureSize));
@@ -158,7 +157,7 @@ OpenStudyDialog::OpenStudyDialog(const core::StudyListing& listing, QWidget* par
     auto* time = new QHBoxLayout(m_timeRow);
     time->setContentsMargins(0, 0, 0, 0);
     time->setSpacing(8);
-    auto* timeLabel = new QLabel(QStringLiteral("Point in &time:"), m_timeRow);
+    auto* timeLabel = new QLabel(tr("Point in &time:"), m_timeRow);
     timeLabel->setBuddy(m_time);
     time->addWidget(timeLabel);
     time->addWidget(m_time);
@@ -175,7 +174,7 @@ OpenStudyDialog::OpenStudyDialog(const core::StudyListing& listing, QWidget* par
     }
 
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
-    m_open = buttons->addButton(QStringLiteral("Open"), QDialogButtonBox::AcceptRole);
+    m_open = buttons->addButton(tr("Open"), QDialogButtonBox::AcceptRole);
     m_open->setEnabled(false);
     m_open->setDefault(true);
     layout->addWidget(buttons);
@@ -231,7 +230,7 @@ void OpenStudyDialog::offerTimes()
         const core::SeriesEntry& entry =
             m_entries.at(std::size_t(chosen.front()->data(0, Qt::UserRole).toInt()));
         for (qsizetype time = 0; time < entry.times.size(); ++time) {
-            const QString number = QStringLiteral("%1 of %2").arg(time + 1).arg(entry.times.size());
+            const QString number = tr("%1 of %2").arg(time + 1).arg(entry.times.size());
             m_time->addItem(entry.times[time].isEmpty()
                     ? number
                     : QStringLiteral("%1: %2").arg(number, clauseText(entry.times[time])));

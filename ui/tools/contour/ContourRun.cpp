@@ -89,7 +89,7 @@ struct ContourRun::Reading {
         ground = *std::move(found);
         nextSlice = ground.box.minimum.z;
         return core::checkBytes(core::watchedContourBytes(ground.voxels.size(), 0),
-            QStringLiteral("the box in which the contour is watched"));
+            core::Clause::saying("the box in which the contour is watched"));
     }
     [[nodiscard]] core::Result<void> joinCodes()
     {
