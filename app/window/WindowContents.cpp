@@ -11,7 +11,7 @@
 #include "ui/measure/MeasuredRegions.h"
 #include "ui/panels/ClippingPanel.h"
 #include "ui/panels/SeriesDoctorPanel.h"
-#include "ui/panels/TimePoints.h"
+#include "ui/panels/TimeSlider.h"
 #include "ui/panels/VolumePanel.h"
 #include "ui/panels/contour/ContourPanel.h"
 #include "ui/panels/growth/GrowthActions.h"
@@ -303,11 +303,11 @@ void addTimes(ui::MainWindow& window, ui::TimeSteps& steps)
         .possible = [&steps] { return steps.hasPoint(1); }});
     for (QAction* each : {&toPrevious, &toNext})
         window.fileMenu().insertAction(&actions[QStringLiteral("file.importMask")], each);
-    const ui::TimePoints& points = window.findChild<ui::SeriesDoctorPanel*>()->times();
-    QObject::connect(&points, &ui::TimePoints::requested, &steps, &ui::TimeSteps::openPoint);
-    QObject::connect(&points, &ui::TimePoints::playRequested, &steps, &ui::TimeSteps::play);
-    QObject::connect(&points, &ui::TimePoints::pauseRequested, &steps, &ui::TimeSteps::pause);
-    QObject::connect(&steps, &ui::TimeSteps::playingChanged, &points, &ui::TimePoints::showPlaying);
+    const ui::TimeSlider& points = window.findChild<ui::SeriesDoctorPanel*>()->times();
+    QObject::connect(&points, &ui::TimeSlider::requested, &steps, &ui::TimeSteps::openPoint);
+    QObject::connect(&points, &ui::TimeSlider::playRequested, &steps, &ui::TimeSteps::play);
+    QObject::connect(&points, &ui::TimeSlider::pauseRequested, &steps, &ui::TimeSteps::pause);
+    QObject::connect(&steps, &ui::TimeSteps::playingChanged, &points, &ui::TimeSlider::showPlaying);
     actions.refresh();
 }
 

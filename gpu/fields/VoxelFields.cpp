@@ -51,7 +51,7 @@ BrickField& VoxelFields::overwritten(std::uint8_t plane)
     BrickField& field = m_overwritten[plane];
     if (!field.created())
         field = BrickField(
-            {.label = "beneath members", .format = GL_R8UI, .emptyVoxel = 0, .grid = m_grid});
+            {.label = "overwritten labels", .format = GL_R8UI, .emptyVoxel = 0, .grid = m_grid});
     return field;
 }
 

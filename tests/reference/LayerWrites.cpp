@@ -253,7 +253,7 @@ void coverLabel(DenseFields& fields, const core::CoverLabel& edit)
     DenseArray<std::uint8_t>& coverage = fields.coverage(edit.layer);
     for (std::size_t i = 0; i < labels.values.size(); ++i) {
         const std::uint8_t held = labels.values[i];
-        if (edit.outside ? held != edit.label && !edit.spared[held] : held == edit.label)
+        if (edit.outside ? held != edit.label && !edit.protectedLabels[held] : held == edit.label)
             coverage.values[i] = 255;
     }
 }

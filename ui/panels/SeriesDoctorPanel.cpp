@@ -6,7 +6,7 @@
 #include "ui/base/StudyTexts.h"
 #include "ui/base/Theme.h"
 #include "ui/panels/FindingBox.h"
-#include "ui/panels/TimePoints.h"
+#include "ui/panels/TimeSlider.h"
 #include "ui/workspace/Workspace.h"
 
 #include <QGridLayout>
@@ -83,7 +83,7 @@ void SeriesDoctorPanel::build()
     decision->addWidget(m_note);
     decision->addWidget(m_apply);
 
-    m_times = new TimePoints(m_workspace, this);
+    m_times = new TimeSlider(m_workspace, this);
 
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(theme::padding, theme::smallPadding, theme::padding, theme::padding);

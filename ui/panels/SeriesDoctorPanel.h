@@ -13,7 +13,7 @@ class QVBoxLayout;
 namespace ui {
 
 class FindingBox;
-class TimePoints;
+class TimeSlider;
 class Workspace;
 
 /// The series doctor: shows what was found in the open series, and repairs with which it can be
@@ -29,7 +29,7 @@ public:
     [[nodiscard]] QString summary() const override;
     [[nodiscard]] bool foldedAtFirst() const override { return true; }
     [[nodiscard]] bool hasSomething() const override;
-    [[nodiscard]] TimePoints& times() const { return *m_times; }
+    [[nodiscard]] TimeSlider& times() const { return *m_times; }
 
 Q_SIGNALS:
     /// The user wants to open the series with another choice.
@@ -54,7 +54,7 @@ private:
     QLabel* m_after = nullptr;
     QLabel* m_note = nullptr;
     QPushButton* m_apply = nullptr;
-    TimePoints* m_times = nullptr;
+    TimeSlider* m_times = nullptr;
 };
 
 } // namespace ui

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "ui/geometry/SlicePlane.h"
+#include "ui/geometry/ViewPlane.h"
 
 #include <QObject>
 

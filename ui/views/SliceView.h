@@ -2,8 +2,8 @@
 #pragma once
 
 #include "core/document/Measurement.h"
-#include "ui/geometry/SlicePlane.h"
 #include "ui/geometry/SliceTurn.h"
+#include "ui/geometry/ViewPlane.h"
 #include "ui/views/ImageView.h"
 #include "ui/views/Lens.h"
 #include "ui/views/MprPlanes.h"

@@ -41,7 +41,7 @@ bool SpaceSteering::eventFilter(QObject* watched, QEvent* event)
     return QObject::eventFilter(watched, event);
 }
 
-bool SpaceSteering::heeded() const
+bool SpaceSteering::isInCharge() const
 {
     return m_window.workspace().volume() && QApplication::activeWindow()
         && !QApplication::activeModalWidget();
@@ -50,8 +50,8 @@ bool SpaceSteering::heeded() const
 void SpaceSteering::pressed(int button, bool down)
 {
     if (button == planeButton)
-        m_holdsPlane = down && heeded();
-    if (!down || !heeded())
+        m_holdsPlane = down && isInCharge();
+    if (!down || !isInCharge())
         return;
     VolumeView& view = m_window.views().volume();
     if (button == planeButton)
@@ -62,7 +62,7 @@ void SpaceSteering::pressed(int button, bool down)
 
 void SpaceSteering::follow(const SpaceMotion& motion)
 {
-    if (!heeded())
+    if (!isInCharge())
         return;
     // A stroke belongs to the picture that it was begun in; the other view can be moved meanwhile.
     const PlaneView& plane = m_window.views().plane();

@@ -34,7 +34,7 @@ private:
     void followPlane(const SpaceMotion& motion);
     void followObject(const SpaceMotion& motion);
     void pressed(int button, bool down);
-    [[nodiscard]] bool heeded() const;
+    [[nodiscard]] bool isInCharge() const;
 
     MainWindow& m_window;
     SpaceMouse m_mouse;

@@ -3,7 +3,7 @@
 
 #include "core/volume/ClipRegion.h"
 #include "gpu/scene/Scene.h"
-#include "ui/geometry/SlicePlane.h"
+#include "ui/geometry/ViewPlane.h"
 
 #include <QObject>
 

@@ -39,7 +39,7 @@ struct Plane {
     std::uint8_t plane = 0;
 };
 /// All seed words of a plane, and labels (with `coverage` that too) in some bricks.
-struct Growth {
+struct SeedWords {
     std::uint8_t plane = 0;
     bool coverage = false;
     std::set<std::uint32_t> beside;
@@ -60,7 +60,7 @@ struct SweptMask {
     double endMm = 0.0; ///< nothing behind this is read
 };
 
-using Any = std::variant<Bricks, Plane, Growth, SweptMask, Fields>;
+using Any = std::variant<Bricks, Plane, SeedWords, SweptMask, Fields>;
 
 } // namespace dependsOn
 

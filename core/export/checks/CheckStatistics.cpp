@@ -77,7 +77,7 @@ Numbers countedAnew(const ExportExpectation& expected, const Segment& segment)
         {QStringLiteral("median"), share(50)}};
     for (const int percent : {5, 10, 25, 75, 90, 95})
         numbers[QStringLiteral("percentile%1").arg(percent)] = share(percent);
-    // Without gaps between slices to heed, every voxel is as large as the grid's.
+    // Where there are no gaps between slices, every voxel is as large as the grid's.
     const bool isEven = volume.geometry.slicePositions.empty();
     const double voxelMl = volume.geometry.voxelVolumeMm3() / 1000.0;
     if (isEven)

@@ -111,13 +111,13 @@ struct MapLabels {
 };
 
 /// Coverage of the layer = 255 wherever the plane holds the label; or, with `outside`, wherever in
-/// the volume it holds neither the label nor one that is spared.
+/// the volume it holds neither the label nor one of protectedLabels.
 struct CoverLabel {
     std::uint8_t layer = 0;
     std::uint8_t plane = 0;
     std::uint8_t label = 0;
     bool outside = false;
-    std::bitset<256> spared{}; ///< with `outside` alone
+    std::bitset<256> protectedLabels{}; ///< with `outside` alone
 };
 
 /// Empty a layer. With `into`, another layer receives it first: coverage = max(coverage, that of

@@ -31,7 +31,7 @@ bool isCovered(const dependsOn::Plane& plane, const BrickKey& key)
     return key.field != Field::Coverage && key.plane == plane.plane;
 }
 
-bool isCovered(const dependsOn::Growth& growth, const BrickKey& key)
+bool isCovered(const dependsOn::SeedWords& growth, const BrickKey& key)
 {
     const bool isAsked = key.field == Field::Coverage ? growth.coverage : key.plane == growth.plane;
     const bool isOfMembers = key.field == Field::SeedWords || key.field == Field::Overwritten;

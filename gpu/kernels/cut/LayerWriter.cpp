@@ -81,7 +81,7 @@ std::vector<core::BrickKey> coverOutside(
                     for (int x = box.minimum.x; x < box.maximum.x; ++x) {
                         const auto at = std::size_t(core::BrickGrid::offsetInBrick({x, y, z}));
                         const std::uint8_t label = labels[i].empty() ? 0 : labels[i][at];
-                        if (label == edit.label || edit.spared[label] || now[at] == 255)
+                        if (label == edit.label || edit.protectedLabels[label] || now[at] == 255)
                             continue;
                         now[at] = 255;
                         any = true;

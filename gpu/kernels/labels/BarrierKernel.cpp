@@ -46,9 +46,9 @@ std::vector<std::uint32_t> run(Program& kernel, const std::vector<std::uint32_t>
     const std::vector<std::uint32_t>& places)
 {
     std::vector<std::uint32_t> found(numbers.size(), 0);
-    const Buffer list = bufferOf("shut bricks", numbers);
-    const Buffer changed = bufferOf("shut found", found);
-    const Buffer bits = bufferOf("shut places", places);
+    const Buffer list = bufferOf("barrier bricks", numbers);
+    const Buffer changed = bufferOf("barriers found", found);
+    const Buffer bits = bufferOf("barrier places", places);
     list.bindBase(GL_SHADER_STORAGE_BUFFER, 0);
     changed.bindBase(GL_SHADER_STORAGE_BUFFER, 1);
     bits.bindBase(GL_SHADER_STORAGE_BUFFER, 2);

@@ -2,7 +2,7 @@
 #include "tests/support/program/TestProgram.h"
 #include "ui/geometry/Camera.h"
 #include "ui/geometry/OrientationLetters.h"
-#include "ui/geometry/SlicePlane.h"
+#include "ui/geometry/ViewPlane.h"
 
 #include <QTest>
 

@@ -5,7 +5,7 @@
 #include "ui/base/CountText.h"
 #include "ui/base/Theme.h"
 #include "ui/dialogs/segment/SegmentWorkRow.h"
-#include "ui/geometry/SlicePlane.h"
+#include "ui/geometry/ViewPlane.h"
 #include "ui/menus/EditableButton.h"
 #include "ui/menus/SegmentMenus.h"
 #include "ui/widgets/FittingLabel.h"

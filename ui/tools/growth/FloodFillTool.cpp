@@ -5,7 +5,7 @@
 #include "core/session/SegmentWork.h"
 #include "ui/base/StudyTexts.h"
 #include "ui/base/Theme.h"
-#include "ui/geometry/SlicePlane.h"
+#include "ui/geometry/ViewPlane.h"
 #include "ui/menus/EditableButton.h"
 #include "ui/tools/aim/CursorLabel.h"
 #include "ui/tools/common/SeedOptions.h"

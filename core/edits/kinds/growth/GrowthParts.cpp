@@ -155,7 +155,7 @@ RowTitle intervalTitle(const GrowCriteria& criteria, const Document& document)
 EditDependencies growthDependencies(const GrowCriteria& criteria, const DependencyFacts& row)
 {
     if (row.trace.grownBeside)
-        return dependsOn::Growth{.plane = row.growthPlane(),
+        return dependsOn::SeedWords{.plane = row.growthPlane(),
             .coverage = criteria.onlyVisible,
             .beside = *row.trace.grownBeside};
     if (!criteria.onlyVisible)

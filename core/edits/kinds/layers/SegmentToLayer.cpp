@@ -47,7 +47,7 @@ Result<CoverLabel> coverLabel(const SegmentToLayer& edit, const Document& docume
         if (each.plane != segment->plane) // they may share voxels
             return failure(ErrorCode::SegmentProtected, each.name);
         if (cover.outside)
-            cover.spared.set(each.label);
+            cover.protectedLabels.set(each.label);
     }
     return cover;
 }

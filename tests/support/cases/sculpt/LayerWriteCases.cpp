@@ -169,7 +169,7 @@ EngineCase randomWrites(int number)
                 .label = std::uint8_t(randomInt(random, 1, 5))};
             cover.outside = random() % 3 == 0;
             if (random() % 2)
-                cover.spared.set(std::size_t(randomInt(random, 0, 5)));
+                cover.protectedLabels.set(std::size_t(randomInt(random, 0, 5)));
             appendWhole(made.steps, cover, {}, ending);
             break;
         }
@@ -235,10 +235,10 @@ std::vector<EngineCase> layerWriteCases(int randomCount)
     corners.steps.push_back(Redo{});
     corners.steps.push_back(command(core::ProbeVoxels{{{0, 0, 0}, size - 1}}));
     CoverLabel all{.layer = 3, .plane = 0, .label = 9, .outside = true};
-    all.spared.set(1);
-    all.spared.set(2);
+    all.protectedLabels.set(1);
+    all.protectedLabels.set(2);
     appendWhole(corners.steps, all); // nothing is anyone else's
-    all.spared.reset();
+    all.protectedLabels.reset();
     appendWhole(corners.steps, all);
     appendWhole(corners.steps, all); // all is carved
     corners.steps.push_back(Undo{});

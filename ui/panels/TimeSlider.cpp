@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ui/panels/TimePoints.h"
+#include "ui/panels/TimeSlider.h"
 
 #include "ui/base/Theme.h"
 #include "ui/texts/ClauseText.h"
@@ -33,7 +33,7 @@ const core::SeriesAlternatives* pointsOf(const Workspace& workspace)
 
 } // namespace
 
-TimePoints::TimePoints(Workspace& workspace, QWidget* parent)
+TimeSlider::TimeSlider(Workspace& workspace, QWidget* parent)
     : QWidget(parent)
     , m_workspace(workspace)
     , m_text(new QLabel(this))
@@ -59,11 +59,11 @@ TimePoints::TimePoints(Workspace& workspace, QWidget* parent)
     layout->addLayout(row);
     layout->addWidget(m_text);
     connect(m_open, &QPushButton::clicked, this, [this] { Q_EMIT requested(m_slider->value()); });
-    connect(m_slider, &QSlider::valueChanged, this, &TimePoints::showChoice);
-    connect(m_slider, &QWidget::customContextMenuRequested, this, &TimePoints::openMenu);
+    connect(m_slider, &QSlider::valueChanged, this, &TimeSlider::showChoice);
+    connect(m_slider, &QWidget::customContextMenuRequested, this, &TimeSlider::openMenu);
 }
 
-void TimePoints::showVolume()
+void TimeSlider::showVolume()
 {
     const core::SeriesAlternatives* points = pointsOf(m_workspace);
     setVisible(points != nullptr);
@@ -75,12 +75,12 @@ void TimePoints::showVolume()
     showChoice();
 }
 
-void TimePoints::showPlaying(bool isPlaying)
+void TimeSlider::showPlaying(bool isPlaying)
 {
     m_isPlaying = isPlaying;
 }
 
-QString TimePoints::chosenText() const
+QString TimeSlider::chosenText() const
 {
     const core::SeriesAlternatives* points = pointsOf(m_workspace);
     if (!points)
@@ -92,7 +92,7 @@ QString TimePoints::chosenText() const
         .arg(label.isEmpty() ? QString() : QStringLiteral(", ") + label);
 }
 
-void TimePoints::showChoice()
+void TimeSlider::showChoice()
 {
     const core::SeriesAlternatives* points = pointsOf(m_workspace);
     if (!points)
@@ -104,7 +104,7 @@ void TimePoints::showChoice()
     m_open->setEnabled(isOther);
 }
 
-void TimePoints::openMenu(const QPoint& at)
+void TimeSlider::openMenu(const QPoint& at)
 {
     const core::SeriesAlternatives* points = pointsOf(m_workspace);
     if (!points)
@@ -145,7 +145,7 @@ void TimePoints::openMenu(const QPoint& at)
     menu->popup(m_slider->mapToGlobal(at));
 }
 
-void TimePoints::addSpeeds(QMenu& menu)
+void TimeSlider::addSpeeds(QMenu& menu)
 {
     auto* onlyOne = new QActionGroup(&menu);
     for (const double each : playedPerSecond) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ui/geometry/SlicePlane.h"
+#include "ui/geometry/ViewPlane.h"
 
 #include <algorithm>
 #include <cmath>

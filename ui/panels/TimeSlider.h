@@ -16,11 +16,11 @@ class Workspace;
 /// The points in time of the open series: a slider that chooses one, with a button that opens it.
 /// The slider's menu leads to both ends, plays the points one after the other and copies which one
 /// is chosen. Hidden while the series has one point only.
-class TimePoints : public QWidget {
+class TimeSlider : public QWidget {
     Q_OBJECT
 
 public:
-    explicit TimePoints(Workspace& workspace, QWidget* parent = nullptr);
+    explicit TimeSlider(Workspace& workspace, QWidget* parent = nullptr);
 
     void showVolume();
     /// Whether the menu offers to stop instead of to play.
