@@ -242,6 +242,37 @@ private Q_SLOTS:
         isRefused({over, test::lockSegment(1), test::lockSegment(2)});
     }
 
+    /// What an import freed in another plane comes back with it, unless a later step was there.
+    void anImportIntoOneSegmentIsTakenBackAlone()
+    {
+        const Box wide{{0, 3, 4}, {30, 9, 8}};
+        ImportMask over = importOf({wide});
+        over.as = SegmentWord{.number = 1, .name = {}};
+        over.overwriteUnlocked = true;
+        const RevertRows undoOnly{.rows = {2}};
+        const Bench bench;
+        QCOMPARE(bench.tried(twoPlanes()), QString());
+        QCOMPARE(bench.tried(over), QString());
+        QCOMPARE(bench.labels(0), labelsOf(wide, 1));
+        QCOMPARE(bench.count(1, 2), std::int64_t(0));
+        // In other bricks.
+        QCOMPARE(bench.tried(test::paintAt(2, {bench.at({30, 28, 26})}, 3.0)), QString());
+        const std::int64_t painted = bench.count(1, 2);
+        QVERIFY(painted > 0);
+        QCOMPARE(bench.tried(undoOnly), QString());
+        QCOMPARE(bench.labels(0), labelsOf(one, 1));
+        QCOMPARE(bench.count(1, 2), painted + 10 * 6 * 4);
+        QCOMPARE(bench.voxelsOf(2), bench.count(1, 2));
+
+        const Bench beneath;
+        QCOMPARE(beneath.tried(twoPlanes()), QString());
+        QCOMPARE(beneath.tried(over), QString());
+        QCOMPARE(beneath.tried(test::paintAt(2, {beneath.at({12, 6, 6})}, 3.0)), QString());
+        const QByteArray before = beneath.session->stateHash();
+        QVERIFY(beneath.tried(undoOnly).contains(QStringLiteral("the same place")));
+        QCOMPARE(beneath.session->stateHash(), before);
+    }
+
     void everyEditKeepsToItsPlane_data()
     {
         QTest::addColumn<Edit>("edit");
