@@ -142,6 +142,22 @@ void layerToSegment(Workspace& workspace, int layer, std::optional<int> label)
     give(workspace, edit, label);
 }
 
+QString whyNotCarved(const core::Document& document, int label, bool outside)
+{
+    const core::Segment* segment = document.segment(label);
+    if (!segment)
+        return {};
+    if (!outside && segment->uncarvable)
+        return QObject::tr("'%1' is protected from sculpting").arg(segment->name);
+    for (const core::Segment& each : document.segments) {
+        if (each.uncarvable && each.plane != segment->plane)
+            return QObject::tr("'%1' is protected from sculpting and lies on another label plane, "
+                               "where it may have the same voxels")
+                .arg(each.name);
+    }
+    return {};
+}
+
 void segmentToLayer(Workspace& workspace, int label, int layer, bool outside)
 {
     apply(workspace,

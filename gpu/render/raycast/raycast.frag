@@ -22,6 +22,9 @@
 #if SEEDS
 #include "render/raycast/seeds.glsl"
 #endif
+#if BARRIERS || CUT_PREVIEW == 2
+#include "render/raycast/bodies.glsl"
+#endif
 #if BARRIERS
 #include "render/raycast/barriers.glsl"
 #endif

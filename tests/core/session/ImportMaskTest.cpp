@@ -9,9 +9,11 @@
 #include "core/session/EditSession.h"
 #include "core/session/questions/VoxelQuestions.h"
 #include "tests/reference/ReferenceEngine.h"
+#include "tests/support/cases/BoxedMasks.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/PlainEdits.h"
+#include "tests/support/scenes/SessionBench.h"
 #include "tests/support/scenes/SmallStudy.h"
 
 #include <QFile>
@@ -32,13 +34,7 @@ constexpr glm::ivec3 size(40, 36, 34); // of the small study
 
 VoxelRuns boxOf(const glm::ivec3& from, const glm::ivec3& to)
 {
-    VoxelRuns runs;
-    for (int z = from.z; z < to.z; ++z) {
-        for (int y = from.y; y < to.y; ++y)
-            runs.append(
-                std::uint64_t((z * size.y + y) * size.x + from.x), std::uint64_t(to.x - from.x));
-    }
-    return runs;
+    return test::runsOfBox({from, to}, size);
 }
 
 /// Two boxes that share the voxels with x = 10 … 14.
@@ -70,32 +66,15 @@ ImportMask as(ImportMask mask, const char* name)
     return mask;
 }
 
-struct Bench {
+struct Bench : test::SessionBench {
     explicit Bench(const QString& file = {})
-        : session(*EditSession::create(engine, test::smallStudy(), {.file = file}))
+        : SessionBench(false, test::smallStudy(), file)
     {
-    }
-    /// @return why it was refused, at once or later; empty if it was not
-    QString tried(const Edit& edit) const
-    {
-        Result<void> done = session->apply(edit);
-        if (done)
-            done = session->settle();
-        return done ? QString() : done.error().arguments.join(QStringLiteral(": "));
-    }
-    [[nodiscard]] std::size_t rows() const { return session->history().rows().size(); }
-    [[nodiscard]] std::int64_t count(int label) const
-    {
-        const std::vector<std::uint8_t> labels = *session->questions().labels(0);
-        return std::count(labels.begin(), labels.end(), std::uint8_t(label));
     }
     [[nodiscard]] const std::vector<Segment>& segments() const
     {
         return session->document().segments;
     }
-
-    reference::ReferenceEngine engine;
-    std::unique_ptr<EditSession> session;
 };
 
 } // namespace
@@ -117,14 +96,14 @@ private Q_SLOTS:
         QCOMPARE(bench.segments()[0].code.value, QStringLiteral("10200004"));
         QCOMPARE(bench.segments()[1].rgb, 0x102030U);
         // Where they overlap the first has it.
-        QCOMPARE(bench.count(1), std::int64_t(13 * 6 * 4));
-        QCOMPARE(bench.count(2), std::int64_t(5 * 6 * 4));
+        QCOMPARE(bench.voxels(1), std::int64_t(13 * 6 * 4));
+        QCOMPARE(bench.voxels(2), std::int64_t(5 * 6 * 4));
         QCOMPARE(bench.segments()[1].voxels, std::int64_t(5 * 6 * 4));
         const QByteArray after = bench.session->stateHash();
         QVERIFY(bench.session->undo());
         QVERIFY(bench.session->settle());
         QCOMPARE(bench.segments().size(), std::size_t(0));
-        QCOMPARE(bench.count(1), std::int64_t(0));
+        QCOMPARE(bench.voxels(1), std::int64_t(0));
         QVERIFY(bench.session->redo());
         QVERIFY(bench.session->settle());
         QCOMPARE(bench.session->stateHash(), after);
@@ -137,8 +116,8 @@ private Q_SLOTS:
         ImportMask mask = twoBoxes();
         mask.ahead = std::vector<int>{2};
         QCOMPARE(bench.tried(mask), QString());
-        QCOMPARE(bench.count(1), std::int64_t(8 * 6 * 4));
-        QCOMPARE(bench.count(2), std::int64_t(10 * 6 * 4));
+        QCOMPARE(bench.voxels(1), std::int64_t(8 * 6 * 4));
+        QCOMPARE(bench.voxels(2), std::int64_t(10 * 6 * 4));
         QCOMPARE(bench.segments()[0].name, QStringLiteral("Liver")); // numbers are the file's
         QCOMPARE(bench.session->history().rows().back().name,
             QStringLiteral("Import 2 segments of organs.seg.nrrd, 0.648 mL"));
@@ -154,7 +133,7 @@ private Q_SLOTS:
         QVERIFY(plain.session->stateHash() != after);
         mask.ahead = std::vector<int>{1, 3};
         QVERIFY(plain.tried(mask).contains(QStringLiteral("importMask.ahead")));
-        QCOMPARE(plain.rows(), std::size_t(1));
+        QCOMPARE(plain.rows().size(), std::size_t(1));
     }
 
     void intoASegment()
@@ -164,11 +143,11 @@ private Q_SLOTS:
         QCOMPARE(bench.tried(as(twoBoxes(), 1)), QString());
         QCOMPARE(bench.session->history().rows().back().name,
             QStringLiteral("Import 2 segments of organs.seg.nrrd as 'All', 0.648 mL"));
-        QCOMPARE(bench.count(1), std::int64_t(18 * 6 * 4));
+        QCOMPARE(bench.voxels(1), std::int64_t(18 * 6 * 4));
         QCOMPARE(bench.segments().size(), std::size_t(1));
         // A name that is there is that segment; one that is not is made.
         QCOMPARE(bench.tried(as(twoBoxes(), "All")), QString());
-        QCOMPARE(bench.rows(), std::size_t(2)); // it has all of it already
+        QCOMPARE(bench.rows().size(), std::size_t(2)); // it has all of it already
         ImportMask higher = twoBoxes();
         higher.segments = {{.name = QStringLiteral("Low"),
             .rgb = 7,
@@ -176,7 +155,7 @@ private Q_SLOTS:
             .voxels = packedRuns(boxOf({0, 0, 20}, {3, 3, 22}))}};
         QCOMPARE(bench.tried(as(higher, "Made")), QString());
         QCOMPARE(bench.segments().back().name, QStringLiteral("Made"));
-        QCOMPARE(bench.count(2), std::int64_t(18));
+        QCOMPARE(bench.voxels(2), std::int64_t(18));
     }
 
     void othersKeepTheirVoxels()
@@ -186,14 +165,14 @@ private Q_SLOTS:
         ImportMask again = twoBoxes();
         std::reverse(again.segments->begin(), again.segments->end());
         QCOMPARE(bench.tried(again), QString());
-        QCOMPARE(bench.rows(), std::size_t(1)); // no voxel was free: no segment came of it
+        QCOMPARE(bench.rows().size(), std::size_t(1)); // no voxel was free: no segment came of it
         QCOMPARE(bench.segments().size(), std::size_t(2));
         QCOMPARE(bench.tried(test::lockSegment(1)), QString());
         again.overwriteUnlocked = true;
         QCOMPARE(bench.tried(again), QString());
-        QCOMPARE(bench.count(1), std::int64_t(13 * 6 * 4)); // locked
-        QCOMPARE(bench.count(2), std::int64_t(0));
-        QCOMPARE(bench.count(3), std::int64_t(5 * 6 * 4));
+        QCOMPARE(bench.voxels(1), std::int64_t(13 * 6 * 4)); // locked
+        QCOMPARE(bench.voxels(2), std::int64_t(0));
+        QCOMPARE(bench.voxels(3), std::int64_t(5 * 6 * 4));
         QVERIFY(!bench.tried(as(twoBoxes(), 1)).isEmpty());
     }
 
@@ -214,7 +193,7 @@ private Q_SLOTS:
         far.append(40 * 36 * 34 - 1, 2);
         beyond.segments->back().voxels = packedRuns(far);
         QVERIFY(bench.tried(beyond).contains(QStringLiteral("its voxels are damaged")));
-        QCOMPARE(bench.rows(), std::size_t(0));
+        QCOMPARE(bench.rows().size(), std::size_t(0));
         QCOMPARE(bench.tried(twoBoxes()), QString()); // and all goes on
     }
 
@@ -255,8 +234,8 @@ private Q_SLOTS:
         {
             Bench bench(sessionFile);
             QCOMPARE(bench.tried(read->edit), QString());
-            QCOMPARE(bench.count(1), std::int64_t(4 * 3 * 2));
-            QCOMPARE(bench.count(2), std::int64_t(3 * 2));
+            QCOMPARE(bench.voxels(1), std::int64_t(4 * 3 * 2));
+            QCOMPARE(bench.voxels(2), std::int64_t(3 * 2));
             hash = bench.session->stateHash();
         }
         QVERIFY(QFile::remove(file));

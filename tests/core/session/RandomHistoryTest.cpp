@@ -78,10 +78,40 @@ private Q_SLOTS:
     {
         QFETCH(uint, seed);
         reference::ReferenceEngine engine;
-        test::RandomHistory history = test::runRandomHistory(engine, 200, seed, {}, true);
+        test::RandomHistory history =
+            test::runRandomHistory(engine, 200, seed, {}, {.limited = true});
         QVERIFY2(history.failure.isEmpty(), qPrintable(history.failure));
         m_editable += history.done[QStringLiteral("editable")];
         QVERIFY(m_editable > 3);
+    }
+
+    /// Masks that overlap, and edits of segments in further label planes, in histories of their
+    /// own: half of them with editable ranges, which may be inside a segment of another plane.
+    void withOverlappingMasks_data()
+    {
+        QTest::addColumn<uint>("seed");
+        const bool isLong = qEnvironmentVariableIsSet("BURIN_LONG");
+        for (uint seed = 201; seed < (isLong ? 221u : 203u); ++seed)
+            QTest::addRow("seed %u", seed) << seed;
+    }
+    void withOverlappingMasks()
+    {
+        QFETCH(uint, seed);
+        reference::ReferenceEngine engine;
+        const int commands = qEnvironmentVariableIsSet("BURIN_LONG") ? 400 : 150;
+        const test::RandomHistory history = test::runRandomHistory(
+            engine, commands, seed, {}, {.limited = seed % 2 == 0, .planes = true});
+        QVERIFY2(history.failure.isEmpty(), qPrintable(history.failure));
+        QCOMPARE(history.hashes.size(), std::size_t(commands));
+        int inFurtherPlanes = 0;
+        for (const auto& [kind, count] : history.done) {
+            if (!kind.endsWith(QStringLiteral("further plane")))
+                continue;
+            qInfo("%s: %d", qPrintable(kind), count);
+            inFurtherPlanes += count;
+        }
+        QVERIFY(history.done.count(QStringLiteral("importMask, further plane")) != 0);
+        QVERIFY(inFurtherPlanes > 5);
     }
 
 private:

@@ -39,10 +39,22 @@ private Q_SLOTS:
     {
         const int commands = test::longRun() ? 400 : 80;
         const test::RandomHistory history =
-            test::runRandomHistory(m_gpu.engine(), commands, 103, {}, true);
+            test::runRandomHistory(m_gpu.engine(), commands, 103, {}, {.limited = true});
         QVERIFY2(history.failure.isEmpty(), qPrintable(history.failure));
         reference::ReferenceEngine oracle;
-        QCOMPARE(test::runRandomHistory(oracle, commands, 103, {}, true).hashes, history.hashes);
+        QCOMPARE(test::runRandomHistory(oracle, commands, 103, {}, {.limited = true}).hashes,
+            history.hashes);
+    }
+
+    void withOverlappingMasks()
+    {
+        const int commands = test::longRun() ? 400 : 80;
+        const test::RandomHistory history =
+            test::runRandomHistory(m_gpu.engine(), commands, 202, {}, {.planes = true});
+        QVERIFY2(history.failure.isEmpty(), qPrintable(history.failure));
+        reference::ReferenceEngine oracle;
+        QCOMPARE(test::runRandomHistory(oracle, commands, 202, {}, {.planes = true}).hashes,
+            history.hashes);
     }
 
 private:

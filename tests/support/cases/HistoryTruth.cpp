@@ -70,7 +70,9 @@ constexpr int greatestLayer = 8;
 constexpr std::uint8_t truthLayer = 200; ///< where one cut is made alone
 
 /// All that an engine holds, empty bricks left out.
-std::map<BrickKey, std::vector<std::uint8_t>> everything(EditEngine& engine, const glm::ivec3& size)
+/// @param planes the number of label planes; to ask for one more would bring it into use
+std::map<BrickKey, std::vector<std::uint8_t>> everything(
+    EditEngine& engine, const glm::ivec3& size, int planes)
 {
     ReadBricks read;
     const int bricks = BrickGrid{size}.brickCount();
@@ -80,9 +82,11 @@ std::map<BrickKey, std::vector<std::uint8_t>> everything(EditEngine& engine, con
     };
     for (int layer = 1; layer <= greatestLayer; ++layer)
         ask(Field::Coverage, layer);
-    ask(Field::Labels, 0);
-    ask(Field::SeedWords, 0);
-    ask(Field::Overwritten, 0);
+    for (int plane = 0; plane < planes; ++plane) {
+        ask(Field::Labels, plane);
+        ask(Field::SeedWords, plane);
+        ask(Field::Overwritten, plane);
+    }
     const Ticket ticket = engine.submit(std::move(read));
     engine.finish();
     std::map<BrickKey, std::vector<std::uint8_t>> found;
@@ -196,12 +200,12 @@ std::vector<glm::ivec3> HistoryTruth::grownVoxels(RowId row) const
     return voxels;
 }
 
-std::vector<std::uint8_t> HistoryTruth::labelsAt(RowId row) const
+std::vector<std::uint8_t> HistoryTruth::labelsAt(RowId row, int plane) const
 {
-    return labelsOf(m_states.at(row).bricks);
+    return labelsOf(m_states.at(row).bricks, plane);
 }
 
-std::vector<std::uint8_t> HistoryTruth::labelsOf(const Bricks& bricks) const
+std::vector<std::uint8_t> HistoryTruth::labelsOf(const Bricks& bricks, int plane) const
 {
     const glm::ivec3& size = m_study.volume.geometry.size;
     const BrickGrid grid{size};
@@ -210,8 +214,8 @@ std::vector<std::uint8_t> HistoryTruth::labelsOf(const Bricks& bricks) const
         for (int y = 0; y < size.y; ++y) {
             for (int x = 0; x < size.x; ++x) {
                 const glm::ivec3 voxel(x, y, z);
-                const auto held =
-                    bricks.find({Field::Labels, 0, std::uint32_t(grid.brickOf(voxel))});
+                const auto held = bricks.find(
+                    {Field::Labels, std::uint8_t(plane), std::uint32_t(grid.brickOf(voxel))});
                 labels.push_back(held == bricks.end()
                         ? std::uint8_t(0)
                         : held->second[std::size_t(BrickGrid::offsetInBrick(voxel))]);
@@ -221,11 +225,17 @@ std::vector<std::uint8_t> HistoryTruth::labelsOf(const Bricks& bricks) const
     return labels;
 }
 
+std::vector<std::uint8_t> HistoryTruth::labelsBeside(
+    int segment, const Bricks& bricks, const Document& document) const
+{
+    return labelsOf(bricks, document.segment(segment)->plane);
+}
+
 /// Whose voxels may be taken follows from the document; which ones are meant is found here.
 HistoryTruth::Bricks HistoryTruth::cleaned(
     const Bricks& before, const CleanSegment& edit, const Document& document) const
 {
-    const std::vector<std::uint8_t> labels = labelsOf(before);
+    const std::vector<std::uint8_t> labels = labelsBeside(edit.segment, before, document);
     const bool gives = edit.rule == IslandRule::FillHoles || edit.rule == IslandRule::GiveClicked;
     return relabelled(before, withoutBricks(relabelListed(edit, document, labels, {})),
         islandVoxels(edit, m_study.volume.geometry, labels),
@@ -235,7 +245,7 @@ HistoryTruth::Bricks HistoryTruth::cleaned(
 HistoryTruth::Bricks HistoryTruth::filledBetween(
     const Bricks& before, const FillBetweenSlices& edit, const Document& document) const
 {
-    const std::vector<std::uint8_t> labels = labelsOf(before);
+    const std::vector<std::uint8_t> labels = labelsBeside(edit.segment, before, document);
     return relabelled(before, withoutBricks(relabelListed(edit, document, labels, {})),
         reference::voxelsBetween(
             labels, m_study.volume.geometry, std::uint8_t(edit.segment), edit.axis),
@@ -250,7 +260,8 @@ HistoryTruth::Bricks HistoryTruth::flooded(
                                    .value();
     const RelabelListed like{
         .target = target, .editable = editableVoxels(edit.editable, document, "floodFill").value()};
-    return relabelled(before, like, reference::floodedVoxels(edit, m_study, labelsOf(before)),
+    return relabelled(before, like,
+        reference::floodedVoxels(edit, m_study, labelsBeside(edit.segment, before, document)),
         edit.erase ? RelabelListed::take : RelabelListed::give);
 }
 
@@ -259,8 +270,10 @@ HistoryTruth::Bricks HistoryTruth::islandsSplit(
     Bricks before, const SplitIslands& edit, const Document& document) const
 {
     const VolumeGeometry& geometry = m_study.volume.geometry;
-    const auto islands = islandsBySize(geometry.size, labelsOf(before), edit.segment);
+    const auto islands =
+        islandsBySize(geometry.size, labelsBeside(edit.segment, before, document), edit.segment);
     RelabelListed like;
+    like.target.plane = document.segment(edit.segment)->plane;
     like.target.overwritable.set(std::size_t(edit.segment));
     for (std::size_t place = 0; place < edit.into.value().size(); ++place) {
         like.target.label = std::uint8_t(document.lastLabelGiven() + 1 + int(place));
@@ -279,7 +292,7 @@ HistoryTruth::Bricks HistoryTruth::splitByPlane(
     const ClipHalfSpace beyond{
         .normalLps = edit.normalLps, .offsetMm = glm::dot(edit.normalLps, edit.placeLps)};
     const IntegerHalfSpace half = integerHalfSpaces(std::vector{beyond}, geometry).front();
-    const std::vector<std::uint8_t> labels = labelsOf(before);
+    const std::vector<std::uint8_t> labels = labelsBeside(edit.segment, before, document);
     std::vector<bool> meant(labels.size(), false);
     std::size_t at = 0;
     for (int z = 0; z < geometry.size.z; ++z) {
@@ -291,7 +304,8 @@ HistoryTruth::Bricks HistoryTruth::splitByPlane(
                         > half.offset;
         }
     }
-    RelabelListed like{.target = {.plane = 0, .label = std::uint8_t(document.lastLabelGiven() + 1)},
+    RelabelListed like{.target = {.plane = document.segment(edit.segment)->plane,
+                           .label = std::uint8_t(document.lastLabelGiven() + 1)},
         .editable = editableVoxels(edit.editable, document, "splitSegment").value()};
     like.target.overwritable.set(std::size_t(edit.segment));
     return relabelled(before, like, meant, RelabelListed::give);
@@ -303,7 +317,7 @@ HistoryTruth::Bricks HistoryTruth::evolved(
     const LabelTarget target =
         labelTarget({.segment = edit.segment, .name = {}}, edit.overwriteUnlocked, document)
             .value();
-    const std::vector<std::uint8_t> labels = labelsOf(before);
+    const std::vector<std::uint8_t> labels = labelsBeside(edit.segment, before, document);
     std::vector<bool> gained = reference::evolvedContour(edit, contourRule(edit, document).value(),
         m_study, labels, [&](int label) { return target.overwritable[std::size_t(label)]; });
     std::vector<bool> lost(gained.size(), false);
@@ -414,6 +428,8 @@ void HistoryTruth::add(const HistoryRow& row)
         next.document.growths.front().generation = generation;
         changeDocument(edit, next.document);
     }
+    for (const Segment& segment : next.document.segments)
+        m_planes = std::max(m_planes, int(segment.plane) + 1);
     m_states[row.id] = std::move(next);
 }
 
@@ -477,11 +493,13 @@ HistoryTruth::Bricks HistoryTruth::grown(
     if (const auto* scissors = edit.as<SegmentScissors>())
         return after(before, *labelScissors(*scissors, document), {}, nullptr);
     if (const auto* mirror = edit.as<MirrorSegment>())
-        return after(
-            before, *relabelListed(*mirror, document, labelsOf(before), Progress()), {}, nullptr);
+        return after(before,
+            *relabelListed(
+                *mirror, document, labelsBeside(mirror->segment, before, document), Progress()),
+            {}, nullptr);
     // What a ball does to a segment is another test's matter; here from which labels, and when.
     if (const auto* reshape = edit.as<ReshapeSegment>()) {
-        const std::vector<std::uint8_t> labels = labelsOf(before);
+        const std::vector<std::uint8_t> labels = labelsBeside(reshape->segment, before, document);
         if (reshape->with)
             return after(before, *labelListed(*reshape, document, labels, Progress()), {}, nullptr);
         return after(before, *relabelListed(*reshape, document, labels, Progress()), {}, nullptr);
@@ -868,10 +886,15 @@ void HistoryTruth::changeDocument(const Edit& edit, Document& document) const
             document.segments.back().plane = std::uint8_t(mask->planes ? (*mask->planes)[i] : 0);
         }
     } else if (const auto* islands = edit.as<SplitIslands>()) {
-        for (const SplitPart& part : islands->into.value())
+        const std::uint8_t plane = with(segments, &Segment::label, islands->segment)->plane;
+        for (const SplitPart& part : islands->into.value()) {
             addTarget({.segment = {}, .name = part.name, .rgb = part.rgb}, document);
+            document.segments.back().plane = plane;
+        }
     } else if (const auto* split = edit.as<SplitSegment>()) {
+        const std::uint8_t plane = with(segments, &Segment::label, split->segment)->plane;
         addTarget({.segment = {}, .name = split->into.name, .rgb = split->into.rgb}, document);
+        document.segments.back().plane = plane;
     } else if (const auto* view = edit.as<AddBookmark>()) {
         int id = document.greatestRemovedBookmark;
         for (const CameraBookmark& bookmark : document.bookmarks)
@@ -929,7 +952,7 @@ QString HistoryTruth::difference(
     if (json(document) != json(truth.document))
         return QStringLiteral("the document is\n%1 instead of\n%2")
             .arg(QString::fromUtf8(json(document)), QString::fromUtf8(json(truth.document)));
-    const Bricks found = everything(engine, m_study.volume.geometry.size);
+    const Bricks found = everything(engine, m_study.volume.geometry.size, m_planes);
     if (found != truth.bricks) {
         for (const auto& [key, bytes] : truth.bricks) {
             const auto same = found.find(key);

@@ -43,8 +43,8 @@ public:
     [[nodiscard]] const core::Document& documentAt(core::RowId row) const;
     /// The voxels that growths have added.
     [[nodiscard]] std::vector<glm::ivec3> grownVoxels(core::RowId row) const;
-    /// The labels of the whole volume, x fastest.
-    [[nodiscard]] std::vector<std::uint8_t> labelsAt(core::RowId row) const;
+    /// The labels of the whole volume in one label plane, x fastest.
+    [[nodiscard]] std::vector<std::uint8_t> labelsAt(core::RowId row, int plane) const;
     /// The rows that changed voxels and are in effect at a row, ascending.
     [[nodiscard]] std::vector<core::RowId> standingAt(core::RowId row) const;
 
@@ -82,7 +82,10 @@ private:
         const core::Document* muting = nullptr) const;
     [[nodiscard]] Bricks grown(const Bricks& before, const core::Edit& edit, core::RowId parent,
         std::uint32_t* generation) const;
-    [[nodiscard]] std::vector<std::uint8_t> labelsOf(const Bricks& bricks) const;
+    [[nodiscard]] std::vector<std::uint8_t> labelsOf(const Bricks& bricks, int plane) const;
+    /// In the plane in which a segment of the document lies.
+    [[nodiscard]] std::vector<std::uint8_t> labelsBeside(
+        int segment, const Bricks& bricks, const core::Document& document) const;
     [[nodiscard]] Bricks cleaned(
         const Bricks& before, const core::CleanSegment& edit, const core::Document& document) const;
     [[nodiscard]] Bricks filledBetween(const Bricks& before, const core::FillBetweenSlices& edit,
@@ -102,6 +105,7 @@ private:
         const std::vector<bool>& meant, std::uint8_t asked) const;
 
     core::LoadedVolume m_study;
+    int m_planes = 1; ///< of labels, that any row has used
     std::map<core::RowId, core::HistoryRow> m_rows;
     std::map<core::RowId, State> m_states;
     std::map<QByteArray, Cut> m_cuts; ///< by row and form

@@ -2,7 +2,9 @@
 #include "tests/support/cases/RandomHistory.h"
 
 #include "core/base/Guarded.h"
+#include "core/brick/VoxelRuns.h"
 #include "core/edits/EditJson.h"
+#include "core/edits/EditTask.h"
 #include "core/edits/kinds/EditParts.h"
 #include "core/edits/kinds/filling/EvolveContour.h"
 #include "core/edits/kinds/filling/FillBetweenSlices.h"
@@ -45,6 +47,7 @@
 #include "core/edits/kinds/segments/CleanSegment.h"
 #include "core/edits/kinds/segments/CombineSegments.h"
 #include "core/edits/kinds/segments/FillOutline.h"
+#include "core/edits/kinds/segments/ImportMask.h"
 #include "core/edits/kinds/segments/InvertSegment.h"
 #include "core/edits/kinds/segments/LayerToSegment.h"
 #include "core/edits/kinds/segments/MoveSegment.h"
@@ -55,8 +58,10 @@
 #include "core/edits/kinds/values/ThresholdSegment.h"
 #include "core/edits/kinds/views/Bookmarks.h"
 #include "core/edits/kinds/views/Measurements.h"
+#include "core/masks/MaskOnVolume.h"
 #include "core/morphology/BetweenSlices.h"
 #include "core/session/EditSession.h"
+#include "tests/support/cases/BoxedMasks.h"
 #include "tests/support/cases/HistoryTruth.h"
 #include "tests/support/cases/IslandTruth.h"
 #include "tests/support/cases/RandomEdits.h"
@@ -81,9 +86,9 @@ namespace {
 
 class HastyUser {
 public:
-    HastyUser(EditEngine& engine, std::uint32_t seed, bool limited)
+    HastyUser(EditEngine& engine, std::uint32_t seed, const RandomDraws& draws)
         : m_engine(engine)
-        , m_limited(limited)
+        , m_draws(draws)
         , m_random(seed)
         , m_truth(goldenStudy())
     {
@@ -151,8 +156,9 @@ private:
         for (const Segment& segment : m_session->document().segments) {
             if (segment.followsRow == 0)
                 continue;
-            const std::vector<std::uint8_t> given = m_truth.labelsAt(segment.followsRow);
-            const std::vector<std::uint8_t> now = m_truth.labelsAt(row);
+            const std::vector<std::uint8_t> given =
+                m_truth.labelsAt(segment.followsRow, segment.plane);
+            const std::vector<std::uint8_t> now = m_truth.labelsAt(row, segment.plane);
             for (std::size_t voxel = 0; voxel < now.size(); ++voxel) {
                 if ((given[voxel] == segment.label) != (now[voxel] == segment.label))
                     return QStringLiteral("segment %1 follows row %2 and differs from it")
@@ -165,6 +171,8 @@ private:
 
     /// How the name of a row ends that only has criteria for later growths.
     static constexpr QLatin1String noVoxel{", no voxel"};
+    /// How edits of segments beyond the first plane are counted in addition.
+    static constexpr QLatin1String inPlanes{", further plane"};
 
     int between(int low, int high) { return low + int(m_random() % std::uint32_t(high - low + 1)); }
     bool chance(int percent) { return between(1, 100) <= percent; }
@@ -194,20 +202,41 @@ private:
             if (m_result.done[kindOf(other)] < m_result.done[kindOf(edit)])
                 edit = std::move(other);
         }
-        std::optional<EditableRange>* const range = m_limited ? editableRangeOf(edit) : nullptr;
+        std::optional<EditableRange>* const range =
+            m_draws.limited ? editableRangeOf(edit) : nullptr;
         const bool isLimited = range && chance(70);
         if (isLimited)
             *range = randomRange();
         const std::size_t rows = m_session->history().rows().size();
+        const bool inFurtherPlane = isInFurtherPlane(edit);
         const QString kind = note(kindOf(edit), m_session->apply(edit), rows);
-        if (isLimited && m_session->history().rows().size() > rows)
+        const bool isRow = m_session->history().rows().size() > rows;
+        if (isLimited && isRow)
             ++m_result.done[QStringLiteral("editable")];
+        if (isRow && inFurtherPlane)
+            ++m_result.done[kind + inPlanes];
         const bool counted = edit.is<Annotate>() || edit.is<MoveMeasurement>();
         if (counted && m_session->history().rows().size() > rows)
             ++m_result.done[editName(edit)];
         return kind;
     }
 
+    /// Whether it writes to a segment of a plane beyond the first, or makes one.
+    [[nodiscard]] bool isInFurtherPlane(const Edit& edit) const
+    {
+        const auto isFurther = [this](int label) {
+            const Segment* segment = m_session->document().segment(label);
+            return segment && segment->plane > 0;
+        };
+        if (const auto* mask = edit.as<ImportMask>(); mask && mask->planes)
+            return std::any_of(
+                mask->planes->begin(), mask->planes->end(), [](int plane) { return plane > 0; });
+        if (const auto* remove = edit.as<RemoveSegment>())
+            return isFurther(remove->segment);
+        if (const auto* toLayer = edit.as<SegmentToLayer>())
+            return isFurther(toLayer->segment);
+        return isFurther(effectsOf(edit).writesTo.value_or(0));
+    }
     /// Under which name it is counted.
     static QString kindOf(const Edit& edit)
     {
@@ -322,6 +351,8 @@ private:
     {
         const Document& document = m_session->document();
         const std::vector<RowId> rows = m_truth.standingAt(m_session->history().position());
+        if (m_draws.planes && wantsImport(document))
+            return randomImport(document);
         const int dice = document.segments.empty() ? 0 : between(0, 99);
         if (dice < 5 && document.segments.size() < 6)
             return test::newSegment(randomName(), std::uint32_t(m_random()) & 0xFFFFFFu);
@@ -360,6 +391,58 @@ private:
         if (dice < 92)
             return randomWhole(document);
         return randomRevert(rows);
+    }
+
+    /// Soon where nothing lies in a further plane, now and then else.
+    bool wantsImport(const Document& document)
+    {
+        const bool hasPlanes = document.labelPlanes().size() > 1;
+        return document.segments.size() < 8 && chance(hasPlanes ? 5 : 50);
+    }
+    /// Boxes that overlap, as if read from a file: in the planes that they need or in any, or all
+    /// for a segment that is there.
+    ImportMask randomImport(const Document& document)
+    {
+        const glm::ivec3 size = document.volumes.front().geometry.size;
+        std::vector<MaskSegment> masks;
+        const glm::ivec3 middle{
+            between(8, size.x - 9), between(8, size.y - 9), between(8, size.z - 9)};
+        for (int i = between(2, 3); i > 0; --i) {
+            const glm::ivec3 from =
+                middle - glm::ivec3{between(1, 8), between(1, 8), between(1, 8)};
+            const glm::ivec3 to = middle + glm::ivec3{between(1, 8), between(1, 8), between(1, 8)};
+            masks.push_back({.name = randomName(),
+                .rgb = {},
+                .code = {},
+                .voxels = runsOfBox({from, to}, size)});
+        }
+        ImportMask mask{.file = QStringLiteral("organs.seg.nrrd")};
+        mask.size = size;
+        mask.segments.emplace();
+        for (const MaskSegment& each : masks)
+            mask.segments->push_back({.name = each.name,
+                .rgb = std::uint32_t(m_random()) & 0xFFFFFFu,
+                .code = {},
+                .voxels = packedRuns(each.voxels)});
+        mask.overwriteUnlocked = chance(40);
+        if (chance(30))
+            mask.ahead = std::vector<int>{between(1, int(masks.size()))};
+        if (!document.segments.empty() && chance(25)) {
+            mask.as = SegmentWord{.number = any(document.segments).label, .name = {}};
+            return mask;
+        }
+        mask.planes = planesFor(overlapsOf(masks), masks.size());
+        if (chance(30)) {
+            for (int& plane : *mask.planes)
+                plane = between(0, mostLabelPlanes - 1);
+        }
+        return mask;
+    }
+    /// The labels of the plane in which a segment lies, as they are now.
+    [[nodiscard]] std::vector<std::uint8_t> labelsBeside(int segment) const
+    {
+        return m_truth.labelsAt(
+            m_session->history().position(), m_session->document().segment(segment)->plane);
     }
 
     EditableRange randomRange()
@@ -504,9 +587,9 @@ private:
                 .how = chance(50) ? CombineSegments::How::Swap : CombineSegments::How::Merge};
         CleanSegment clean{.segment = segment, .rule = IslandRule(between(0, 5))};
         const VolumeGeometry& geometry = document.volumes.front().geometry;
-        const std::vector<std::uint8_t> labels = m_truth.labelsAt(m_session->history().position());
+        const std::vector<std::uint8_t> labels = labelsBeside(segment);
         if (clean.rule == IslandRule::FillHoles)
-            clean.segment = holedSegment(labels).value_or(segment);
+            clean.segment = holedSegment().value_or(segment);
         // Never as much as a whole number of voxels: rounding decides nothing.
         const glm::dvec3 spacing = geometry.spacingMm();
         const double limit = between(1, 80) - 0.5;
@@ -531,10 +614,11 @@ private:
         return clean;
     }
     /// One that has a hole of which a part is nobody's.
-    [[nodiscard]] std::optional<int> holedSegment(const std::vector<std::uint8_t>& labels) const
+    [[nodiscard]] std::optional<int> holedSegment() const
     {
         const Document& document = m_session->document();
         for (const Segment& segment : document.segments) {
+            const std::vector<std::uint8_t> labels = labelsBeside(segment.label);
             const std::vector<bool> holes =
                 islandVoxels({.segment = segment.label}, document.volumes.front().geometry, labels);
             for (std::size_t voxel = 0; voxel < labels.size(); ++voxel) {
@@ -823,13 +907,13 @@ private:
     std::optional<SplitIslands> randomIslands(const Document& document)
     {
         const VolumeGeometry& geometry = document.volumes.front().geometry;
-        const std::vector<std::uint8_t> labels = m_truth.labelsAt(m_session->history().position());
         const std::size_t before = std::size_t(between(0, int(document.segments.size()) - 1));
         const auto others = std::size_t(between(1, 2));
         const bool isNamed = chance(40);
         for (std::size_t i = 0; i < document.segments.size() && document.segments.size() < 7; ++i) {
             const Segment& segment = document.segments[(before + i) % document.segments.size()];
-            const auto islands = islandsBySize(geometry.size, labels, segment.label);
+            const auto islands =
+                islandsBySize(geometry.size, labelsBeside(segment.label), segment.label);
             if (islands.size() < 2 || segment.locked)
                 continue;
             SplitIslands split{.segment = segment.label};
@@ -857,7 +941,7 @@ private:
         const int back = between(-9, 9);
         split.normalLps = {right, back, between(1, 9)};
         split.into = {.name = randomName(), .rgb = 0x907080};
-        const std::vector<std::uint8_t> labels = m_truth.labelsAt(m_session->history().position());
+        const std::vector<std::uint8_t> labels = labelsBeside(split.segment);
         std::vector<std::size_t> own;
         for (std::size_t voxel = 0; voxel < labels.size(); ++voxel) {
             if (labels[voxel] == split.segment)
@@ -884,9 +968,9 @@ private:
     /// Of a segment that has empty slices between others, along any axis.
     std::optional<FillBetweenSlices> randomBetween(const Document& document)
     {
-        const std::vector<std::uint8_t> labels = m_truth.labelsAt(m_session->history().position());
         std::vector<FillBetweenSlices> possible;
         for (const Segment& segment : document.segments) {
+            const std::vector<std::uint8_t> labels = labelsBeside(segment.label);
             for (const DrawnSlices& drawn : drawnSlices(
                      labels, document.volumes.front().geometry.size, std::uint8_t(segment.label))) {
                 if (drawn.emptySlices() > 0 && !segment.locked)
@@ -904,8 +988,8 @@ private:
     FloodFill randomFlood(const Document& document)
     {
         const VolumeGeometry& geometry = document.volumes.front().geometry;
-        const std::vector<std::uint8_t> labels = m_truth.labelsAt(m_session->history().position());
         FloodFill flood{.segment = any(document.segments).label};
+        const std::vector<std::uint8_t> labels = labelsBeside(flood.segment);
         std::size_t voxel = std::size_t(between(0, int(labels.size()) - 1));
         if (chance(40)) { // the next one of a segment
             const auto next = std::find_if(labels.begin() + std::ptrdiff_t(voxel), labels.end(),
@@ -1002,7 +1086,9 @@ private:
             scissors.lower = between(-200, 300);
         std::vector<int> others;
         for (const Segment& other : document.segments) {
-            if (scissors.erase && other.label != scissors.segment && !other.locked && chance(30))
+            const bool isBeside = other.label != scissors.segment
+                && other.plane == document.segment(scissors.segment)->plane;
+            if (scissors.erase && isBeside && !other.locked && chance(30))
                 others.push_back(other.label);
         }
         std::sort(others.begin(), others.end());
@@ -1122,7 +1208,7 @@ private:
     }
 
     EditEngine& m_engine;
-    bool m_limited = false;
+    RandomDraws m_draws;
     std::mt19937 m_random;
     QTemporaryDir m_folder;
     HistoryTruth m_truth;
@@ -1137,9 +1223,9 @@ private:
 } // namespace
 
 RandomHistory runRandomHistory(EditEngine& engine, int commands, std::uint32_t seed,
-    const std::function<void(bool)>& acting, bool limited)
+    const std::function<void(bool)>& acting, const RandomDraws& draws)
 {
-    return HastyUser(engine, seed, limited).run(commands, acting);
+    return HastyUser(engine, seed, draws).run(commands, acting);
 }
 
 } // namespace test

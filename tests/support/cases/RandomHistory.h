@@ -23,12 +23,20 @@ struct RandomHistory {
     std::vector<QByteArray> hashes; ///< after each step; equal on every engine
 };
 
+/// What is drawn besides. Histories without it stay as they were.
+struct RandomDraws {
+    /// Most edits of labels are given an editable range, counted as "editable".
+    bool limited = false;
+    /// Masks that overlap are imported, into several label planes; what becomes of segments beyond
+    /// the first plane is counted in addition, as "paint, further plane".
+    bool planes = false;
+};
+
 /// @param engine used by nobody else meanwhile; it may refuse memory while the user acts
 /// @param acting called before (true) and after (false) each step; comparisons happen in between,
 /// undisturbed
-/// @param limited most edits of labels are given an editable range, counted as "editable"; else
-/// none is
 [[nodiscard]] RandomHistory runRandomHistory(core::EditEngine& engine, int commands,
-    std::uint32_t seed, const std::function<void(bool)>& acting = {}, bool limited = false);
+    std::uint32_t seed, const std::function<void(bool)>& acting = {},
+    const RandomDraws& draws = {});
 
 } // namespace test

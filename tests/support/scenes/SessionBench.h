@@ -55,14 +55,13 @@ public:
     {
         return session->history().rows();
     }
-    /// Of the first plane.
-    [[nodiscard]] std::vector<std::uint8_t> labels() const
+    [[nodiscard]] std::vector<std::uint8_t> labels(int plane = 0) const
     {
-        return *session->questions().labels(0);
+        return *session->questions().labels(std::uint8_t(plane));
     }
-    [[nodiscard]] std::int64_t voxels(int label = 1) const
+    [[nodiscard]] std::int64_t voxels(int label = 1, int plane = 0) const
     {
-        const std::vector<std::uint8_t> all = labels();
+        const std::vector<std::uint8_t> all = labels(plane);
         return std::count(all.begin(), all.end(), label);
     }
 

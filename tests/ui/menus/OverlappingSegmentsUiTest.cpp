@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/brick/VoxelRuns.h"
+#include "core/edits/kinds/layers/SegmentToLayer.h"
 #include "core/edits/kinds/segments/ImportMask.h"
 #include "core/session/EditSession.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/fixtures/WindowFixture.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/PlainEdits.h"
 #include "tests/support/scenes/SmallStudy.h"
 #include "ui/overlays/Readout.h"
 #include "ui/panels/lists/SegmentsPanel.h"
 #include "ui/tools/growth/PaintTool.h"
 #include "ui/views/ViewGrid.h"
+#include "ui/workspace/LayerActions.h"
 #include "ui/workspace/ViewSteps.h"
 
 #include <QAction>
@@ -149,6 +152,36 @@ private Q_SLOTS:
         };
         QVERIFY(!tip(0).contains(QStringLiteral("overlaps")));
         QVERIFY(tip(1).contains(QStringLiteral("overlaps others: plane 2")));
+    }
+
+    /// What the menus say of carving a segment is what the session says.
+    void noneIsCarvedBesideAProtectedOneOfAnotherPlane()
+    {
+        Fixture fixture;
+        core::EditSession& session = fixture.session();
+        for (const int label : {liver, tumour}) {
+            for (const bool outside : {false, true})
+                QCOMPARE(ui::whyNotCarved(session.document(), label, outside), QString());
+        }
+        QVERIFY(session.apply(test::protectSegment(liver)));
+        fixture.settle();
+        for (const bool outside : {false, true}) {
+            const QString why = ui::whyNotCarved(session.document(), tumour, outside);
+            QVERIFY2(why.startsWith(QStringLiteral("'Liver' is protected")), qPrintable(why));
+            QVERIFY(why.contains(QStringLiteral("another label plane")));
+            const auto refused = session.apply(core::SegmentToLayer{.segment = tumour,
+                .layer = 1,
+                .outside = outside ? std::optional(true) : std::nullopt});
+            QVERIFY(!refused);
+            QCOMPARE(refused.error().code, core::ErrorCode::SegmentProtected);
+        }
+        QCOMPARE(ui::whyNotCarved(session.document(), liver),
+            QStringLiteral("'Liver' is protected from sculpting"));
+        // All but it may go: the others of its plane, and what nobody has.
+        QCOMPARE(ui::whyNotCarved(session.document(), liver, true), QString());
+        QVERIFY(session.apply(
+            core::SegmentToLayer{.segment = liver, .layer = 1, .outside = std::optional(true)}));
+        fixture.settle();
     }
 
     /// One after the other becomes active where they overlap; what is hidden is passed by.

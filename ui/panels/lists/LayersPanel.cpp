@@ -217,6 +217,7 @@ void LayersPanel::showMenu(const QPoint& position)
 void LayersPanel::addPassages(QMenu& menu, int layer)
 {
     const core::Document& document = m_workspace.session()->document();
+    menu.setToolTipsVisible(true);
     menu.addAction(tr("Make it a new segment"), this,
         [this, layer] { layerToSegment(m_workspace, layer, std::nullopt); });
     const core::Segment* segment = document.segment(m_workspace.activeSegment());
@@ -227,7 +228,9 @@ void LayersPanel::addPassages(QMenu& menu, int layer)
     QAction* carve = menu.addAction(segment ? tr("Carve segment '%1' into it").arg(segment->name)
                                             : tr("Carve the segment into it"),
         this, [this, layer] { segmentToLayer(m_workspace, m_workspace.activeSegment(), layer); });
-    carve->setEnabled(segment && !segment->uncarvable && document.carves(*document.layer(layer)));
+    const QString why = whyNotCarved(document, m_workspace.activeSegment());
+    carve->setEnabled(segment && why.isEmpty() && document.carves(*document.layer(layer)));
+    carve->setToolTip(why);
     QMenu* merge = menu.addMenu(tr("Merge into"));
     for (const core::SculptLayer& other : document.layers) {
         if (other.id == layer)

@@ -222,6 +222,7 @@ void SegmentsPanel::addPassages(QMenu& menu, const QModelIndex& index)
 {
     const int label = index.data(SegmentListModel::LabelRole).toInt();
     const bool locked = index.data(SegmentListModel::LockedRole).toBool();
+    menu.setToolTipsVisible(true);
     QAction* seen = menu.addAction(
         tr("Add what I see in 3D"), this, [this, label] { segmentWhatIsSeen(m_workspace, label); });
     seen->setEnabled(!locked);
@@ -235,11 +236,15 @@ void SegmentsPanel::addPassages(QMenu& menu, const QModelIndex& index)
     add->setEnabled(!locked);
     QAction* carve = menu.addAction(tr("Carve it into layer '%1'").arg(layer->name), this,
         [this, label, id] { segmentToLayer(m_workspace, label, id); });
-    carve->setEnabled(
-        document.carves(*layer) && !index.data(SegmentListModel::ProtectedRole).toBool());
+    const auto allow = [&](QAction& action, bool outside) {
+        const QString why = whyNotCarved(document, label, outside);
+        action.setEnabled(document.carves(*layer) && why.isEmpty());
+        action.setToolTip(why);
+    };
+    allow(*carve, false);
     QAction* mask = menu.addAction(tr("Carve all but it into layer '%1'").arg(layer->name), this,
         [this, label, id] { segmentToLayer(m_workspace, label, id, true); });
-    mask->setEnabled(document.carves(*layer));
+    allow(*mask, true);
 }
 
 } // namespace ui

@@ -24,8 +24,8 @@ Result<bool> apply(const SegmentToLayer& edit, Document& document);
 [[nodiscard]] EditDependencies dependencies(const SegmentToLayer& edit, const DependencyFacts& row);
 [[nodiscard]] Result<EngineEdit> engineEdit(const SegmentToLayer& edit, const Document& document);
 
-/// Errors: UnknownSegment, SegmentProtected (it is; or all others are to be carved, and one is that
-/// lies on another label plane).
+/// Errors: UnknownSegment, SegmentProtected (it is; or one is that lies on another label plane,
+/// where it may have the same voxels).
 [[nodiscard]] Result<CoverLabel> coverLabel(const SegmentToLayer& edit, const Document& document);
 
 } // namespace core

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/brick/VoxelRuns.h"
 #include "core/edits/EditJson.h"
 #include "core/edits/kinds/filling/FloodFill.h"
 #include "core/edits/kinds/filling/MirrorSegment.h"
@@ -21,9 +20,11 @@
 #include "core/session/EditSession.h"
 #include "core/session/questions/VoxelQuestions.h"
 #include "tests/reference/ReferenceEngine.h"
+#include "tests/support/cases/BoxedMasks.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/PlainEdits.h"
+#include "tests/support/scenes/SessionBench.h"
 #include "tests/support/scenes/SmallStudy.h"
 
 #include <QJsonDocument>
@@ -41,43 +42,15 @@ namespace {
 
 constexpr glm::ivec3 size(40, 36, 34); // of the small study
 
-struct Box {
-    glm::ivec3 from{0};
-    glm::ivec3 to{0};
-
-    [[nodiscard]] bool holds(int x, int y, int z) const
-    {
-        return x >= from.x && x < to.x && y >= from.y && y < to.y && z >= from.z && z < to.z;
-    }
-};
+using Box = VoxelBox;
 
 constexpr Box one{{2, 3, 4}, {15, 9, 8}};
 constexpr Box two{{10, 3, 4}, {20, 9, 8}};
 constexpr Box three{{12, 5, 5}, {14, 7, 7}}; // in both
 
-VoxelRuns runsOf(const Box& box)
-{
-    VoxelRuns runs;
-    for (int z = box.from.z; z < box.to.z; ++z) {
-        for (int y = box.from.y; y < box.to.y; ++y)
-            runs.append(std::uint64_t((z * size.y + y) * size.x + box.from.x),
-                std::uint64_t(box.to.x - box.from.x));
-    }
-    return runs;
-}
-
-/// As if read from a file.
 ImportMask importOf(const std::vector<Box>& boxes)
 {
-    ImportMask mask{.file = QStringLiteral("organs.seg.nrrd")};
-    mask.size = size;
-    mask.segments.emplace();
-    for (const Box& box : boxes)
-        mask.segments->push_back({.name = QStringLiteral("S%1").arg(mask.segments->size() + 1),
-            .rgb = 7,
-            .code = {},
-            .voxels = packedRuns(runsOf(box))});
-    return mask;
+    return test::importOfBoxes(boxes, size);
 }
 
 ImportMask twoPlanes()
@@ -93,46 +66,28 @@ std::vector<std::uint8_t> labelsOf(const Box& box, int label)
     std::vector<std::uint8_t> labels;
     for (int z = 0; z < size.z; ++z) {
         for (int y = 0; y < size.y; ++y) {
-            for (int x = 0; x < size.x; ++x)
-                labels.push_back(std::uint8_t(box.holds(x, y, z) ? label : 0));
+            for (int x = 0; x < size.x; ++x) {
+                const glm::ivec3 voxel(x, y, z);
+                const bool isInside = glm::all(glm::greaterThanEqual(voxel, box.minimum))
+                    && glm::all(glm::lessThan(voxel, box.maximum));
+                labels.push_back(std::uint8_t(isInside ? label : 0));
+            }
         }
     }
     return labels;
 }
 
-struct Bench {
+struct Bench : test::SessionBench {
     explicit Bench(const QString& file = {})
-        : session(*EditSession::create(engine, test::smallStudy(), {.file = file}))
+        : SessionBench(false, test::smallStudy(), file)
     {
     }
-    /// @return why it was refused, at once or later; empty if it was not
-    QString tried(const Edit& edit) const
-    {
-        Result<void> done = session->apply(edit);
-        if (done)
-            done = session->settle();
-        return done ? QString() : done.error().arguments.join(QStringLiteral(": "));
-    }
-    [[nodiscard]] std::vector<std::uint8_t> labels(int plane) const
-    {
-        return *session->questions().labels(std::uint8_t(plane));
-    }
-    [[nodiscard]] std::int64_t count(int plane, int label) const
-    {
-        const std::vector<std::uint8_t> all = labels(plane);
-        return std::count(all.begin(), all.end(), std::uint8_t(label));
-    }
+    [[nodiscard]] std::int64_t count(int plane, int label) const { return voxels(label, plane); }
     [[nodiscard]] std::int64_t voxelsOf(int label) const
     {
         return session->document().segment(label)->voxels;
     }
-    [[nodiscard]] glm::dvec3 at(const glm::dvec3& voxel) const
-    {
-        return session->document().volumes.front().geometry.toWorld(voxel);
-    }
-
-    reference::ReferenceEngine engine;
-    std::unique_ptr<EditSession> session;
+    [[nodiscard]] glm::dvec3 at(const glm::dvec3& voxel) const { return geometry().toWorld(voxel); }
 };
 
 } // namespace
@@ -152,7 +107,8 @@ private Q_SLOTS:
         ImportMask mask = importOf(boxes);
         std::vector<MaskSegment> segments;
         for (const Box& box : boxes)
-            segments.push_back({.name = {}, .rgb = {}, .code = {}, .voxels = runsOf(box)});
+            segments.push_back(
+                {.name = {}, .rgb = {}, .code = {}, .voxels = test::runsOfBox(box, size)});
         mask.planes = planesFor(core::overlapsOf(segments), segments.size());
         QCOMPARE(*mask.planes, (std::vector<int>{0, 1, 2}));
         QByteArray after;
@@ -286,6 +242,37 @@ private Q_SLOTS:
         isRefused({over, test::lockSegment(1), test::lockSegment(2)});
     }
 
+    /// What an import freed in another plane comes back with it, unless a later step was there.
+    void anImportIntoOneSegmentIsTakenBackAlone()
+    {
+        const Box wide{{0, 3, 4}, {30, 9, 8}};
+        ImportMask over = importOf({wide});
+        over.as = SegmentWord{.number = 1, .name = {}};
+        over.overwriteUnlocked = true;
+        const RevertRows undoOnly{.rows = {2}};
+        const Bench bench;
+        QCOMPARE(bench.tried(twoPlanes()), QString());
+        QCOMPARE(bench.tried(over), QString());
+        QCOMPARE(bench.labels(0), labelsOf(wide, 1));
+        QCOMPARE(bench.count(1, 2), std::int64_t(0));
+        // In other bricks.
+        QCOMPARE(bench.tried(test::paintAt(2, {bench.at({30, 28, 26})}, 3.0)), QString());
+        const std::int64_t painted = bench.count(1, 2);
+        QVERIFY(painted > 0);
+        QCOMPARE(bench.tried(undoOnly), QString());
+        QCOMPARE(bench.labels(0), labelsOf(one, 1));
+        QCOMPARE(bench.count(1, 2), painted + 10 * 6 * 4);
+        QCOMPARE(bench.voxelsOf(2), bench.count(1, 2));
+
+        const Bench beneath;
+        QCOMPARE(beneath.tried(twoPlanes()), QString());
+        QCOMPARE(beneath.tried(over), QString());
+        QCOMPARE(beneath.tried(test::paintAt(2, {beneath.at({12, 6, 6})}, 3.0)), QString());
+        const QByteArray before = beneath.session->stateHash();
+        QVERIFY(beneath.tried(undoOnly).contains(QStringLiteral("the same place")));
+        QCOMPARE(beneath.session->stateHash(), before);
+    }
+
     void everyEditKeepsToItsPlane_data()
     {
         QTest::addColumn<Edit>("edit");
@@ -402,7 +389,8 @@ private Q_SLOTS:
     {
         std::vector<MaskSegment> segments;
         for (int i = 0; i < 5; ++i)
-            segments.push_back({.name = {}, .rgb = {}, .code = {}, .voxels = runsOf(three)});
+            segments.push_back(
+                {.name = {}, .rgb = {}, .code = {}, .voxels = test::runsOfBox(three, size)});
         ReadImport read{.edit = importOf({one, two}), .notes = {}};
         read.overlaps = core::overlapsOf(segments);
         read.planes = planesFor(read.overlaps, segments.size());
