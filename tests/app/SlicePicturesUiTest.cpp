@@ -175,11 +175,14 @@ private Q_SLOTS:
         QTest::mousePress(&plot, Qt::LeftButton, {}, at(20.0));
         QTest::mouseMove(&plot, at(15.0));
         QTest::mouseMove(&plot, at(10.0));
-        QVERIFY(wait([this] {
-            auto* words = window().findChild<QLabel*>(QStringLiteral("growIntervalChange"));
-            return !words->text().isEmpty() && !words->text().endsWith(u'…');
-        }));
-        const QImage panel = pictureOf(QStringLiteral("Growth")).copy(0, 0, 266, 230);
+        const auto* words = window().findChild<QLabel*>(QStringLiteral("growIntervalChange"));
+        QVERIFY(
+            wait([words] { return !words->text().isEmpty() && !words->text().endsWith(u'…'); }));
+        // As far as what the interval comes to.
+        const QImage whole = pictureOf(QStringLiteral("Growth"));
+        const QPoint below(0, words->height() + 8);
+        const QImage panel = whole.copy(
+            0, 0, whole.width(), words->mapTo(&section(QStringLiteral("Growth")), below).y());
         QTest::mouseRelease(&plot, Qt::LeftButton, {}, at(10.0));
         rest();
         constexpr QSize size(360, 226);
