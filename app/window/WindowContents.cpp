@@ -6,6 +6,7 @@
 #include "ui/dialogs/export/DeidentifySessionDialog.h"
 #include "ui/dialogs/export/ExportDialog.h"
 #include "ui/dialogs/export/Screenshot.h"
+#include "ui/frame/LoadingBar.h"
 #include "ui/frame/MendingStrip.h"
 #include "ui/frame/MessageBar.h"
 #include "ui/measure/MeasuredRegions.h"
@@ -308,6 +309,10 @@ void addTimes(ui::MainWindow& window, ui::TimeSteps& steps)
     QObject::connect(&points, &ui::TimeSlider::playRequested, &steps, &ui::TimeSteps::play);
     QObject::connect(&points, &ui::TimeSlider::pauseRequested, &steps, &ui::TimeSteps::pause);
     QObject::connect(&steps, &ui::TimeSteps::playingChanged, &points, &ui::TimeSlider::showPlaying);
+    // Over the pictures a bar would come and go with each point.
+    constexpr int longMs = 2000;
+    QObject::connect(&steps, &ui::TimeSteps::playingChanged, &window,
+        [&window](bool plays) { window.loading().showAfter(plays ? longMs : 0); });
     actions.refresh();
 }
 

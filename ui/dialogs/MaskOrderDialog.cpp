@@ -30,10 +30,22 @@ QListWidgetItem* itemOf(const core::ImportedSegment& segment, std::size_t place)
     constexpr int swatchSide = 12;
     QPixmap swatch(swatchSide, swatchSide);
     swatch.fill(QColor(segment.rgb));
-    auto* item = new QListWidgetItem(QIcon(swatch), segment.name);
+    QIcon icon(swatch);
+    icon.addPixmap(swatch, QIcon::Selected); // else it is tinted
+    auto* item = new QListWidgetItem(icon, segment.name);
     item->setData(placeRole, int(place));
     return item;
 }
+
+/// As tall as its rows, if they are few; a taller dialog gives it more.
+class ShortList : public QListWidget {
+public:
+    using QListWidget::QListWidget;
+    [[nodiscard]] QSize sizeHint() const override
+    {
+        return {QListWidget::sizeHint().width(), theme::rowHeight * std::clamp(count(), 3, 6)};
+    }
+};
 
 } // namespace
 
@@ -45,15 +57,14 @@ MaskOrderDialog::MaskOrderDialog(
     , m_keep(new QRadioButton(tr("Each segment keeps its voxels"), this))
     , m_flatten(new QRadioButton(tr("Each voxel goes to one segment"), this))
     , m_ordering(new QWidget(this))
-    , m_order(new QListWidget(m_ordering))
-    , m_given(new QListWidget(m_ordering))
+    , m_order(new ShortList(m_ordering))
+    , m_given(new ShortList(m_ordering))
     , m_up(new QPushButton(tr("Further up"), m_ordering))
     , m_down(new QPushButton(tr("Further down"), m_ordering))
 {
     setWindowTitle(tr("Segments overlap"));
-    constexpr QSize least(480, 320);
-    setMinimumWidth(least.width());
-    m_ordering->setMinimumHeight(least.height());
+    constexpr int leastWidth = 480;
+    setMinimumWidth(leastWidth);
     auto* heading = new FittingLabel(Qt::AlignLeft, this);
     heading->setFont(theme::headingFont());
     heading->setText(tr("Segments of '%1' overlap").arg(m_read.edit.file));
@@ -173,10 +184,6 @@ void MaskOrderDialog::showState()
 {
     const int row = m_order->currentRow();
     const bool ordered = m_flatten->isChecked();
-    if (m_ordering->isHidden() == ordered) {
-        m_ordering->setVisible(ordered);
-        resize(width(), sizeHint().height());
-    }
     m_order->setEnabled(ordered);
     m_up->setEnabled(ordered && row > 0);
     m_down->setEnabled(ordered && row >= 0 && row + 1 < m_order->count());
@@ -186,6 +193,11 @@ void MaskOrderDialog::showState()
     for (const core::MaskNote& note :
         core::notesOnOverlaps(m_read.overlaps, m_read.edit, m_geometry))
         m_given->addItem(maskNoteText(note));
+    if (m_ordering->isHidden() == ordered) {
+        m_ordering->setVisible(ordered);
+        // Sentences that are broken may need more height in this width than the hint has.
+        resize(width(), std::max(sizeHint().height(), layout()->totalHeightForWidth(width())));
+    }
 }
 
 void askForOrderOf(MaskImporter& importer, QWidget& window)

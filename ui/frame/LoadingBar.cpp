@@ -33,6 +33,8 @@ LoadingBar::LoadingBar(QWidget* parent)
     layout->addWidget(m_bar, 1);
     layout->addWidget(abort);
     connect(abort, &QPushButton::clicked, this, &LoadingBar::aborted);
+    m_later.setSingleShot(true);
+    connect(&m_later, &QTimer::timeout, this, &LoadingBar::show);
     end();
 }
 
@@ -54,7 +56,10 @@ void LoadingBar::begin(const QString& what)
     m_step->clear();
     m_stepName.clear();
     m_bar->setRange(0, 0);
-    show();
+    if (m_later.interval() == 0)
+        show();
+    else
+        m_later.start();
 }
 
 void LoadingBar::progress(const QString& step, int done, int total)
@@ -80,6 +85,7 @@ void LoadingBar::progress(const QString& step, int done, int total)
 
 void LoadingBar::end()
 {
+    m_later.stop();
     hide();
 }
 

@@ -3,6 +3,7 @@
 
 #include <QElapsedTimer>
 #include <QFrame>
+#include <QTimer>
 
 class QLabel;
 class QProgressBar;
@@ -22,6 +23,9 @@ public:
     /// Shows the work of this opener, and aborts it on request.
     void follow(StudyOpener& opener);
 
+    /// Work that ends sooner is not shown. At first all is shown at once.
+    void showAfter(int milliseconds) { m_later.setInterval(milliseconds); }
+
     void begin(const QString& what);
     void progress(const QString& step, int done, int total);
     void end();
@@ -35,6 +39,7 @@ private:
     QProgressBar* m_bar;
     QString m_stepName;
     QElapsedTimer m_clock; ///< started when the step began
+    QTimer m_later;
 };
 
 } // namespace ui

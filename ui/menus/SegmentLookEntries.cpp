@@ -111,14 +111,17 @@ SegmentLookButton::SegmentLookButton(Workspace& workspace, LookOfView look, QWid
 
 void SegmentLookButton::showState()
 {
-    constexpr int overTheLine = 30; // of the slice's number, in pixels
+    // In pixels: the slice's number and the scale bar are below it, the bar of colours beside it.
+    constexpr int overScaleBar = 58;
+    constexpr int besideColours = 80;
     const Look look = m_look.get();
     setText(drawnText(m_workspace.drawnSegments(look)));
     setToolTip(tr("This view draws segments in its own way"));
     setVisible(!look.isUsual() && m_workspace.volume());
     adjustSize();
-    move(parentWidget()->width() - theme::padding - width(),
-        parentWidget()->height() - overTheLine - height());
+    const bool hasColours = m_workspace.viewOptions().colours != gpu::ColourMap::Grey;
+    move(parentWidget()->width() - theme::padding - (hasColours ? besideColours : 0) - width(),
+        parentWidget()->height() - overScaleBar - height());
 }
 
 } // namespace ui

@@ -29,7 +29,7 @@ class SegmentLookButton : public QToolButton {
 public:
     SegmentLookButton(Workspace& workspace, LookOfView look, QWidget* view);
 
-    /// Says what holds now, and stands over the line in the lower right corner.
+    /// Says what holds now, and stands over the scale bar in the lower right corner.
     void showState();
 
 private:

@@ -61,6 +61,7 @@ public:
     [[nodiscard]] ViewGrid& views() const { return *m_views; }
     [[nodiscard]] BookmarkMenu& bookmarks() const { return *m_bookmarks; }
     [[nodiscard]] MessageBar& messages() const { return *m_messages; }
+    [[nodiscard]] LoadingBar& loading() const { return *m_loading; }
     [[nodiscard]] MendingStrip& mendingStrip() const { return *m_mending; }
     [[nodiscard]] StudyOpener& opener() { return m_opener; }
     [[nodiscard]] SessionSaver& saver() const { return *m_saver; }

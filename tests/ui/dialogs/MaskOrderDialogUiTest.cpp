@@ -164,6 +164,17 @@ private Q_SLOTS:
         QCOMPARE(order.count(), 2); // what does not overlap is not asked about
         QCOMPARE(order.item(0)->text(), QStringLiteral("Low"));
         QCOMPARE(order.item(1)->text(), QStringLiteral("High"));
+        // The lists are as tall as their few rows need, and the colour of the chosen one is its
+        // own.
+        QTRY_VERIFY(order.height() >= order.sizeHint().height());
+        QVERIFY(given.height() >= given.sizeHint().height());
+        QVERIFY(order.geometry().bottom() < given.geometry().top());
+        QVERIFY(dialog->height() < 500);
+        const QIcon swatch = order.item(0)->icon();
+        const auto colourOf = [&swatch](QIcon::Mode mode) {
+            return swatch.pixmap(QSize(12, 12), mode).toImage().pixelColor(6, 6);
+        };
+        QCOMPARE(colourOf(QIcon::Selected), colourOf(QIcon::Normal));
         QCOMPARE(given.count(), 1);
         QCOMPARE(given.item(0)->text(),
             QStringLiteral("'Low' goes before 'High' in 3 072 voxels (36.9 mL) that both have."));

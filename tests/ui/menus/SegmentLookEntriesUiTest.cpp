@@ -6,6 +6,7 @@
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/PlainEdits.h"
 #include "tests/support/scenes/SmallStudy.h"
+#include "ui/overlays/ColourBar.h"
 #include "ui/views/ViewGrid.h"
 
 #include <QApplication>
@@ -56,6 +57,12 @@ public:
         ui::Workspace::ViewOptions options = workspace.viewOptions();
         options.segmentDrawing = drawing;
         options.segmentFillPercent = fillPercent;
+        workspace.setViewOptions(options);
+    }
+    void setColours(gpu::ColourMap colours)
+    {
+        ui::Workspace::ViewOptions options = workspace.viewOptions();
+        options.colours = colours;
         workspace.setViewOptions(options);
     }
 };
@@ -147,6 +154,17 @@ private Q_SLOTS:
         ui::SegmentLookButton& button = fixture.button(fixture.coronal());
         QVERIFY(button.isVisible());
         QVERIFY(fixture.coronal().rect().contains(button.geometry()));
+        // Scale bar, slice number and the bar of colours with its numbers are beside it.
+        const QRect view = fixture.coronal().rect();
+        constexpr QSize corner(126, 56);
+        QVERIFY(!button.geometry().intersects(
+            QRect(view.bottomRight() - QPoint(corner.width(), corner.height()), corner)));
+        fixture.setColours(gpu::ColourMap::HotIron);
+        constexpr int numbers = 60;
+        QVERIFY(fixture.coronal().rect().contains(button.geometry()));
+        QVERIFY(
+            !button.geometry().intersects(ui::colourBarPlace(view).adjusted(-numbers, 0, 0, 0)));
+        fixture.setColours(gpu::ColourMap::Grey);
         QTest::mouseClick(&button, Qt::LeftButton);
         auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
         QVERIFY(menu);

@@ -35,6 +35,8 @@ QString rowText(const core::Measurement& measurement, const Workspace& workspace
     if (!lines.isEmpty())
         head += lines.takeFirst();
     QString text = head.join(QStringLiteral(" · "));
+    // A row is broken between what it comes to, not within "2 … 53 HU".
+    lines.replaceInStrings(QStringLiteral(" "), QString(QChar::Nbsp));
     if (!lines.isEmpty())
         text += QLatin1Char('\n') + lines.join(QStringLiteral(" · "));
     return text;

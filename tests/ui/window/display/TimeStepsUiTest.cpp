@@ -4,6 +4,7 @@
 #include "tests/support/scenes/SmallStudy.h"
 #include "tests/support/series/SyntheticSeries.h"
 #include "ui/base/Actions.h"
+#include "ui/frame/LoadingBar.h"
 #include "ui/settings/StudyOpener.h"
 #include "ui/views/ViewGrid.h"
 #include "ui/window/display/TimeSteps.h"
@@ -199,6 +200,11 @@ private Q_SLOTS:
         QVERIFY(steps.isPlaying());
         QList<int> seen{1};
         QObject watched;
+        int started = 0;
+        QObject::connect(&window().opener(), &ui::StudyOpener::started, &watched, [&] {
+            ++started;
+            QVERIFY(!window().loading().isVisible());
+        });
         QObject::connect(
             &workspace(), &ui::Workspace::sessionChanged, &watched, [this, &seen, &steps] {
                 if (time() < 0)
@@ -209,6 +215,7 @@ private Q_SLOTS:
             });
         QTRY_VERIFY_WITH_TIMEOUT(!steps.isPlaying() && !window().opener().busy(), patience);
         QCOMPARE(seen, (QList<int>{1, 2, 0, 1, 2}));
+        QVERIFY(started >= 4);
         QTest::qWait(20);
         QCOMPARE(time(), 2);
 
