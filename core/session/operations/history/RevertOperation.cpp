@@ -18,7 +18,7 @@ namespace core {
 
 namespace {
 
-tl::unexpected<Error> refused(const Clause& reason)
+tl::unexpected<Error> revertRefused(const Clause& reason)
 {
     return failure(ErrorCode::StepsEntangled, reason);
 }
@@ -53,7 +53,7 @@ Clause listOf(DocumentChange::What part)
 
 tl::unexpected<Error> entangled(const HistoryRow& later, const HistoryRow& earlier)
 {
-    return refused(
+    return revertRefused(
         Clause::saying("%1 wrote or read the same place after %2", titled(later), titled(earlier)));
 }
 
@@ -199,30 +199,30 @@ Result<void> RevertOperation::checkRows(const SessionState& state) const
     std::map<RowId, RowId> deciding; // by row that is decided on
     for (const RowId id : m_edit.rows) {
         if (std::find(path.begin(), path.end(), id) == path.end())
-            return refused(Clause::saying("row %1 is not among the steps done so far", id));
+            return revertRefused(Clause::saying("row %1 is not among the steps done so far", id));
         const HistoryRow& row = state.history.row(id);
         if (!std::binary_search(standing.begin(), standing.end(), id))
-            return refused(Clause::saying("%1 was taken back before", titled(row)));
+            return revertRefused(Clause::saying("%1 was taken back before", titled(row)));
         if (changesDocumentOnly(row.edit))
-            return refused(
+            return revertRefused(
                 Clause::saying("%1 changed no voxel, only %2; change that back by itself",
                     titled(row), listOf(*changedPart(row.edit))));
         if (changedPart(row.edit))
-            return refused(changedPart(row.edit) == DocumentChange::What::Layers
+            return revertRefused(changedPart(row.edit) == DocumentChange::What::Layers
                     ? Clause::saying("%1 changed the list of sculpt layers too", titled(row))
                     : Clause::saying("%1 changed the list of segments too", titled(row)));
         std::set<RowId> decided;
         addDecided(state.history, id, decided);
         for (const RowId other : m_edit.rows) {
             if (decided.count(other) != 0)
-                return refused(Clause::saying("taking back %1 decides on %2 too", titled(row),
+                return revertRefused(Clause::saying("taking back %1 decides on %2 too", titled(row),
                     titled(state.history.row(other))));
         }
         // One after the other is clear; at once it is not whether such a row stands then.
         for (const RowId other : decided) {
             const auto [known, isNew] = deciding.emplace(other, id);
             if (!isNew)
-                return refused(Clause::saying("taking back %1 and %2 both decides on %3",
+                return revertRefused(Clause::saying("taking back %1 and %2 both decides on %3",
                     titled(state.history.row(known->second)), titled(row),
                     titled(state.history.row(other))));
         }
@@ -264,7 +264,7 @@ Result<void> RevertOperation::checkDependencies(const SessionState& state) const
         const auto differences = m_differences.find(id);
         if (isTakenBack(id)) {
             if (differences->second.empty())
-                return refused(Clause::saying(
+                return revertRefused(Clause::saying(
                     "%1 changed no voxel, only what later growths go by", titled(row)));
             for (const BrickKey& key : keysOf(differences->second))
                 taken.emplace(key, id);

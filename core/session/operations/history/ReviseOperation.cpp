@@ -18,7 +18,7 @@ namespace core {
 
 namespace {
 
-tl::unexpected<Error> refused(const Clause& reason)
+tl::unexpected<Error> revisionRefused(const Clause& reason)
 {
     return failure(ErrorCode::InvalidField, QStringLiteral("reviseStroke.row"), reason);
 }
@@ -78,15 +78,16 @@ Result<void> ReviseOperation::findStrokes(const SessionState& state)
     const History& history = state.history;
     const std::vector<RowId> path = history.pathTo(history.position());
     if (std::find(path.begin(), path.end(), m_edit.row) == path.end())
-        return refused(Clause::saying("row %1 is not among the steps done so far", m_edit.row));
+        return revisionRefused(
+            Clause::saying("row %1 is not among the steps done so far", m_edit.row));
     const std::optional<SculptEdit> drawn = sculptEdit(history.row(m_edit.row).edit);
     if (!drawn)
-        return refused(Clause::saying("row %1 is no cut", m_edit.row));
+        return revisionRefused(Clause::saying("row %1 is no cut", m_edit.row));
     m_strokes = standingStrokes(history, history.position());
     const auto target = std::find_if(m_strokes.begin(), m_strokes.end(),
         [this](const StandingStroke& stroke) { return stroke.row == m_edit.row; });
     if (target == m_strokes.end())
-        return refused(Clause::saying("row %1 was taken back", m_edit.row));
+        return revisionRefused(Clause::saying("row %1 was taken back", m_edit.row));
     m_before = *target;
     const Result<SculptEdit> after = revised(*drawn, m_edit);
     if (!after)
