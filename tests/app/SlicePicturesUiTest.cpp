@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/edits/kinds/values/ThresholdSegment.h"
 #include "tests/support/faults/FailingLog.h"
+#include "tests/support/fixtures/Collage.h"
 #include "tests/support/fixtures/FigureWindow.h"
 #include "tests/support/fixtures/WindowFixture.h"
 #include "tests/support/program/TestProgram.h"
-#include "tests/support/scenes/Collage.h"
 #include "tests/support/scenes/PlainEdits.h"
 #include "ui/frame/PanelSection.h"
 #include "ui/tools/contour/ContourTool.h"
