@@ -127,9 +127,10 @@ void SurfaceOperation::work(SessionState& state)
 void SurfaceOperation::extendPath(SessionState& state, const std::vector<glm::dvec3>& pointsLps,
     bool, const std::vector<double>& pressures)
 {
-    if (!open() || pointsLps.empty())
+    SurfacePath* const extended = surfacePathOf(m_edit);
+    if (!extended || !open() || pointsLps.empty())
         return;
-    SurfacePath& path = *surfacePathOf(m_edit);
+    SurfacePath& path = *extended;
     path.pointsLps.insert(path.pointsLps.end(), pointsLps.begin(), pointsLps.end());
     const std::vector<double> pressed =
         continuePressures(path.pressures, pointsLps.size(), pressures);

@@ -323,6 +323,7 @@ void SurfaceRulesTest::aPreviewThatMovesIsTakenBackSilently()
     run(redTop());
     const QByteArray before = m_session->stateHash();
     QVERIFY(m_session->begin(lobeOnTop()));
+    m_session->extendPath({{0.0, 0.0, 0.0}}); // a template has no path: nothing happens
     m_session->end(Ending::Rollback);
     // Who takes it back himself is told nothing.
     QVERIFY(m_session->settle());

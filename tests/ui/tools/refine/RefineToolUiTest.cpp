@@ -400,14 +400,14 @@ private Q_SLOTS:
         QCOMPARE(fixture.lastRow().id, laid); // nothing crosses
         // By the rules of before a vertex may be drawn through the opposite wall.
         core::PointDrag through{.path = {.radiusMm = 4.0, .pointsLps = {}}};
-        for (double x = radius; x >= -radius - 4.0; x -= 2.0)
+        for (double x = radius - 1.0; x >= -radius - 12.0; x -= 2.0)
             through.path.pointsLps.push_back({x, 0.0, 0.0});
         fixture.apply(through);
         const core::VolumeGeometry geometry = test::smallHead::volume().volume.geometry;
         const auto crossings = [&] {
             return core::selfIntersections(*fixture.session().surface().mesh(), geometry).size();
         };
-        QVERIFY(crossings() > 0);
+        QVERIFY2(crossings() > 0, qPrintable(fixture.lastRow().name));
         const core::RowId drawn = fixture.lastRow().id;
         fixture.refinement().writeBack();
         QVERIFY(!fixture.session().settle());
