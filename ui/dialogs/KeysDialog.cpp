@@ -7,6 +7,7 @@
 
 #include <QDialogButtonBox>
 #include <QHeaderView>
+#include <QStyle>
 #include <QTreeWidget>
 #include <QVBoxLayout>
 
@@ -58,7 +59,6 @@ KeysDialog::KeysDialog(const Actions& actions, QWidget* parent)
     : QDialog(parent)
 {
     setWindowTitle(tr("Mouse, pen and keys"));
-    resize(760, 640);
     auto* list = new QTreeWidget(this);
     list->setColumnCount(3);
     list->setHeaderLabels({tr("Input"), tr("In a slice"), QStringLiteral("In 3D")});
@@ -79,8 +79,15 @@ KeysDialog::KeysDialog(const Actions& actions, QWidget* parent)
             QKeySequence::listToString(action->shortcuts(), QKeySequence::NativeText);
         new QTreeWidgetItem(list, {keys, plainText(action->text())});
     }
-    list->setColumnWidth(0, 230);
-    list->setColumnWidth(1, 250);
+    // As wide as what they hold: nothing is cut.
+    constexpr int gap = 16;
+    int width = 2 * gap + style()->pixelMetric(QStyle::PM_ScrollBarExtent) + gap;
+    for (int column = 0; column < list->columnCount(); ++column) {
+        list->resizeColumnToContents(column);
+        list->setColumnWidth(column, list->columnWidth(column) + gap);
+        width += list->columnWidth(column);
+    }
+    resize(width, 640);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(16, 16, 16, 16);
     layout->setSpacing(12);
