@@ -150,11 +150,11 @@ std::vector<Counted> WorkOfPicturesGlTest::stepsIn(int side)
     // Then the pictures are those of before the step.
     const auto look = [&] { static_cast<void>(m_gpu.draw()); };
     const auto prepare = [&](const Edit& edit) {
-        require(known.apply(edit));
+        m_gpu.doInTurn(known, [&] { require(known.apply(edit)); });
         settle();
     };
     const auto end = [&](Ending ending) {
-        known.end(ending);
+        m_gpu.doInTurn(known, [&] { known.end(ending); });
         settle();
     };
     for (int axis = 0; axis < 3; ++axis)
