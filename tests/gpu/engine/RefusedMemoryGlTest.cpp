@@ -38,14 +38,16 @@ public:
 
     /// What it found wrong first; empty: nothing.
     QString found;
-    int refusedEdits = 0;
+    int refusedEdits = 0; ///< for want of memory
+    int failedEdits = 0; ///< for another reason
     int lost = 0; ///< how often nothing could be read any more
 
     Result<void> openVolume(const glm::ivec3& size, std::span<const std::uint16_t> codes) override
     {
         m_grid = {size};
         auto opened = m_inner.openVolume(size, codes);
-        if (!opened && opened.error().code != ErrorCode::OutOfMemory)
+        if (!opened && opened.error().code != ErrorCode::OutOfMemory
+            && opened.error().code != ErrorCode::Internal)
             complain(QStringLiteral("opening a volume fails for another reason"));
         return opened;
     }
@@ -132,6 +134,7 @@ private:
         const EngineResult& result = m_results.back();
         if (result.error) {
             refusedEdits += result.error->code == ErrorCode::OutOfMemory ? 1 : 0;
+            failedEdits += result.error->code == ErrorCode::Internal ? 1 : 0;
             if (now->radiation != m_before->radiation)
                 complain(QStringLiteral("radiation changed where an edit was refused"));
         }
@@ -206,12 +209,15 @@ private Q_SLOTS:
     void initTestCase();
     void everyEditIsWholeOrRefused_data();
     void everyEditIsWholeOrRefused();
+    void anyErrorIsRefused_data();
+    void anyErrorIsRefused();
     void aSessionGoesOn_data();
     void aSessionGoesOn();
     void aVolumeThatDoesNotFit();
 
 private:
     test::EditEngineFixture m_gpu;
+    int m_failed = 0; ///< edits that an error other than memory refused
 };
 
 void RefusedMemoryGlTest::initTestCase()
@@ -268,6 +274,49 @@ void RefusedMemoryGlTest::everyEditIsWholeOrRefused()
     QVERIFY(refused > tried / 2);
     qInfo("%d of %d storages refused: %d edits refused, lost %d times", refused, calls,
         refusedEdits, lost);
+}
+
+void RefusedMemoryGlTest::anyErrorIsRefused_data()
+{
+    QTest::addColumn<int>("number");
+    int number = 0;
+    for (const EngineCase& each : cases())
+        QTest::addRow("%s", each.name.constData()) << number++;
+}
+
+/// The driver does not carry out a dispatch, with an error that has nothing to do with memory.
+void RefusedMemoryGlTest::anyErrorIsRefused()
+{
+    QFETCH(int, number);
+    static const std::vector<EngineCase> all = cases();
+    const EngineCase& engineCase = all.at(std::size_t(number));
+    int calls = 0;
+    {
+        RefusingGl counting(RefusingGl::Dispatch{0});
+        WatchedEngine watched(m_gpu, counting);
+        (void)test::runCase(watched, engineCase);
+        QVERIFY2(watched.found.isEmpty(), qPrintable(watched.found));
+        calls = counting.calls();
+    }
+    QVERIFY(calls > 0);
+    const int tried = test::longRun() ? calls : std::min(calls, 3);
+    int failed = 0;
+    for (int i = 0; i < tried; ++i) {
+        const int first = 1 + int(std::int64_t(i) * calls / tried);
+        RefusingGl refusing(RefusingGl::Dispatch{first});
+        WatchedEngine watched(m_gpu, refusing);
+        (void)test::runCase(watched, engineCase);
+        QVERIFY2(watched.found.isEmpty(),
+            qPrintable(
+                QStringLiteral("dispatch %1 of %2: %3").arg(first).arg(calls).arg(watched.found)));
+        QCOMPARE(watched.lost, 0);
+        // Where storage is asked for next, that is what is said to have been refused.
+        failed += watched.failedEdits + watched.refusedEdits;
+        m_failed += watched.failedEdits;
+    }
+    qInfo("%d of %d dispatches refused: %d edits refused", tried, calls, failed);
+    if (number + 1 == int(all.size()))
+        QVERIFY(m_failed > 0);
 }
 
 void RefusedMemoryGlTest::aSessionGoesOn_data()

@@ -23,7 +23,7 @@ std::mt19937 lot;
 int leastGap = 0;
 int mostGap = 0; ///< 0: not by lot
 
-bool refuses()
+bool refusesNext()
 {
     if (paused)
         return false;
@@ -42,6 +42,20 @@ decltype(epoxy_glTextureStorage2D) textureStorage2D = nullptr;
 decltype(epoxy_glTextureStorage3D) textureStorage3D = nullptr;
 decltype(epoxy_glTextureView) textureView = nullptr;
 decltype(epoxy_glMapNamedBufferRange) mapBuffer = nullptr;
+decltype(epoxy_glDispatchCompute) dispatch = nullptr;
+decltype(epoxy_glDispatchComputeIndirect) dispatchIndirect = nullptr;
+
+std::atomic<bool> ofDispatches = false; ///< these are counted, and storages are not
+
+bool refuses()
+{
+    return !ofDispatches && refusesNext();
+}
+
+bool refusesDispatch()
+{
+    return ofDispatches && refusesNext();
+}
 
 constexpr GLsizeiptr farTooMuch = GLsizeiptr(1) << 61;
 
@@ -73,6 +87,16 @@ void* refusingMap(GLuint buffer, GLintptr offset, GLsizeiptr length, GLbitfield 
     return mapBuffer(buffer, refuses() ? -1 : offset, length, access);
 }
 
+void refusingDispatch(GLuint x, GLuint y, GLuint z)
+{
+    dispatch(refusesDispatch() ? ~0u : x, y, z);
+}
+
+void refusingIndirect(GLintptr offset)
+{
+    dispatchIndirect(refusesDispatch() ? -4 : offset);
+}
+
 template <class Function>
 void exchange(Function& pointer, Function& real, Function refusing, const char* name)
 {
@@ -90,12 +114,22 @@ RefusingGl::RefusingGl(int first, From from)
     firstRefused = first;
     onAndOn = from == From::OnAndOn;
     mostGap = 0;
+    ofDispatches = false;
     exchange(
         epoxy_glNamedBufferStorage, bufferStorage, refusingBufferStorage, "glNamedBufferStorage");
     exchange(epoxy_glTextureStorage2D, textureStorage2D, refusingStorage2D, "glTextureStorage2D");
     exchange(epoxy_glTextureStorage3D, textureStorage3D, refusingStorage3D, "glTextureStorage3D");
     exchange(epoxy_glTextureView, textureView, refusingView, "glTextureView");
     exchange(epoxy_glMapNamedBufferRange, mapBuffer, refusingMap, "glMapNamedBufferRange");
+    exchange(epoxy_glDispatchCompute, dispatch, refusingDispatch, "glDispatchCompute");
+    exchange(epoxy_glDispatchComputeIndirect, dispatchIndirect, refusingIndirect,
+        "glDispatchComputeIndirect");
+}
+
+RefusingGl::RefusingGl(Dispatch refused)
+    : RefusingGl(refused.number)
+{
+    ofDispatches = true;
 }
 
 RefusingGl::RefusingGl(std::uint32_t seed, int least, int most)
@@ -113,6 +147,8 @@ RefusingGl::~RefusingGl()
     epoxy_glTextureStorage3D = textureStorage3D;
     epoxy_glTextureView = textureView;
     epoxy_glMapNamedBufferRange = mapBuffer;
+    epoxy_glDispatchCompute = dispatch;
+    epoxy_glDispatchComputeIndirect = dispatchIndirect;
     bufferStorage = nullptr;
 }
 
