@@ -368,7 +368,7 @@ private Q_SLOTS:
     {
         QFETCH(uint, seed);
         HastyRepairer repairer(seed);
-        const QString wrong = repairer.work(test::longRun() ? 400 : 100);
+        const QString wrong = repairer.work(test::longRun() ? 500 : 100);
         QVERIFY2(wrong.isEmpty(), qPrintable(wrong));
         const QString anew = repairer.workAnew();
         QVERIFY2(anew.isEmpty(), qPrintable(anew));
@@ -382,8 +382,8 @@ private Q_SLOTS:
         // No kind was left out.
         for (const char* kind :
             {"surface", "mark", "changeMarks", "spherePush", "planeScrape", "pointDrag", "smooth",
-                "template", "writeBack", "surfaceBarrier", "followMask", "dropSurface", "chunks",
-                "chunkToggle", "paint", "undo", "redo", "goTo", "reopen", "given up"})
+                "attract", "template", "writeBack", "surfaceBarrier", "followMask", "dropSurface",
+                "chunks", "chunkToggle", "paint", "undo", "redo", "goTo", "reopen", "given up"})
             QVERIFY2(m_done[QLatin1String(kind)] > 0, kind);
         // A short run may have none.
         if (test::longRun())
