@@ -188,7 +188,7 @@ std::vector<EngineCase> cases()
              test::relabelCases(count), test::outlineCases(count), test::thresholdCases(count),
              test::segmentScissorsCases(count), test::mapCases(count), test::barrierCases(count),
              test::protectedCases(count), test::spreadCases(count), test::toleranceCases(count),
-             test::editableCases(count)})
+             test::editableCases(count), test::backwardCases(count)})
         made.insert(made.end(), more.begin(), more.end());
     if (test::longRun())
         return made;
