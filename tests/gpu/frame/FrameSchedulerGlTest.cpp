@@ -298,6 +298,44 @@ private Q_SLOTS:
         QVERIFY(newErrors() >= calls);
     }
 
+    /// A shader that the driver refuses is said, and asked for again by the next picture.
+    void refusedShaderIsSaid()
+    {
+        m_fixture->scheduler.request(volumeRequest(1));
+        const auto expected = m_fixture->settle().back().rgba;
+        int calls = 0;
+        {
+            m_fixture.emplace();
+            openBall();
+            const test::RefusingGl counting(test::RefusingGl::Shader{0});
+            m_fixture->scheduler.request(volumeRequest(1));
+            QVERIFY(*m_fixture->settle().back().rgba == *expected);
+            calls = counting.calls();
+        }
+        QVERIFY(calls > 0);
+        const int tried = std::min(calls, 3);
+        for (int i = 0; i < tried; ++i) {
+            m_fixture.emplace();
+            openBall();
+            {
+                const test::RefusingGl refusing(test::RefusingGl::Shader{1 + i * calls / tried});
+                m_fixture->scheduler.request(volumeRequest(1));
+                const std::vector<Frame> frames = m_fixture->settle();
+                QVERIFY(!frames.empty());
+                QVERIFY(frames.back().failure && !frames.back().rgba);
+                QCOMPARE(frames.back().failure->code, core::ErrorCode::GraphicsUnavailable);
+                QCOMPARE(std::count_if(frames.begin(), frames.end(),
+                             [](const Frame& frame) { return frame.failure.has_value(); }),
+                    std::ptrdiff_t(1));
+            }
+            m_fixture->scheduler.forget(1);
+            m_fixture->scheduler.request(volumeRequest(1));
+            const std::vector<Frame> after = m_fixture->settle();
+            QVERIFY(!after.back().failure && *after.back().rgba == *expected);
+        }
+        (void)newErrors(); // some drivers tell of a refused shader, too
+    }
+
     void withoutAVolumeItIsBlack()
     {
         m_fixture.emplace();

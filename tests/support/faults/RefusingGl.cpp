@@ -45,16 +45,14 @@ decltype(epoxy_glMapNamedBufferRange) mapBuffer = nullptr;
 decltype(epoxy_glDispatchCompute) dispatch = nullptr;
 decltype(epoxy_glDispatchComputeIndirect) dispatchIndirect = nullptr;
 
-std::atomic<bool> ofDispatches = false; ///< these are counted, and storages are not
+decltype(epoxy_glShaderSource) shaderSource = nullptr;
 
-bool refuses()
-{
-    return !ofDispatches && refusesNext();
-}
+enum class Counted { Storages, Dispatches, Shaders };
+std::atomic<Counted> counted = Counted::Storages; ///< all others go through
 
-bool refusesDispatch()
+bool refuses(Counted what = Counted::Storages)
 {
-    return ofDispatches && refusesNext();
+    return counted == what && refusesNext();
 }
 
 constexpr GLsizeiptr farTooMuch = GLsizeiptr(1) << 61;
@@ -89,12 +87,21 @@ void* refusingMap(GLuint buffer, GLintptr offset, GLsizeiptr length, GLbitfield 
 
 void refusingDispatch(GLuint x, GLuint y, GLuint z)
 {
-    dispatch(refusesDispatch() ? ~0u : x, y, z);
+    dispatch(refuses(Counted::Dispatches) ? ~0u : x, y, z);
 }
 
 void refusingIndirect(GLintptr offset)
 {
-    dispatchIndirect(refusesDispatch() ? -4 : offset);
+    dispatchIndirect(refuses(Counted::Dispatches) ? -4 : offset);
+}
+
+void refusingSource(GLuint shader, GLsizei count, const GLchar* const* texts, const GLint* lengths)
+{
+    const GLchar* wrong = "#version 450\n#error refused\n";
+    if (refuses(Counted::Shaders))
+        shaderSource(shader, 1, &wrong, nullptr);
+    else
+        shaderSource(shader, count, texts, lengths);
 }
 
 template <class Function>
@@ -114,7 +121,7 @@ RefusingGl::RefusingGl(int first, From from)
     firstRefused = first;
     onAndOn = from == From::OnAndOn;
     mostGap = 0;
-    ofDispatches = false;
+    counted = Counted::Storages;
     exchange(
         epoxy_glNamedBufferStorage, bufferStorage, refusingBufferStorage, "glNamedBufferStorage");
     exchange(epoxy_glTextureStorage2D, textureStorage2D, refusingStorage2D, "glTextureStorage2D");
@@ -124,12 +131,19 @@ RefusingGl::RefusingGl(int first, From from)
     exchange(epoxy_glDispatchCompute, dispatch, refusingDispatch, "glDispatchCompute");
     exchange(epoxy_glDispatchComputeIndirect, dispatchIndirect, refusingIndirect,
         "glDispatchComputeIndirect");
+    exchange(epoxy_glShaderSource, shaderSource, refusingSource, "glShaderSource");
 }
 
 RefusingGl::RefusingGl(Dispatch refused)
     : RefusingGl(refused.number)
 {
-    ofDispatches = true;
+    counted = Counted::Dispatches;
+}
+
+RefusingGl::RefusingGl(Shader refused)
+    : RefusingGl(refused.number)
+{
+    counted = Counted::Shaders;
 }
 
 RefusingGl::RefusingGl(std::uint32_t seed, int least, int most)
@@ -149,6 +163,7 @@ RefusingGl::~RefusingGl()
     epoxy_glMapNamedBufferRange = mapBuffer;
     epoxy_glDispatchCompute = dispatch;
     epoxy_glDispatchComputeIndirect = dispatchIndirect;
+    epoxy_glShaderSource = shaderSource;
     bufferStorage = nullptr;
 }
 

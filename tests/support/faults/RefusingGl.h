@@ -21,6 +21,11 @@ public:
         int number = 0;
     };
     explicit RefusingGl(Dispatch refused);
+    /// Likewise the n-th shader that is compiled: it has an error.
+    struct Shader {
+        int number = 0;
+    };
+    explicit RefusingGl(Shader refused);
     /// Refuses single calls at random, @p least to @p most calls apart.
     RefusingGl(std::uint32_t seed, int least, int most);
     ~RefusingGl();
