@@ -298,6 +298,32 @@ private Q_SLOTS:
         QVERIFY(newErrors() >= calls);
     }
 
+    /// A surface that there was no memory for is shown as soon as there is.
+    void aSurfaceWaitsForMemory()
+    {
+        const FrameRequest request = requestOf(QStringLiteral("surface"));
+        m_fixture->scheduler.request(request);
+        const auto expected = m_fixture->settle().back().rgba;
+        int calls = 2;
+        for (int call = 0; call <= calls; ++call) {
+            m_fixture.emplace();
+            openBall();
+            {
+                const test::RefusingGl refusing(call);
+                (void)requestOf(QStringLiteral("surface"));
+                (void)m_fixture->settle();
+                if (call == 0)
+                    calls = refusing.calls();
+            }
+            m_fixture->scheduler.request(request);
+            const std::vector<Frame> after = m_fixture->settle();
+            QVERIFY(!after.empty() && !after.back().failure);
+            QVERIFY2(*after.back().rgba == *expected, qPrintable(QString::number(call)));
+        }
+        QVERIFY(calls >= 2);
+        QVERIFY(newErrors() >= calls);
+    }
+
     /// A shader that the driver refuses is said, and asked for again by the next picture.
     void refusedShaderIsSaid()
     {
