@@ -226,10 +226,13 @@ void FrameScheduler::takeChanges()
 void FrameScheduler::takeSurface()
 {
     const std::optional<core::SurfaceUpdate> update = m_surfaceInbox.take();
-    if (!update)
+    if (update)
+        m_painter.surface().apply(*update);
+    else if (!m_surfaceWaits)
         return;
-    m_painter.surface().apply(*update);
+    m_surfaceWaits = true; // for memory, if there is none now
     m_painter.surface().upload();
+    m_surfaceWaits = false;
     const WorldBox reach = m_painter.surface().takeChanged();
     for (auto& [id, view] : m_views) {
         if (showsSurface(view.request.scene, reach))

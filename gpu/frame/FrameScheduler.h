@@ -113,6 +113,7 @@ private:
     // The next two may be used on any thread.
     FrameMail m_mail;
     SurfaceInbox m_surfaceInbox;
+    bool m_surfaceWaits = false; ///< what it holds is not on the GPU yet
 
     FrameDelivery m_delivery; ///< delivers to m_mail; engine thread only
 };

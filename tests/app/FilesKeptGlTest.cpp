@@ -4,6 +4,7 @@
 #include "tests/support/fixtures/CommandFixture.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/SmallStudy.h"
+#include "tests/support/series/SyntheticSeries.h"
 
 #include <QDir>
 #include <QFile>
@@ -199,6 +200,35 @@ private Q_SLOTS:
             QCOMPARE(read(mine), bytes);
             QVERIFY2(outcome.lines.isEmpty(), word);
             QVERIFY(QDir(path("real")).isEmpty());
+        }
+    }
+
+    /// A report's SEG is a file of its own, which no other export may take.
+    void exportsLeaveRecipeAndReportsAlone()
+    {
+        test::SyntheticSeries series;
+        series.size = {12, 10, 4};
+        test::writeSeries(series, path("ct"));
+        const QJsonObject report{{key("format"), key("sr")}, {key("file"), path("x.dcm")}};
+        const QJsonObject seg{{key("format"), key("dicom-seg")}, {key("file"), path("x-seg.dcm")}};
+        const std::vector<std::pair<QJsonArray, const char*>> wrong{
+            {{report, seg}, "twice"},
+            {{seg, report}, "twice"},
+            {{QJsonObject{{key("format"), key("json")}, {key("file"), path("r.json")}}},
+                "it is the recipe"},
+        };
+        for (const auto& [exports, word] : wrong) {
+            const QString words =
+                recipe("r.json", {{key("edits"), edits()[key("edits")]}, {key("export"), exports}});
+            const QByteArray bytes = read(words);
+            const QStringList before = QDir(path("")).entryList(QDir::AllEntries | QDir::System);
+            const Outcome outcome = runOn(path("ct"), words, path("a.burin"), true);
+            QVERIFY2(outcome.status == 1, word);
+            QVERIFY2(
+                outcome.complaint.contains(QLatin1String(word)), qPrintable(outcome.complaint));
+            QVERIFY2(outcome.lines.isEmpty(), word);
+            QCOMPARE(read(words), bytes);
+            QCOMPARE(QDir(path("")).entryList(QDir::AllEntries | QDir::System), before);
         }
     }
 

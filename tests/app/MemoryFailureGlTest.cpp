@@ -7,6 +7,7 @@
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/PlainEdits.h"
 #include "tests/support/scenes/SmallStudy.h"
+#include "tests/support/series/SyntheticSeries.h"
 
 #include <QDir>
 #include <QFile>
@@ -80,8 +81,9 @@ QStringList promises(const Outcome& outcome)
 
 } // namespace
 
-/// Memory is refused while a session is worked in, at any place: the step is refused and everything
-/// is as it was, or the program ends in one sentence; what is in the session is whole either way.
+/// Memory, or a file handle, is refused while a session is worked in, at any place: the step is
+/// refused and everything is as it was, or the program ends in one sentence; what is in the session
+/// is whole either way.
 class MemoryFailureGlTest : public QObject, test::CommandFixture {
     Q_OBJECT
 
@@ -96,6 +98,9 @@ private Q_SLOTS:
     void noneFromThenOn();
     void littleAddressSpace_data();
     void littleAddressSpace();
+    void fewHandles_data();
+    void fewHandles();
+    void slicesAreNotAllOpenAtOnce();
 
 private:
     [[nodiscard]] test::Surroundings refusing(
@@ -308,6 +313,43 @@ void MemoryFailureGlTest::littleAddressSpace()
     checkWhole(outcome, true);
     qInfo("%d MB: status %d %s", megabytes, outcome.status,
         qPrintable(outcome.complaint.trimmed().section(u'\n', -1)));
+}
+
+void MemoryFailureGlTest::fewHandles_data()
+{
+    QTest::addColumn<int>("handles");
+    QList<int> limits{8, 16, 32};
+    if (test::longRun())
+        limits = {6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 18, 20, 22, 24, 28, 32, 40, 48, 64};
+    for (const int handles : limits)
+        QTest::addRow("%d handles", handles) << handles;
+}
+
+/// As under `ulimit -n`.
+void MemoryFailureGlTest::fewHandles()
+{
+    QFETCH(int, handles);
+    test::Surroundings around;
+    around.openFiles = handles;
+    const Outcome outcome = carryOut(around);
+    checkWhole(outcome, test::longRun());
+    qInfo("%d handles: status %d %s", handles, outcome.status,
+        qPrintable(outcome.complaint.trimmed().section(u'\n', -1)));
+}
+
+/// A study of more files than may be open at once is read nonetheless.
+void MemoryFailureGlTest::slicesAreNotAllOpenAtOnce()
+{
+    test::SyntheticSeries series;
+    series.size = {8, 8, 200};
+    QCOMPARE(test::writeSeries(series, path("ct")).size(), 200);
+    test::Surroundings around;
+    around.openFiles = 64;
+    const Outcome outcome = test::burin(
+        {key("run"), recipe("r.json", {{key("edits"), test::toJson({test::addSegment("Brain")})}}),
+            key("--study"), path("ct"), key("--session"), path("s.burin")},
+        around);
+    QVERIFY2(outcome.status == 0, qPrintable(outcome.complaint));
 }
 
 BURIN_TEST(MemoryFailureGlTest)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "gpu/fields/bricks/BrickCopier.h"
 
+#include "gpu/gl/GlFailure.h"
+
 #include <algorithm>
 #include <cstring>
 #include <memory>
@@ -54,6 +56,7 @@ Buffer BrickCopier::packed(const FieldTextures& source, std::span<const std::uin
     target.bindBase(GL_SHADER_STORAGE_BUFFER, 1);
     pack.dispatch({unsigned(bricks.size()), 1, 1});
     glMemoryBarrier(GL_ALL_BARRIER_BITS);
+    requireNoError(); // what was not packed must never be put back
     return target;
 }
 

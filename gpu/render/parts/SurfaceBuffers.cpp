@@ -170,12 +170,16 @@ void SurfaceBuffers::makeRoom()
 {
     if (m_corners.size() <= m_vertexRoom && m_rings.size() <= m_faceRoom)
         return;
-    m_vertexRoom = roomFor(m_corners.size());
-    m_faceRoom = roomFor(m_rings.size());
-    m_vertices = Buffer({.label = "vertices of the surface",
-        .bytes = (m_vertexRoom + m_faceRoom) * sizeof(Vertex)});
-    m_elements =
-        Buffer({.label = "triangles of the surface", .bytes = m_vertexRoom * sizeof(Elements)});
+    const std::size_t vertexRoom = roomFor(m_corners.size());
+    const std::size_t faceRoom = roomFor(m_rings.size());
+    Buffer vertices(
+        {.label = "vertices of the surface", .bytes = (vertexRoom + faceRoom) * sizeof(Vertex)});
+    Buffer elements({.label = "triangles of the surface", .bytes = vertexRoom * sizeof(Elements)});
+    // Where there is no memory for both, room is still wanted next time.
+    m_vertexRoom = vertexRoom;
+    m_faceRoom = faceRoom;
+    m_vertices = std::move(vertices);
+    m_elements = std::move(elements);
     if (!m_array)
         m_array.emplace("surface");
     m_array->setVertices(m_vertices, sizeof(Vertex));

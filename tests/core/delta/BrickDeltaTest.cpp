@@ -6,6 +6,7 @@
 #include <QTest>
 
 #include <random>
+#include <sys/resource.h>
 #include <zstd.h>
 
 namespace brickDeltaTest {
@@ -43,6 +44,21 @@ std::vector<BrickChange> randomChanges(unsigned seed, int count, int palette)
         }
     }
     return changes;
+}
+
+/// The first bytes of every difference, as one that is made has them.
+QByteArray deltaBegin()
+{
+    const BrickDelta delta = makeDelta(randomChanges(1, 1, 2), grid);
+    QByteArray begin(4, '\0');
+    ZSTD_DCtx* context = ZSTD_createDCtx();
+    const QByteArray& first = delta.pieces.front();
+    ZSTD_inBuffer in{first.constData(), std::size_t(first.size()), 0};
+    ZSTD_outBuffer out{begin.data(), std::size_t(begin.size()), 0};
+    while (out.pos < out.size && in.pos < in.size
+        && ZSTD_isError(ZSTD_decompressStream(context, &out, &in)) == 0) { }
+    ZSTD_freeDCtx(context);
+    return begin;
 }
 
 /// A front of words in one brick and its labels, with holes.
@@ -159,6 +175,51 @@ private Q_SLOTS:
         const Result<std::vector<BrickImage>> images = expandDelta(delta, grid);
         QVERIFY(!images);
         QCOMPARE(images.error().code, ErrorCode::SessionDamaged);
+    }
+
+    /// A difference that promises far more bricks than the volume has is refused before any memory
+    /// is taken for them, however small it is itself.
+    void bricksThatTheVolumeLacksAreRefused()
+    {
+        const BrickGrid small{glm::ivec3(64)};
+        struct Promise {
+            std::uint32_t entries;
+            std::uint32_t bricks; ///< that they name in turn
+        };
+        // More than there can be, bricks outside the volume, and one brick again and again.
+        for (const Promise promise :
+            {Promise{1U << 20, 1U << 20}, Promise{60'000, 60'000}, Promise{60'000, 1}}) {
+            QByteArray plain;
+            const auto append = [&plain](std::uint32_t number) {
+                for (int byte = 0; byte < 4; ++byte)
+                    plain += char(number >> (8 * byte) & 0xFFU);
+            };
+            plain += deltaBegin();
+            append(std::uint32_t(small.bricks().x));
+            append(std::uint32_t(small.bricks().y));
+            append(promise.entries);
+            for (std::uint32_t number = 0; number < promise.entries; ++number) {
+                plain += QByteArrayLiteral("\x02\x00\x01\x00"); // labels of plane 0, with a mask
+                append(number % promise.bricks);
+            }
+            QByteArray packed(qsizetype(ZSTD_compressBound(std::size_t(plain.size()))), '\0');
+            const std::size_t bytes = ZSTD_compress(packed.data(), std::size_t(packed.size()),
+                plain.constData(), std::size_t(plain.size()), 1);
+            QVERIFY(ZSTD_isError(bytes) == 0);
+            packed.truncate(qsizetype(bytes));
+            BrickDelta delta;
+            delta.pieces.push_back(packed);
+
+            rusage before{};
+            getrusage(RUSAGE_SELF, &before);
+            const Result<std::vector<BrickImage>> images = expandDelta(delta, small);
+            rusage after{};
+            getrusage(RUSAGE_SELF, &after);
+            QVERIFY(!images);
+            QCOMPARE(images.error().code, ErrorCode::SessionDamaged);
+            QVERIFY2(after.ru_maxrss - before.ru_maxrss < 100'000, // KiB; masks alone: 512 MiB
+                qPrintable(QString::number(after.ru_maxrss - before.ru_maxrss)));
+        }
     }
 };
 

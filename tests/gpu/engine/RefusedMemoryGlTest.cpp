@@ -3,12 +3,12 @@
 #include "tests/support/cases/RandomHistory.h"
 #include "tests/support/faults/RefusingGl.h"
 #include "tests/support/fixtures/EditEngineFixture.h"
+#include "tests/support/fixtures/WatchedEngine.h"
 #include "tests/support/program/LongRun.h"
 #include "tests/support/program/TestProgram.h"
 
 #include <QtTest>
 
-#include <map>
 #include <optional>
 
 namespace refusedMemoryGlTest {
@@ -16,161 +16,9 @@ namespace refusedMemoryGlTest {
 using namespace core;
 using test::EngineCase;
 using test::RefusingGl;
+using test::WatchedEngine;
 
 namespace {
-
-/// What an engine holds, and what strokes read of it.
-struct Held {
-    std::vector<BrickChange> bricks;
-    std::vector<std::uint8_t> radiation;
-};
-
-/// Hands everything on to the GPU's engine, and looks at what it holds before and after each edit:
-/// one that was refused must have changed nothing, any other exactly what it says.
-class WatchedEngine final : public EditEngine {
-public:
-    WatchedEngine(test::EditEngineFixture& gpu, RefusingGl& refusing)
-        : m_gpu(gpu)
-        , m_inner(gpu.engine())
-        , m_refusing(refusing)
-    {
-    }
-
-    /// What it found wrong first; empty: nothing.
-    QString found;
-    int refusedEdits = 0;
-    int lost = 0; ///< how often nothing could be read any more
-
-    Result<void> openVolume(const glm::ivec3& size, std::span<const std::uint16_t> codes) override
-    {
-        m_grid = {size};
-        auto opened = m_inner.openVolume(size, codes);
-        if (!opened && opened.error().code != ErrorCode::OutOfMemory)
-            complain(QStringLiteral("opening a volume fails for another reason"));
-        return opened;
-    }
-
-    Ticket submit(EngineCommand command) override
-    {
-        const bool begins = std::holds_alternative<BeginEdit>(command);
-        const bool whole = std::holds_alternative<SwapBricks>(command)
-            || std::holds_alternative<MuteLayers>(command);
-        const bool ends = std::holds_alternative<EndEdit>(command);
-        if ((begins || whole) && !m_editing)
-            m_before = look();
-        m_editing = m_editing || begins;
-        const bool rollsBack = ends && std::get<EndEdit>(command).ending == Ending::Rollback;
-        const Ticket inner = m_inner.submit(std::move(command));
-        m_outer[inner] = ++m_last;
-        if (ends || (whole && !m_editing)) {
-            m_inner.finish();
-            take();
-            compare(rollsBack);
-        }
-        m_editing = m_editing && !ends;
-        return m_last;
-    }
-
-    std::vector<EngineResult> collect() override
-    {
-        take();
-        return std::exchange(m_results, {});
-    }
-
-    void finish() override { m_inner.finish(); }
-    void setWakeUp(std::function<void()>) override { }
-    [[nodiscard]] GrowthProgress growthProgress() const override
-    {
-        return m_inner.growthProgress();
-    }
-
-private:
-    void take()
-    {
-        for (EngineResult& result : m_inner.collect()) {
-            result.ticket = m_outer.at(result.ticket);
-            m_results.push_back(std::move(result));
-        }
-    }
-
-    std::optional<Held> look()
-    {
-        take();
-        const RefusingGl::Pause pause(m_refusing);
-        ReadBricks read;
-        for (const Field field :
-            {Field::Coverage, Field::Labels, Field::SeedWords, Field::Overwritten})
-            for (std::uint8_t plane = 0; plane < 3; ++plane)
-                for (int brick = 0; brick < m_grid.brickCount(); ++brick)
-                    read.keys.push_back({field, plane, std::uint32_t(brick)});
-        const Ticket asked = m_inner.submit(std::move(read));
-        m_inner.finish();
-        Held held;
-        bool answered = false;
-        for (EngineResult& result : m_inner.collect()) {
-            if (result.ticket != asked) {
-                result.ticket = m_outer.at(result.ticket);
-                m_results.push_back(std::move(result));
-            } else if (!result.error) {
-                answered = true;
-                held.bricks = std::move(result.changes);
-            }
-        }
-        if (!answered)
-            return std::nullopt;
-        held.radiation = m_gpu.read(gpu::VolumeField::Radiation).values;
-        return held;
-    }
-
-    void compare(bool rolledBack)
-    {
-        const std::optional<Held> now = look();
-        if (!m_before || !now) {
-            lost += m_before && !now ? 1 : 0;
-            return;
-        }
-        const EngineResult& result = m_results.back();
-        if (result.error) {
-            refusedEdits += result.error->code == ErrorCode::OutOfMemory ? 1 : 0;
-            if (now->radiation != m_before->radiation)
-                complain(QStringLiteral("radiation changed where an edit was refused"));
-        }
-        std::map<BrickKey, const std::vector<std::uint8_t>*> changed;
-        if (!result.error && !rolledBack) {
-            for (const BrickChange& change : result.changes)
-                changed[change.key] = &change.after.read();
-        }
-        for (std::size_t i = 0; i < now->bricks.size(); ++i) {
-            const BrickChange& before = m_before->bricks[i];
-            const auto told = changed.find(before.key);
-            const auto& expected = told == changed.end() ? before.after.read() : *told->second;
-            if (now->bricks[i].after.read() != expected)
-                complain(QStringLiteral("field %1, plane %2, brick %3 %4")
-                             .arg(int(before.key.field))
-                             .arg(before.key.plane)
-                             .arg(before.key.brick)
-                             .arg(result.error ? QStringLiteral("changed in a refused edit (%1)")
-                                                     .arg(result.error->arguments.join(u' '))
-                                               : QStringLiteral("is not what the result says")));
-        }
-    }
-
-    void complain(const QString& what)
-    {
-        if (found.isEmpty())
-            found = what;
-    }
-
-    test::EditEngineFixture& m_gpu;
-    EditEngine& m_inner;
-    RefusingGl& m_refusing;
-    BrickGrid m_grid;
-    std::map<Ticket, Ticket> m_outer;
-    std::vector<EngineResult> m_results;
-    std::optional<Held> m_before;
-    Ticket m_last = 0;
-    bool m_editing = false;
-};
 
 std::vector<EngineCase> cases()
 {
@@ -185,7 +33,7 @@ std::vector<EngineCase> cases()
              test::relabelCases(count), test::outlineCases(count), test::thresholdCases(count),
              test::segmentScissorsCases(count), test::mapCases(count), test::barrierCases(count),
              test::protectedCases(count), test::spreadCases(count), test::toleranceCases(count),
-             test::editableCases(count)})
+             test::editableCases(count), test::backwardCases(count)})
         made.insert(made.end(), more.begin(), more.end());
     if (test::longRun())
         return made;
@@ -206,12 +54,15 @@ private Q_SLOTS:
     void initTestCase();
     void everyEditIsWholeOrRefused_data();
     void everyEditIsWholeOrRefused();
+    void anyErrorIsRefused_data();
+    void anyErrorIsRefused();
     void aSessionGoesOn_data();
     void aSessionGoesOn();
     void aVolumeThatDoesNotFit();
 
 private:
     test::EditEngineFixture m_gpu;
+    int m_failed = 0; ///< edits that an error other than memory refused
 };
 
 void RefusedMemoryGlTest::initTestCase()
@@ -268,6 +119,49 @@ void RefusedMemoryGlTest::everyEditIsWholeOrRefused()
     QVERIFY(refused > tried / 2);
     qInfo("%d of %d storages refused: %d edits refused, lost %d times", refused, calls,
         refusedEdits, lost);
+}
+
+void RefusedMemoryGlTest::anyErrorIsRefused_data()
+{
+    QTest::addColumn<int>("number");
+    int number = 0;
+    for (const EngineCase& each : cases())
+        QTest::addRow("%s", each.name.constData()) << number++;
+}
+
+/// The driver does not carry out a dispatch, with an error that has nothing to do with memory.
+void RefusedMemoryGlTest::anyErrorIsRefused()
+{
+    QFETCH(int, number);
+    static const std::vector<EngineCase> all = cases();
+    const EngineCase& engineCase = all.at(std::size_t(number));
+    int calls = 0;
+    {
+        RefusingGl counting(RefusingGl::Dispatch{0});
+        WatchedEngine watched(m_gpu, counting);
+        (void)test::runCase(watched, engineCase);
+        QVERIFY2(watched.found.isEmpty(), qPrintable(watched.found));
+        calls = counting.calls();
+    }
+    QVERIFY(calls > 0);
+    const int tried = test::longRun() ? calls : std::min(calls, 3);
+    int failed = 0;
+    for (int i = 0; i < tried; ++i) {
+        const int first = 1 + int(std::int64_t(i) * calls / tried);
+        RefusingGl refusing(RefusingGl::Dispatch{first});
+        WatchedEngine watched(m_gpu, refusing);
+        (void)test::runCase(watched, engineCase);
+        QVERIFY2(watched.found.isEmpty(),
+            qPrintable(
+                QStringLiteral("dispatch %1 of %2: %3").arg(first).arg(calls).arg(watched.found)));
+        QCOMPARE(watched.lost, 0);
+        // Where storage is asked for next, that is what is said to have been refused.
+        failed += watched.failedEdits + watched.refusedEdits;
+        m_failed += watched.failedEdits;
+    }
+    qInfo("%d of %d dispatches refused: %d edits refused", tried, calls, failed);
+    if (number + 1 == int(all.size()))
+        QVERIFY(m_failed > 0);
 }
 
 void RefusedMemoryGlTest::aSessionGoesOn_data()

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "core/refine/mesh/SurfaceUpdate.h"
 #include "tests/support/faults/RefusingGl.h"
 #include "tests/support/fixtures/FrameTest.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/SimplexShapes.h"
 
 #include <QTest>
 
@@ -40,6 +42,35 @@ class FrameSchedulerGlTest : public test::FrameTest {
         request.view = view;
         request.sizePixels = {100, 100};
         request.scene = scene;
+        return request;
+    }
+
+    /// A small picture of view 1 with what its name says.
+    [[nodiscard]] FrameRequest requestOf(const QString& what)
+    {
+        FrameRequest request = volumeRequest(1);
+        if (what == QLatin1String("volume"))
+            return request;
+        if (what == QLatin1String("slice"))
+            request = sliceRequest(1, 0.0);
+        request.sizePixels = {90, 70};
+        request.segments.visible[1] = true;
+        auto* scene = std::get_if<VolumeScene>(&request.scene);
+        if (!scene)
+            return request;
+        if (what == QLatin1String("maximum intensity")) {
+            scene->mode = RenderMode::Mip;
+            scene->mipWindow = {500.0, 1000.0};
+        } else if (what == QLatin1String("cutting plane")) {
+            scene->plane = ScenePlane{.halfSizeMm = {20.0, 20.0}, .window = {500.0, 1000.0}};
+        } else if (what == QLatin1String("surface")) {
+            m_fixture->scheduler.updateSurface(
+                core::wholeUpdate(test::simplexMesh(test::icosphere(18.0, 2))));
+            scene->surface = SceneSurface{};
+        } else {
+            scene->seeds = std::make_shared<const std::vector<SceneSeed>>(
+                std::vector<SceneSeed>{{.lps = {0.0, -16.0, 0.0}, .label = 1}});
+        }
         return request;
     }
 
@@ -222,14 +253,27 @@ private Q_SLOTS:
         QCOMPARE(m_fixture->edits.shown.to_ullong(), 1ull << 4);
     }
 
+    void refusedMemoryIsSaid_data()
+    {
+        QTest::addColumn<QString>("what");
+        for (const char* what :
+            {"volume", "slice", "maximum intensity", "cutting plane", "surface", "seeds"})
+            QTest::addRow("%s", what) << QString::fromLatin1(what);
+    }
     /// Wherever the GPU refuses memory, that is said once, and the next picture is drawn as ever.
     void refusedMemoryIsSaid()
     {
-        m_fixture->scheduler.request(volumeRequest(1));
-        const auto expected = m_fixture->settle().back().rgba;
-        const auto anew = [this] {
+        QFETCH(QString, what);
+        m_fixture->fill(VolumeField::Labels, {{20, 20, 20}, {28, 28, 28}}, 1);
+        m_fixture->fill(VolumeField::Segmentation, {{20, 20, 20}, {28, 28, 28}}, 255);
+        const FrameRequest request = requestOf(what);
+        m_fixture->scheduler.request(request);
+        const std::vector<Frame> first = m_fixture->settle();
+        QVERIFY(!first.empty() && first.back().rgba);
+        const auto expected = first.back().rgba;
+        const auto anew = [&] {
             m_fixture->scheduler.forget(1);
-            m_fixture->scheduler.request(volumeRequest(1));
+            m_fixture->scheduler.request(request);
             return m_fixture->settle();
         };
         int calls = 0;
@@ -238,10 +282,10 @@ private Q_SLOTS:
             QVERIFY(*anew().back().rgba == *expected);
             calls = counting.calls();
         }
-        QVERIFY(calls >= 3);
-        for (int first = 1; first <= calls; ++first) {
+        QVERIFY(calls >= (what == QLatin1String("volume") ? 3 : 1));
+        for (int call = 1; call <= calls; ++call) {
             {
-                const test::RefusingGl refusing(first);
+                const test::RefusingGl refusing(call);
                 const std::vector<Frame> frames = anew();
                 QCOMPARE(frames.size(), std::size_t(1));
                 QVERIFY(frames[0].failure && !frames[0].rgba);
@@ -252,6 +296,70 @@ private Q_SLOTS:
             QVERIFY(!after.back().failure && *after.back().rgba == *expected);
         }
         QVERIFY(newErrors() >= calls);
+    }
+
+    /// A surface that there was no memory for is shown as soon as there is.
+    void aSurfaceWaitsForMemory()
+    {
+        const FrameRequest request = requestOf(QStringLiteral("surface"));
+        m_fixture->scheduler.request(request);
+        const auto expected = m_fixture->settle().back().rgba;
+        int calls = 2;
+        for (int call = 0; call <= calls; ++call) {
+            m_fixture.emplace();
+            openBall();
+            {
+                const test::RefusingGl refusing(call);
+                (void)requestOf(QStringLiteral("surface"));
+                (void)m_fixture->settle();
+                if (call == 0)
+                    calls = refusing.calls();
+            }
+            m_fixture->scheduler.request(request);
+            const std::vector<Frame> after = m_fixture->settle();
+            QVERIFY(!after.empty() && !after.back().failure);
+            QVERIFY2(*after.back().rgba == *expected, qPrintable(QString::number(call)));
+        }
+        QVERIFY(calls >= 2);
+        QVERIFY(newErrors() >= calls);
+    }
+
+    /// A shader that the driver refuses is said, and asked for again by the next picture.
+    void refusedShaderIsSaid()
+    {
+        m_fixture->scheduler.request(volumeRequest(1));
+        const auto expected = m_fixture->settle().back().rgba;
+        int calls = 0;
+        {
+            m_fixture.emplace();
+            openBall();
+            const test::RefusingGl counting(test::RefusingGl::Shader{0});
+            m_fixture->scheduler.request(volumeRequest(1));
+            QVERIFY(*m_fixture->settle().back().rgba == *expected);
+            calls = counting.calls();
+        }
+        QVERIFY(calls > 0);
+        const int tried = std::min(calls, 3);
+        for (int i = 0; i < tried; ++i) {
+            m_fixture.emplace();
+            openBall();
+            {
+                const test::RefusingGl refusing(test::RefusingGl::Shader{1 + i * calls / tried});
+                m_fixture->scheduler.request(volumeRequest(1));
+                const std::vector<Frame> frames = m_fixture->settle();
+                QVERIFY(!frames.empty());
+                QVERIFY(frames.back().failure && !frames.back().rgba);
+                QCOMPARE(frames.back().failure->code, core::ErrorCode::GraphicsUnavailable);
+                QCOMPARE(std::count_if(frames.begin(), frames.end(),
+                             [](const Frame& frame) { return frame.failure.has_value(); }),
+                    std::ptrdiff_t(1));
+            }
+            m_fixture->scheduler.forget(1);
+            m_fixture->scheduler.request(volumeRequest(1));
+            const std::vector<Frame> after = m_fixture->settle();
+            QVERIFY(!after.back().failure && *after.back().rgba == *expected);
+        }
+        (void)newErrors(); // some drivers tell of a refused shader, too
     }
 
     void withoutAVolumeItIsBlack()

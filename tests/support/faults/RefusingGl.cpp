@@ -23,7 +23,7 @@ std::mt19937 lot;
 int leastGap = 0;
 int mostGap = 0; ///< 0: not by lot
 
-bool refuses()
+bool refusesNext()
 {
     if (paused)
         return false;
@@ -42,6 +42,18 @@ decltype(epoxy_glTextureStorage2D) textureStorage2D = nullptr;
 decltype(epoxy_glTextureStorage3D) textureStorage3D = nullptr;
 decltype(epoxy_glTextureView) textureView = nullptr;
 decltype(epoxy_glMapNamedBufferRange) mapBuffer = nullptr;
+decltype(epoxy_glDispatchCompute) dispatch = nullptr;
+decltype(epoxy_glDispatchComputeIndirect) dispatchIndirect = nullptr;
+
+decltype(epoxy_glShaderSource) shaderSource = nullptr;
+
+enum class Counted { Storages, Dispatches, Shaders };
+std::atomic<Counted> counted = Counted::Storages; ///< all others go through
+
+bool refuses(Counted what = Counted::Storages)
+{
+    return counted == what && refusesNext();
+}
 
 constexpr GLsizeiptr farTooMuch = GLsizeiptr(1) << 61;
 
@@ -73,6 +85,25 @@ void* refusingMap(GLuint buffer, GLintptr offset, GLsizeiptr length, GLbitfield 
     return mapBuffer(buffer, refuses() ? -1 : offset, length, access);
 }
 
+void refusingDispatch(GLuint x, GLuint y, GLuint z)
+{
+    dispatch(refuses(Counted::Dispatches) ? ~0u : x, y, z);
+}
+
+void refusingIndirect(GLintptr offset)
+{
+    dispatchIndirect(refuses(Counted::Dispatches) ? -4 : offset);
+}
+
+void refusingSource(GLuint shader, GLsizei count, const GLchar* const* texts, const GLint* lengths)
+{
+    const GLchar* wrong = "#version 450\n#error refused\n";
+    if (refuses(Counted::Shaders))
+        shaderSource(shader, 1, &wrong, nullptr);
+    else
+        shaderSource(shader, count, texts, lengths);
+}
+
 template <class Function>
 void exchange(Function& pointer, Function& real, Function refusing, const char* name)
 {
@@ -90,12 +121,29 @@ RefusingGl::RefusingGl(int first, From from)
     firstRefused = first;
     onAndOn = from == From::OnAndOn;
     mostGap = 0;
+    counted = Counted::Storages;
     exchange(
         epoxy_glNamedBufferStorage, bufferStorage, refusingBufferStorage, "glNamedBufferStorage");
     exchange(epoxy_glTextureStorage2D, textureStorage2D, refusingStorage2D, "glTextureStorage2D");
     exchange(epoxy_glTextureStorage3D, textureStorage3D, refusingStorage3D, "glTextureStorage3D");
     exchange(epoxy_glTextureView, textureView, refusingView, "glTextureView");
     exchange(epoxy_glMapNamedBufferRange, mapBuffer, refusingMap, "glMapNamedBufferRange");
+    exchange(epoxy_glDispatchCompute, dispatch, refusingDispatch, "glDispatchCompute");
+    exchange(epoxy_glDispatchComputeIndirect, dispatchIndirect, refusingIndirect,
+        "glDispatchComputeIndirect");
+    exchange(epoxy_glShaderSource, shaderSource, refusingSource, "glShaderSource");
+}
+
+RefusingGl::RefusingGl(Dispatch refused)
+    : RefusingGl(refused.number)
+{
+    counted = Counted::Dispatches;
+}
+
+RefusingGl::RefusingGl(Shader refused)
+    : RefusingGl(refused.number)
+{
+    counted = Counted::Shaders;
 }
 
 RefusingGl::RefusingGl(std::uint32_t seed, int least, int most)
@@ -113,6 +161,9 @@ RefusingGl::~RefusingGl()
     epoxy_glTextureStorage3D = textureStorage3D;
     epoxy_glTextureView = textureView;
     epoxy_glMapNamedBufferRange = mapBuffer;
+    epoxy_glDispatchCompute = dispatch;
+    epoxy_glDispatchComputeIndirect = dispatchIndirect;
+    epoxy_glShaderSource = shaderSource;
     bufferStorage = nullptr;
 }
 

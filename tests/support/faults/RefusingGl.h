@@ -15,6 +15,17 @@ public:
     /// @param first the first call that is refused, counted from 1; 0: none, calls are only counted
     /// @param from only that call, or every call from there on
     explicit RefusingGl(int first, From from = From::Once);
+    /// Commands instead of memory: the n-th dispatch, counted from 1, becomes one that no driver
+    /// accepts, and so is not carried out; 0: none, dispatches are only counted.
+    struct Dispatch {
+        int number = 0;
+    };
+    explicit RefusingGl(Dispatch refused);
+    /// Likewise the n-th shader that is compiled: it has an error.
+    struct Shader {
+        int number = 0;
+    };
+    explicit RefusingGl(Shader refused);
     /// Refuses single calls at random, @p least to @p most calls apart.
     RefusingGl(std::uint32_t seed, int least, int most);
     ~RefusingGl();

@@ -12,14 +12,20 @@ namespace test {
 namespace {
 
 Outcome run(const QStringList& arguments, const QProcessEnvironment& environment,
-    std::size_t addressSpaceBytes)
+    std::size_t addressSpaceBytes, int openFiles)
 {
     constexpr int patienceMs = 300000;
     QProcess process;
     process.setProcessEnvironment(environment);
-    if (addressSpaceBytes > 0) {
-        const rlimit limit{addressSpaceBytes, addressSpaceBytes};
-        process.setChildProcessModifier([limit] { setrlimit(RLIMIT_AS, &limit); });
+    if (addressSpaceBytes > 0 || openFiles > 0) {
+        process.setChildProcessModifier([addressSpaceBytes, openFiles] {
+            const rlimit space{addressSpaceBytes, addressSpaceBytes};
+            const rlimit files{rlim_t(openFiles), rlim_t(openFiles)};
+            if (addressSpaceBytes > 0)
+                setrlimit(RLIMIT_AS, &space);
+            if (openFiles > 0)
+                setrlimit(RLIMIT_NOFILE, &files);
+        });
     }
     process.start(QStringLiteral(BURIN_PROGRAM), arguments);
     const bool ended = process.waitForFinished(patienceMs);
@@ -43,12 +49,12 @@ Outcome burin(const QStringList& arguments, const Surroundings& around)
     QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
     for (auto each = around.variables.begin(); each != around.variables.end(); ++each)
         environment.insert(each.key(), each.value());
-    return run(arguments, environment, around.addressSpaceBytes);
+    return run(arguments, environment, around.addressSpaceBytes, around.openFiles);
 }
 
 Outcome burin(const QStringList& arguments, const QProcessEnvironment& environment)
 {
-    return run(arguments, environment, 0);
+    return run(arguments, environment, 0, 0);
 }
 
 } // namespace test

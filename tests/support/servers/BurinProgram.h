@@ -25,6 +25,7 @@ struct Outcome {
 struct Surroundings {
     QMap<QString, QString> variables; ///< in addition to those of this process
     std::size_t addressSpaceBytes = 0; ///< upper limit; 0: none
+    int openFiles = 0; ///< most file handles at once; 0: as this process
 };
 
 [[nodiscard]] Outcome burin(const QStringList& arguments, const Surroundings& around = {});

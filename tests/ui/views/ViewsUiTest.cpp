@@ -2,10 +2,12 @@
 #include "tests/support/fixtures/Pen.h"
 #include "tests/support/fixtures/WindowFixture.h"
 #include "tests/support/program/TestProgram.h"
+#include "ui/base/StudyTexts.h"
 #include "ui/base/Theme.h"
 #include "ui/geometry/OrientationLetters.h"
 #include "ui/input/Tool.h"
 #include "ui/views/ViewGrid.h"
+#include "ui/window/StatusLine.h"
 
 #include <QApplication>
 #include <QPainter>
@@ -208,6 +210,31 @@ void ViewsUiTest::thePointerPointsIntoTheSliceThatIsShown()
     QVERIFY(after.z != before.z);
     QTest::keyClick(&axial, Qt::Key_Up);
     QCOMPARE(fixture.workspace.pointedLps()->z, fixture.workspace.crosshairLps().z);
+    // The words, too: millimetres, voxel and value, as a pointer that comes back finds them there.
+    const auto& status = *fixture.window.findChild<ui::StatusLine*>();
+    const auto saysWhere = [&] {
+        static_cast<void>(fixture.session().settle());
+        fixture.session().poll();
+        const glm::dvec3 lps = fixture.workspace.pointedLps().value_or(glm::dvec3(1e9));
+        const glm::ivec3 voxel(glm::round(fixture.workspace.volume()->geometry.toIndex(lps)));
+        return status.readout().startsWith(ui::positionText(lps)
+            + QStringLiteral(" · voxel %1, %2, %3 · ").arg(voxel.x).arg(voxel.y).arg(voxel.z));
+    };
+    for (const bool byKey : {false, true}) {
+        QTRY_VERIFY(saysWhere());
+        const QString last = status.readout();
+        if (byKey)
+            QTest::keyClick(&axial, Qt::Key_Up);
+        else
+            wheel(axial, -1);
+        QTRY_VERIFY(saysWhere());
+        const QString said = status.readout();
+        QVERIFY(said != last);
+        fixture.hover(axial, at + QPoint(30, 0));
+        QTRY_VERIFY(saysWhere() && status.readout() != said);
+        fixture.hover(axial, at);
+        QTRY_COMPARE(status.readout(), said);
+    }
 }
 
 void ViewsUiTest::wheelWalksThroughSlices()

@@ -4,10 +4,12 @@
 #include "tests/support/cases/SurfaceCases.h"
 #include "tests/support/fixtures/WorkspaceFixture.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/PlainEdits.h"
 #include "ui/panels/refine/RefinePanel.h"
 #include "ui/workspace/Refinement.h"
 
 #include <QFileInfo>
+#include <QLabel>
 #include <QPushButton>
 #include <QTemporaryDir>
 #include <QtTest>
@@ -54,6 +56,25 @@ private Q_SLOTS:
         QCOMPARE(fixture.session().history().position(), row);
         QVERIFY(!fixture.workspace.refinement().surface());
         QTRY_VERIFY(fixture.button("abortSurface").isHidden());
+    }
+
+    /// A growth changes the mask under the surface, and that is seen at once.
+    void aGrowthBringsTheCaution()
+    {
+        PanelFixture fixture;
+        fixture.apply(test::seedAt(1, {{10.5, 0.5, 0.5}})); // beside the ball, in the brain
+        fixture.apply(
+            core::LaySurface{.segment = 1, .vertices = 3000, .rules = core::newestSurfaceRules});
+        const auto& state = *fixture.panel.findChild<QLabel*>(QStringLiteral("surfaceState"));
+        QVERIFY(!fixture.button("writeBack").isEnabled());
+        QCOMPARE(state.property("role").toString(), QStringLiteral("plain"));
+        fixture.apply(test::growBetween(0.0, 100.0, 3));
+        QVERIFY(fixture.button("writeBack").isEnabled());
+        QCOMPARE(state.property("role").toString(), QStringLiteral("caution"));
+        QVERIFY2(state.text().contains(QLatin1String("does not hold")), qPrintable(state.text()));
+        QVERIFY(fixture.session().undo() && fixture.session().settle());
+        QVERIFY(!fixture.button("writeBack").isEnabled());
+        QCOMPARE(state.property("role").toString(), QStringLiteral("plain"));
     }
 
     void aTemplateIsAborted()
