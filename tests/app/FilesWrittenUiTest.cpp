@@ -299,6 +299,10 @@ void FilesWrittenUiTest::sessionsAndExports()
         {key("run"), text("plain.json", {{key("edits"), edits()}}), key("--study"), m_study,
             key("--session"), at("b.burin"), key("--with-images")},
         {at("b.burin")}, true);
+    CARRY_OUT("run --trace",
+        {key("run"), at("plain.json"), key("--study"), m_study, key("--session"), at("t.burin"),
+            key("--trace"), at("t.json")},
+        {at("t.burin"), at("t.json")}, true);
 }
 
 void FilesWrittenUiTest::replays()
