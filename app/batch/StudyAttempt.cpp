@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/batch/StudyAttempt.h"
 
+#include "core/base/files/PrivateFolder.h"
 #include "core/base/files/StagedFile.h"
 #include "core/base/files/StagedFolder.h"
 #include "core/export/common/MaskSelection.h"
@@ -216,8 +217,9 @@ Result<void> StudyAttempt::begin()
                 ErrorCode::FileUnwritable, place, QStringLiteral("no folder can be made in it"));
     }
     QFile file(recipePath());
-    if (!file.open(QIODevice::WriteOnly) || file.write(m_recipe) != m_recipe.size()
-        || !file.flush())
+    // It has the values of the list, which may tell who the patient is.
+    if (!core::makePrivateFile(file.fileName()) || !file.open(QIODevice::WriteOnly)
+        || file.write(m_recipe) != m_recipe.size() || !file.flush())
         return failure(ErrorCode::FileUnwritable, file.fileName(), file.errorString());
     return {};
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/batch/StudyResults.h"
 
+#include "core/base/files/PrivateFolder.h"
 #include "core/base/files/ReadableFile.h"
 #include "core/base/files/StagedFile.h"
 #include "core/base/files/SystemFile.h"
@@ -23,11 +24,17 @@ using core::Result;
 
 namespace {
 
-Result<void> writeFile(const QString& path, const QByteArray& content, bool replaceExisting)
+enum class Readers { Everyone, OwnerAlone };
+
+Result<void> writeFile(
+    const QString& path, const QByteArray& content, bool replaceExisting, Readers readers)
 {
     Result<core::StagedFile> staged = core::StagedFile::create(path, replaceExisting);
     if (!staged)
         return tl::unexpected(staged.error());
+    if (readers == Readers::OwnerAlone && !core::makePrivateFile(staged->path()))
+        return failure(
+            ErrorCode::FileUnwritable, path, QStringLiteral("it cannot be kept from other users"));
     QFile file(staged->path());
     if (!file.open(QIODevice::WriteOnly) || file.write(content) != content.size() || !file.flush())
         return failure(ErrorCode::FileUnwritable, path, file.errorString());
@@ -54,7 +61,7 @@ Result<StudyResults::Turn> StudyResults::begin(const QString& folder)
             return failure(ErrorCode::FileUnwritable, folder,
                 QStringLiteral("it has files that no batch has made, such as %1")
                     .arg(there.last()));
-        const Result<void> made = writeFile(path, "burin batch\n", false);
+        const Result<void> made = writeFile(path, "burin batch\n", false, Readers::Everyone);
         // Another may have been faster.
         if (!made && made.error().code != ErrorCode::FileExists)
             return tl::unexpected(made.error());
@@ -83,7 +90,10 @@ void StudyResults::end()
 
 Result<void> StudyResults::write(const QString& folder, const char* name, const QByteArray& content)
 {
-    return writeFile(QDir(folder).filePath(QLatin1String(name)), content, true);
+    // The table was asked for; the others tell where a study lies and what its recipe was given.
+    const bool isTable = QLatin1String(name) == QLatin1String("results.csv");
+    return writeFile(QDir(folder).filePath(QLatin1String(name)), content, true,
+        isTable ? Readers::Everyone : Readers::OwnerAlone);
 }
 
 QJsonObject StudyResults::record(const QString& folder)

@@ -18,6 +18,7 @@
 #include <QSet>
 #include <QTest>
 
+#include <algorithm>
 #include <csignal>
 
 namespace filesWrittenUiTest {
@@ -97,6 +98,7 @@ private Q_SLOTS:
     void sessionsAndExports();
     void replays();
     void everyFormatOverWhatIsThere();
+    void batches();
     void histories();
     void masksAndStudies();
     void windows();
@@ -207,6 +209,13 @@ QString FilesWrittenUiTest::kindOf(
             : QString();
     if (isStaged(path, targets))
         return QStringLiteral("staged beside its target");
+    if (event.what == "open" && path.endsWith(QLatin1String("/lock")) && targets.contains(path))
+        return QStringLiteral("the lock of a study's results, which a batch holds");
+    const auto isInside = [&path](const QString& target) {
+        return target.startsWith(path + QLatin1Char('/'));
+    };
+    if (event.what == "make" && std::any_of(targets.begin(), targets.end(), isInside))
+        return QStringLiteral("the folder of a target");
     if (targets.contains(companionsOwner(path)) && path.contains(key(".burin"))
         && (newSession || m_placed.contains(companionsOwner(path))))
         return QStringLiteral("a session, new or its own");
@@ -299,6 +308,10 @@ void FilesWrittenUiTest::sessionsAndExports()
         {key("run"), text("plain.json", {{key("edits"), edits()}}), key("--study"), m_study,
             key("--session"), at("b.burin"), key("--with-images")},
         {at("b.burin")}, true);
+    CARRY_OUT("run --trace",
+        {key("run"), at("plain.json"), key("--study"), m_study, key("--session"), at("t.burin"),
+            key("--trace"), at("t.json")},
+        {at("t.burin"), at("t.json")}, true);
 }
 
 void FilesWrittenUiTest::replays()
@@ -327,6 +340,28 @@ void FilesWrittenUiTest::everyFormatOverWhatIsThere()
         {key("replay"), at("a.burin"), key("--export"), at("out/carved.nii.gz"), key("--format"),
             key("carved-volume"), key("--force")},
         {at("out/carved.nii.gz")}, false);
+}
+
+void FilesWrittenUiTest::batches()
+{
+    QFile list(at("list.csv"));
+    QVERIFY(list.open(QIODevice::WriteOnly));
+    list.write("study,name,session\nct,one,one.burin\nct,two,two.burin\n");
+    list.close();
+    const QJsonArray mask{
+        QJsonObject{{key("format"), key("nifti")}, {key("file"), key("m.nii.gz")}}};
+    const QString recipe = text("each.json", {{key("edits"), edits()}, {key("export"), mask}});
+    QStringList targets{at("batch/results.csv")};
+    for (const char* study : {"one", "two"}) {
+        const QString folder = at("batch/") + QLatin1String(study) + QLatin1Char('/');
+        for (const char* file : {"lock", "record.json", "recipe.json", "m.nii.gz"})
+            targets += folder + QLatin1String(file);
+        targets += folder + QLatin1String(study) + key(".burin");
+    }
+    const QStringList words{
+        key("batch"), recipe, key("--studies"), list.fileName(), key("--into"), at("batch")};
+    CARRY_OUT("batch", words, targets, false);
+    CARRY_OUT("batch, again", words, targets, false);
 }
 
 void FilesWrittenUiTest::histories()

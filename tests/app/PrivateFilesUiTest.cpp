@@ -129,6 +129,16 @@ void PrivateFilesUiTest::everythingIsWritten()
         at(QStringLiteral("shared.html"))});
     CARRY_OUT({key("mesh"), at(QStringLiteral("nifti.nii.gz")), key("--study"), m_study,
         key("--out"), at(QStringLiteral("m.ply")), key("--vertices"), key("200")});
+    const QJsonObject once{{key("edits"), edits},
+        {key("export"),
+            QJsonArray{QJsonObject{{key("format"), key("nifti")}, {key("file"), key("mask.nii.gz")},
+                {key("deidentify"), true}}}}};
+    QFile batch(m_home.path(QStringLiteral("batch.json")));
+    QVERIFY(batch.open(QIODevice::WriteOnly));
+    batch.write(QJsonDocument(once).toJson());
+    batch.close();
+    CARRY_OUT({key("batch"), batch.fileName(), key("--studies"),
+        m_home.path(QStringLiteral("MARKERPATH")), key("--into"), at(QStringLiteral("batch"))});
 }
 
 /// With a working session and settings of its own.
@@ -169,6 +179,12 @@ const char* PrivateFilesUiTest::allowed(const QString& path) const
         return "the study itself";
     if (path == at(QStringLiteral("a.burin")))
         return "a session says where its study lies and how its series is called";
+    if (path.startsWith(at(QStringLiteral("batch/"))) && path.endsWith(QLatin1String(".burin")))
+        return "a session of a batch, likewise";
+    if (path == at(QStringLiteral("batch/ct/record.json")))
+        return "a record says where the study lies that it is of";
+    if (path == at(QStringLiteral("batch/results.csv")))
+        return "the table of a batch has the paths of its list";
     if (path.startsWith(m_home.path(QStringLiteral("state/burin/"))))
         return "a working session, likewise";
     if (path.startsWith(m_home.path(QStringLiteral("config/burin/"))))
@@ -210,6 +226,12 @@ void PrivateFilesUiTest::whatTellsIsItsOwnersAlone()
     QCOMPARE(modeOf(m_home.path(QStringLiteral("config/burin/burin.conf"))), 0600);
     QCOMPARE(modeOf(at(QStringLiteral("a.burin"))), 0600);
     QCOMPARE(modeOf(at(QStringLiteral("b.burin"))), 0600);
+    QCOMPARE(modeOf(at(QStringLiteral("batch/ct/record.json"))), 0600);
+    QCOMPARE(modeOf(at(QStringLiteral("batch/ct/recipe.json"))), 0600);
+    QDirIterator batched(
+        at(QStringLiteral("batch")), {key("*.burin")}, QDir::Files, QDirIterator::Subdirectories);
+    QVERIFY(batched.hasNext());
+    QCOMPARE(modeOf(batched.next()), 0600);
     int sessions = 0;
     QDirIterator walk(m_home.path(QStringLiteral("state/burin")),
         QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot, QDirIterator::Subdirectories);
@@ -232,7 +254,8 @@ void PrivateFilesUiTest::whatTellsIsItsOwnersAlone()
         const bool isSession = event.path.contains(QLatin1String(".burin"))
             && (event.what == "open" || event.what == "unnamed")
             && !event.path.endsWith(QLatin1String(".conf"));
-        const bool isExport = event.path.contains(QLatin1String("/out/.burin-"));
+        const bool isExport = event.path.contains(QLatin1String("/out/"))
+            && event.path.contains(QLatin1String("/.burin-"));
         if (isSession && !isExport)
             QVERIFY2(event.more == u"600",
                 qPrintable(event.path + QStringLiteral(" is made with ") + event.more));

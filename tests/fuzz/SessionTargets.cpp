@@ -14,7 +14,11 @@ void fuzzSession(FuzzBytes bytes)
 {
     const ScratchFile file("file.burin", bytes);
     (void)previewSession(file.path());
-    (void)checkSession(file.path());
+    if (const Result<SessionContents> sound = checkSession(file.path())) {
+        const QString target = file.path() + QStringLiteral("-repaired.burin");
+        (void)salvageSession(file.path(), *sound, target);
+        QFile::remove(target);
+    }
     const auto session = SessionFile::open(file.path(), SessionAccess::SoundPart);
     if (!session)
         return;

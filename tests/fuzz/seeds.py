@@ -2,8 +2,8 @@
 """Small real files for the fuzzers to begin with: seeds.py OUT [SHARED_DATA [EDITS [SESSIONS]]]
 
 OUT/TARGET/… for every target of FuzzTargets.h. From pydicom's test files, the cases that fuzzing
-found (tests/data/fuzz) and, where they are, the shared studies, of which volumes are cropped to a
-few voxels. EDITS is what `burin edits --json` prints; SESSIONS a folder of small sessions of this
+found (tests/data/fuzz), sessions as strangers made them and, where they are, the shared studies,
+of which volumes are cropped to a few voxels. EDITS is what `burin edits --json` prints; SESSIONS a folder of small sessions of this
 version (`burin run`), of which the differences are seeds, too. Needs python3-pydicom and python3-nibabel.
 """
 import gzip
@@ -13,6 +13,7 @@ import sqlite3
 import struct
 import sys
 import tarfile
+import tempfile
 import zlib
 
 import nibabel
@@ -178,12 +179,58 @@ def sessions():
                 put("delta", f"{path.stem}-{row}", b"".join(piece for (piece,) in pieces))
 
 
+# What strangers may put into a session, as in ForeignSessionTest.
+STRANGE = {
+    "trigger-keeps-no-row":
+        "CREATE TRIGGER t BEFORE INSERT ON row BEGIN SELECT RAISE(IGNORE); END;",
+    "trigger-takes-the-history":
+        "CREATE TRIGGER t AFTER INSERT ON row BEGIN DELETE FROM row; DELETE FROM delta; END;",
+    "trigger-fills-the-disk":
+        "CREATE TRIGGER t AFTER INSERT ON state BEGIN INSERT INTO keyframe "
+        "SELECT abs(random()), '', zeroblob(100000000); END;",
+    "table-beside": "CREATE TABLE junk (b);",
+    "view-in-place-of-a-table":
+        "ALTER TABLE row RENAME TO row0; CREATE VIEW row AS SELECT * FROM row0;",
+    "view-without-end":
+        "DROP TABLE visited; CREATE VIEW visited AS WITH RECURSIVE c(x) AS (SELECT 1 UNION ALL "
+        "SELECT x+1 FROM c) SELECT x AS parent, x AS child FROM c WHERE x<0;",
+    "generated-column":
+        "DROP TABLE visited; CREATE TABLE visited (parent INTEGER PRIMARY KEY, "
+        "child INTEGER NOT NULL AS (parent + 1));",
+}
+
+
+def strange_sessions(path):
+    """Of one sound session, as (name, bytes), in small pages."""
+    for name, script in STRANGE.items():
+        with tempfile.TemporaryDirectory() as folder:
+            copy = pathlib.Path(folder) / "copy.burin"
+            copy.write_bytes(path.read_bytes())
+            database = sqlite3.connect(copy)
+            database.executescript(
+                "PRAGMA legacy_alter_table=ON; PRAGMA page_size=512; VACUUM;" + script)
+            database.close()
+            yield name, copy.read_bytes()
+
+
+def strangers():
+    for path in sorted((HERE.parent / "data" / "gold").glob("*.burin")):
+        for name, content in strange_sessions(path):
+            put("session", f"{path.stem}-{name}", content)
+    seed = '{"edits": [{"edit": "addSegment", "name": "A%s", "color": "#336699"%s}]}'
+    put("recipe", "key-twice", (seed % ("", ', "name": "B"')).encode())
+    put("recipe", "nul-in-a-name", (seed % ("\\u0000a", "")).encode())
+    put("recipe", "name-that-is-not-utf8", (seed % ("\xe4", "")).encode("latin-1"))
+    put("recipe", "nul-in-a-file", b'{"edits": [], "export": [{"format": "dicom-seg", '
+        b'"file": "a\\u0000b.dcm"}]}')
+
+
 def found():
     for path in (HERE.parent / "data" / "fuzz").glob("*/*"):
         put(path.parent.name, path.name, path.read_bytes())
 
 
-for step in (dicom, volumes, images, meshes, recipes, sessions, found):
+for step in (dicom, volumes, images, meshes, recipes, sessions, strangers, found):
     step()
 for folder in sorted(out.iterdir()):
     print(f"{folder.name}: {len(list(folder.iterdir()))}")

@@ -37,6 +37,16 @@ void mark(DcmDataset& set, int k)
              DCM_ContrastBolusAgent, DCM_EthnicGroup, DCM_MedicalAlerts, DCM_Manufacturer,
              DCM_ManufacturerModelName, DCM_SoftwareVersions})
         putText(set, tag, tag == DCM_EthnicGroup ? "MARKERTEXT" : "Kopf MARKERTEXT von MARKERNAME");
+    for (const DcmTagKey& tag : {DCM_OtherPatientNames, DCM_ResponsiblePerson})
+        putText(set, tag, "MARKERNAME^Otto");
+    for (const DcmTagKey& tag :
+        {DCM_PatientTelephoneNumbers, DCM_PatientReligiousPreference, DCM_CountryOfResidence,
+            DCM_RegionOfResidence, DCM_MilitaryRank, DCM_BranchOfService,
+            DCM_ResponsibleOrganization, DCM_CurrentPatientLocation,
+            DCM_PatientInstitutionResidence, DCM_AdmittingDiagnosesDescription,
+            DCM_ReasonForTheRequestedProcedure, DCM_RequestingService, DCM_SpecialNeeds,
+            DCM_PatientState, DCM_ServiceEpisodeID, DCM_ServiceEpisodeDescription, DCM_AdmissionID})
+        putText(set, tag, "MARKERTEXT");
     putText(set, DCM_Manufacturer, "Werk 7 MARKERNAME");
     for (const DcmTagKey& tag :
         {DCM_PatientBirthDate, DCM_StudyDate, DCM_SeriesDate, DCM_AcquisitionDate, DCM_ContentDate,
