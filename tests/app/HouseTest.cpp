@@ -53,6 +53,28 @@ bool isGl(const QString& included)
     return pattern.match(included).hasMatch();
 }
 
+/// Who has a thread of its own, in which no event loop is needed. None is to be added without a
+/// reason.
+bool mayOwnThread(const QString& file)
+{
+    static const QStringList folders{QStringLiteral("core/base")}; // the door itself
+    static const QStringList files{
+        QStringLiteral("core/sessionfile/SessionFile.h"), // the writer of a session
+        // Parts of a session, whose results its poll() takes: differences, chunks, surfaces.
+        QStringLiteral("core/session/state/CommitWorker.h"),
+        QStringLiteral("core/session/state/ChunkWorker.h"),
+        QStringLiteral("core/session/surface/SideThread.h"),
+        // Beside the engine's thread, which takes the answer between two pictures.
+        QStringLiteral("gpu/kernels/shrink/CutPreviewer.h"),
+        // They wait, for a signal, a line or a node, and compute nothing.
+        QStringLiteral("app/end/CommandTermination.h"), QStringLiteral("core/pacs/WireWatch.h"),
+        QStringLiteral("core/pacs/retrieve/MoveListener.h"),
+        // One task beside calls of parallelFor, which parallelFor itself cannot be given.
+        QStringLiteral("core/dicom/stack/StackLoader.cpp"),
+        QStringLiteral("core/volume/encoding/VolumeEncoder.cpp")};
+    return inFolder(file, folders) || files.contains(file);
+}
+
 const std::vector<Rule>& rules()
 {
     using S = const QString&;
@@ -87,8 +109,8 @@ const std::vector<Rule>& rules()
                         QStringLiteral("core/session/operations")})
                 || included == QLatin1String("core/session/questions/QuestionLine.h"));
     };
-    const auto taskThread = [](S, S included) {
-        return included == QLatin1String("core/base/TaskThread.h");
+    const auto taskThread = [](S file, S included) {
+        return included == QLatin1String("core/base/TaskThread.h") && !mayOwnThread(file);
     };
     const QString core = QStringLiteral("core"), gpu = QStringLiteral("gpu"),
                   ui = QStringLiteral("ui"), app = QStringLiteral("app");
@@ -105,7 +127,10 @@ const std::vector<Rule>& rules()
             QStringLiteral("gpu knows no window")},
         {ui, roomsAbove({app}), QStringLiteral("app composes, nobody includes it")},
         {ui, gl, QStringLiteral("GL belongs to gpu")},
+        {core, taskThread, QStringLiteral("work beside others is for Background or ParallelFor")},
+        {gpu, taskThread, QStringLiteral("work beside others is for Background or ParallelFor")},
         {ui, taskThread, QStringLiteral("work beside the window is told by core/base/Background")},
+        {app, taskThread, QStringLiteral("work beside others is for Background or ParallelFor")},
         {app, gl, QStringLiteral("GL belongs to gpu")},
         {core, dcmtk, QStringLiteral("DCMTK stays inside core/dicom/*.cpp and core/pacs/*.cpp")},
         {gpu, dcmtk, QStringLiteral("DCMTK stays inside core/dicom/*.cpp and core/pacs/*.cpp")},
@@ -309,7 +334,7 @@ QStringList brokenRules(const QString& file, const QString& text)
     // What is thrown on a thread ends the program, unless the thread is of one of these.
     static const QRegularExpression thread(
         QStringLiteral("std::j?thread\\s*[({]|std::j?thread\\s+\\w+\\s*[;({]|QThread::create|"
-                       "QThreadPool|QtConcurrent|launch::async\\s*,"));
+                       "QThreadPool|QtConcurrent|std::async\\b"));
     const bool startsThreads = inFolder(
         file, {QStringLiteral("core/base"), QStringLiteral("gpu/engine"), QStringLiteral("tests")});
     if (!startsThreads && thread.match(QString(text).remove(comment)).hasMatch())
@@ -534,11 +559,16 @@ void HouseTest::ruleBites_data()
     row("tests/ui/AUiTest.cpp", "\nnamespace aUiTest {\n\nBURIN_WINDOW_TEST(AUiTest)\n", true);
     row("tests/reference/A.cpp", "#include \"gpu/A.h\"", false);
     row("ui/A.h", "#include \"core/base/TaskThread.h\"", false);
+    row("core/a/A.h", "#include \"core/base/TaskThread.h\"", false);
+    row("gpu/A.h", "#include \"core/base/TaskThread.h\"", false);
+    row("app/A.h", "#include \"core/base/TaskThread.h\"", false);
+    row("core/pacs/WireWatch.h", "#include \"core/base/TaskThread.h\"", true);
     row("ui/A.h", "#include \"core/base/Background.h\"", true);
     row("ui/A.cpp", "m_thread.reset(QThread::create([] {}));", false);
     row("core/a/A.h", "    std::thread m_thread;", false);
     row("core/a/A.cpp", "auto a = std::thread([] {});", false);
     row("core/a/A.cpp", "auto a = std::async(std::launch::async, [] {});", false);
+    row("core/a/A.cpp", "auto a = std::async(policy, [] {});", false);
     row("core/a/A.cpp", "// std::thread thread(work);\nstd::thread::hardware_concurrency();", true);
     row("core/base/A.cpp", "std::thread thread(work);", true);
     row("core/a/A.cpp", "notes += QStringLiteral(\"The mask is empty.\");", false);
