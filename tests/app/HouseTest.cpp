@@ -505,6 +505,7 @@ private Q_SLOTS:
     void foldersFormNoCircle();
     void foldersAreSmallAndNamed_data();
     void foldersAreSmallAndNamed();
+    void sourcesHoldOneIdea();
 };
 
 void HouseTest::ruleBites_data()
@@ -698,6 +699,23 @@ void HouseTest::foldersAreSmallAndNamed()
             wrong += QStringLiteral("%1 has %2 files").arg(folder).arg(files);
         if (!readme.contains(QStringLiteral("`%1`").arg(folder.mid(room.size() + 1))))
             wrong += QStringLiteral("%1/README.md does not name %2").arg(room, folder);
+    }
+    QVERIFY2(wrong.isEmpty(), qPrintable(wrong.join(QLatin1Char('\n'))));
+}
+
+/// A longer source holds two ideas. One switch over all titles cannot be parted without losing that
+/// the compiler asks for each of them.
+void HouseTest::sourcesHoldOneIdea()
+{
+    constexpr qsizetype most = 500;
+    const QStringList one{QStringLiteral("ui/base/RowTitleText.cpp")};
+    QStringList wrong;
+    for (const char* room : {"core", "gpu", "ui", "app"}) {
+        for (const QString& file : filesOf(QLatin1String(room))) {
+            const qsizetype lines = contents(file).count(QLatin1Char('\n'));
+            if (lines > most && !one.contains(file))
+                wrong += QStringLiteral("%1 has %2 lines").arg(file).arg(lines);
+        }
     }
     QVERIFY2(wrong.isEmpty(), qPrintable(wrong.join(QLatin1Char('\n'))));
 }
