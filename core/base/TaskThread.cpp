@@ -5,6 +5,7 @@
 #include "core/base/trace/Trace.h"
 
 #include <exception>
+#include <system_error>
 #include <utility>
 
 namespace core {
@@ -80,6 +81,34 @@ void TaskThread::work()
         }
         lock.lock();
     }
+}
+
+LoneTask::LoneTask(std::function<void()> task)
+    : m_task(std::move(task))
+{
+    try {
+        m_thread.emplace();
+    } catch (const std::system_error&) {
+        return;
+    }
+    m_thread->post(
+        [this] {
+            try {
+                m_task();
+            } catch (...) {
+                m_thrown = std::current_exception();
+            }
+        },
+        [](const Error&) {});
+}
+
+void LoneTask::finish()
+{
+    if (!m_thread)
+        return m_task();
+    m_thread.reset();
+    if (m_thrown)
+        std::rethrow_exception(m_thrown);
 }
 
 } // namespace core

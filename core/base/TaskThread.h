@@ -5,8 +5,10 @@
 
 #include <condition_variable>
 #include <deque>
+#include <exception>
 #include <functional>
 #include <mutex>
+#include <optional>
 #include <thread>
 
 namespace core {
@@ -42,6 +44,27 @@ private:
     std::deque<Task> m_tasks;
     bool m_ending = false;
     std::thread m_thread; ///< last, since it uses all of the above
+};
+
+/// One task that is carried out on a thread of its own while its owner does something else. Where
+/// no thread can be started it is carried out by finish(). Unlike the work of parallelFor() it runs
+/// beside calls of parallelFor().
+class LoneTask {
+public:
+    explicit LoneTask(std::function<void()> task);
+    /// Waits for a task that has begun; one that no thread has taken is not carried out.
+    ~LoneTask() = default;
+    LoneTask(const LoneTask&) = delete;
+    LoneTask& operator=(const LoneTask&) = delete;
+
+    /// Returns when the task is done; what it has thrown is rethrown here. Called at most once, by
+    /// any thread.
+    void finish();
+
+private:
+    std::function<void()> m_task;
+    std::exception_ptr m_thrown; ///< written by the thread
+    std::optional<TaskThread> m_thread; ///< last, since it uses all of the above
 };
 
 } // namespace core

@@ -25,12 +25,12 @@ layout(binding = 7) uniform sampler2D palette;   // rgb, opacity (0: not shown)
 #include "kernels/spread/toleranceLabel.glsl"
 #endif
 #if CUT_PREVIEW
-#include "render/raycast/cutPreview.glsl"
+#include "render/parts/cutPreview.glsl"
 #endif
 #if CUBIC
 #include "render/cubic.glsl"
 #endif
-#include "render/colourMap.glsl"
+#include "render/parts/colourMap.glsl"
 
 #if CHUNKS
 layout(binding = 24) uniform usampler3D chunkLeaves; // leaf + 1 by voxel of their box

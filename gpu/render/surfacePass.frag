@@ -1,7 +1,7 @@
 // Draws the surface that is being refined: its colour, and where the ray of the pixel meets it.
 // WIRES: only the edges; GREYS: values of the volume; HIDES: planes hide parts of it. Variants that
 // discard nothing are depth-tested before they are shaded.
-#include "render/raycast/light.glsl"
+#include "render/parts/light.glsl"
 #include "render/surfaceColour.glsl"
 
 /* Textures */

@@ -24,8 +24,6 @@ namespace ui {
 
 namespace {
 
-constexpr double lidDegrees = 105.0;
-
 /// "Lid 2" or so: the first such name that is free.
 QString freeName(const core::Document& document, const QString& pattern)
 {
@@ -36,11 +34,6 @@ QString freeName(const core::Document& document, const QString& pattern)
         if (!taken)
             return name;
     }
-}
-
-glm::dvec3 middleOf(const core::VolumeGeometry& geometry)
-{
-    return geometry.toWorld((glm::dvec3(geometry.size) - 1.0) / 2.0);
 }
 
 } // namespace
@@ -159,8 +152,8 @@ bool Pieces::allHome() const
             [](const core::Piece& piece) { return piece.pose.isHome(); });
 }
 
-void Pieces::measure(
-    int layer, int segment, std::function<void(const Extent&)> then, std::function<void()> unless)
+void Pieces::measure(int layer, int segment, std::function<void(const PieceExtent&)> then,
+    std::function<void()> unless)
 {
     if (!unless)
         unless = [] {};
@@ -187,7 +180,7 @@ void Pieces::measure(
             [bricks = *std::move(answer), geometry, segment] {
                 return extentOf(bricks, geometry, segment);
             },
-            [this, then, unless, fail](const core::Result<Extent>& extent) {
+            [this, then, unless, fail](const core::Result<PieceExtent>& extent) {
                 if (!extent)
                     return fail(extent.error());
                 if (!m_workspace.session())
@@ -201,43 +194,12 @@ void Pieces::measure(
     m_workspace.session()->questions().bricks(std::move(keys), std::move(take));
 }
 
-/// @param segment its label; 0: what is carved
-Pieces::Extent Pieces::extentOf(
-    const std::vector<core::BrickImage>& bricks, const core::VolumeGeometry& geometry, int segment)
-{
-    constexpr int side = core::BrickGrid::side;
-    const core::BrickGrid grid{geometry.size};
-    Extent extent;
-    glm::dvec3 low(1e300);
-    glm::dvec3 high(-1e300);
-    for (const core::BrickImage& brick : bricks) {
-        const glm::ivec3 origin = grid.brickPosition(int(brick.key.brick)) * side;
-        const std::vector<std::uint8_t>& values = brick.bytes.read();
-        for (std::size_t i = 0; i < values.size(); ++i) {
-            const int value = values[i];
-            if (segment > 0 ? value != segment : value < 128)
-                continue;
-            const glm::ivec3 local(int(i) % side, int(i) / side % side, int(i) / (side * side));
-            const glm::dvec3 at = geometry.toWorld(glm::dvec3(origin + local));
-            low = glm::min(low, at);
-            high = glm::max(high, at);
-            if ((local.x + local.y + local.z) % 3 == 0)
-                extent.pointsLps.push_back(at);
-        }
-    }
-    if (!extent.pointsLps.empty()) {
-        extent.middleLps = (low + high) / 2.0;
-        extent.sizeLps = high - low;
-    }
-    return extent;
-}
-
 void Pieces::cutPiece(
     int layer, const QString& name, std::function<void()> then, std::function<void()> unless)
 {
     measure(
         layer, 0,
-        [this, layer, name, then = std::move(then), unless](const Extent& extent) {
+        [this, layer, name, then = std::move(then), unless](const PieceExtent& extent) {
             core::EditSession& open = *m_workspace.session();
             core::CutPiece edit;
             edit.layer = layer;
@@ -387,7 +349,7 @@ void Pieces::paste(int segment)
     core::EditSession* session = m_workspace.session();
     if (!session)
         return;
-    measure(0, segment, [this, segment, rightLps](const Extent& extent) {
+    measure(0, segment, [this, segment, rightLps](const PieceExtent& extent) {
         core::EditSession& open = *m_workspace.session();
         const core::VolumeGeometry& geometry = m_workspace.volume()->geometry;
         const core::Segment* known = open.document().segment(segment);
@@ -428,41 +390,11 @@ void Pieces::openLikeALid(int piece, const glm::dvec3& upLps)
     const core::Piece* known = session ? session->document().piece(piece) : nullptr;
     if (!known)
         return;
-    measure(known->layer, known->segment, [this, piece, upLps](const Extent& extent) {
+    measure(known->layer, known->segment, [this, piece, upLps](const PieceExtent& extent) {
         const core::Piece* lid = m_workspace.session()->document().piece(piece);
         if (!lid)
             return;
-        const core::VolumeGeometry& geometry = m_workspace.volume()->geometry;
-        glm::dvec3 outward = extent.middleLps - middleOf(geometry);
-        if (glm::length(outward) < 1.0)
-            outward = glm::dvec3(0, 0, 1);
-        outward = glm::normalize(outward);
-        glm::dvec3 towardsHinge = upLps - glm::dot(upLps, outward) * outward;
-        if (glm::length(towardsHinge) < 0.1) // it faces up: the hinge is behind
-            towardsHinge = glm::dvec3(0, 1, 0) - outward.y * outward;
-        towardsHinge = glm::normalize(towardsHinge);
-        // The rim there, and of the rim what lies deepest.
-        double farthest = -1e300;
-        for (const glm::dvec3& point : extent.pointsLps)
-            farthest = std::max(farthest, glm::dot(point, towardsHinge));
-        glm::dvec3 hinge(0.0);
-        double count = 0.0;
-        double deepest = 1e300;
-        for (const glm::dvec3& point : extent.pointsLps) {
-            if (glm::dot(point, towardsHinge) < farthest - 4.0)
-                continue;
-            hinge += point;
-            count += 1.0;
-            deepest = std::min(deepest, glm::dot(point, outward));
-        }
-        hinge /= count;
-        hinge += (deepest - glm::dot(hinge, outward)) * outward;
-        core::PiecePose pose;
-        pose.rotationDegrees = lidDegrees * glm::cross(outward, towardsHinge);
-        const glm::dvec3 pivot = core::pivotOf(*lid, geometry);
-        pose.offsetMm =
-            hinge + core::rotationMatrix(pose.rotationDegrees) * (pivot - hinge) - pivot;
-        setPose(piece, pose);
+        setPose(piece, lidPose(*lid, extent, m_workspace.volume()->geometry, upLps));
     });
 }
 

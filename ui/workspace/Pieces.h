@@ -8,6 +8,7 @@
 #include "core/edits/kinds/Edit.h"
 #include "core/history/History.h"
 #include "gpu/scene/Scene.h"
+#include "ui/geometry/PieceExtent.h"
 
 #include <QObject>
 #include <QString>
@@ -94,18 +95,10 @@ Q_SIGNALS:
     void activeChanged();
 
 private:
-    /// The extent of a piece's voxels.
-    struct Extent {
-        std::vector<glm::dvec3> pointsLps; ///< an evenly chosen part of them
-        glm::dvec3 middleLps{0.0}; ///< of their bounding box
-        glm::dvec3 sizeLps{0.0};
-    };
     /// Asks the engine for the extent.
     /// @param unless called instead of @p then if it fails or there are no voxels, which was told
-    void measure(int layer, int segment, std::function<void(const Extent&)> then,
+    void measure(int layer, int segment, std::function<void(const PieceExtent&)> then,
         std::function<void()> unless = {});
-    [[nodiscard]] static Extent extentOf(const std::vector<core::BrickImage>& bricks,
-        const core::VolumeGeometry& geometry, int segment);
     /// Makes a layer a piece that turns about its middle.
     /// @param then called when the step is made
     /// @param unless called if it cannot be made, which was told

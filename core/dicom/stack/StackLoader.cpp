@@ -4,6 +4,7 @@
 #include "core/base/LargePages.h"
 #include "core/base/ParallelFor.h"
 #include "core/base/StepCounter.h"
+#include "core/base/TaskThread.h"
 #include "core/dicom/codecs/FrameDecoder.h"
 #include "core/dicom/header/ModalityLut.h"
 #include "core/dicom/stack/StackGeometry.h"
@@ -13,12 +14,12 @@
 
 #include <algorithm>
 #include <functional>
-#include <future>
 #include <map>
 #include <memory>
 #include <mutex>
 #include <optional>
 #include <span>
+#include <utility>
 
 namespace core {
 
@@ -218,27 +219,27 @@ Result<LoadedVolume> loadStored(const ListedStack& listed, const SliceStack& wan
     loaded.volume.geometry = wanted.geometry;
     SharedFiles files(wanted.slices);
     // It takes the system a while to find that much memory: who waits sees a slice meanwhile.
-    std::future<Result<Stored>> first;
-    if (early && hasWindow(wanted)) {
-        // Where no thread can be had it is decoded when it is asked for.
-        const auto beside = std::launch::async | std::launch::deferred;
-        first = std::async(beside, [&]() -> Result<Stored> {
-            Stored stored(sliceSize(wanted));
-            const Result<void> decoded = files.decode(wanted.slices[middle], stored);
-            if (!decoded)
-                return tl::unexpected<Error>(decoded.error());
-            if (!progress.cancelled())
-                early(earlySlice(listed, wanted, rescales[middle], stored));
-            return stored;
-        });
-    }
+    const auto decodeMiddle = [&]() -> Result<Stored> {
+        Stored stored(sliceSize(wanted));
+        const Result<void> decoded = files.decode(wanted.slices[middle], stored);
+        if (!decoded)
+            return tl::unexpected<Error>(decoded.error());
+        if (!progress.cancelled())
+            early(earlySlice(listed, wanted, rescales[middle], stored));
+        return stored;
+    };
+    Result<Stored> firstStored; // written by the task
+    std::optional<LoneTask> first;
+    if (early && hasWindow(wanted))
+        first.emplace([&] { firstStored = decodeMiddle(); });
     resizeInLargePages(loaded.codes, wanted.geometry.voxelCount());
     StoredEncoder encoder(loaded, rescales);
     const auto decode = [&](int k, std::span<std::uint16_t> codes) -> Result<void> {
-        if (std::size_t(k) != middle || !first.valid())
+        if (std::size_t(k) != middle || !first)
             return files.decode(wanted.slices[std::size_t(k)], codes);
         // Not a second time: a slice on which the decoder hangs costs enough.
-        const Result<Stored> stored = first.get();
+        first->finish();
+        const Result<Stored> stored = std::move(firstStored);
         if (!stored)
             return tl::unexpected<Error>(stored.error());
         std::copy(stored->begin(), stored->end(), codes.begin());

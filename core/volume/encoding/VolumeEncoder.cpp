@@ -3,6 +3,7 @@
 
 #include "core/base/ParallelFor.h"
 #include "core/base/Sha256.h"
+#include "core/base/TaskThread.h"
 #include "core/volume/encoding/CodeCounts.h"
 #include "core/volume/encoding/StoredEncoder.h"
 #include "core/volume/encoding/ValueHash.h"
@@ -11,7 +12,6 @@
 #include <bit>
 #include <cmath>
 #include <cstring>
-#include <future>
 #include <limits>
 #include <mutex>
 #include <utility>
@@ -149,11 +149,10 @@ void encodeValues(LoadedVolume& loaded,
 void describeCodes(LoadedVolume& loaded, int outsideCode, std::uint64_t outside)
 {
     loaded.volume.codesSha256.clear();
-    // Where no thread can be had it is computed when it is asked for.
-    std::future<QByteArray> checksum = std::async(
-        std::launch::async | std::launch::deferred, [&] { return sha256OfValues(loaded); });
+    QByteArray hash;
+    LoneTask checksum([&] { hash = sha256OfValues(loaded); });
     CodeCounts counts = countCodes(loaded);
-    const QByteArray hash = checksum.get();
+    checksum.finish();
     loaded.volume.voxelsSha256 = hash;
     describeExactCounts(loaded, std::move(counts), {.code = outsideCode, .voxels = outside}, true);
 }

@@ -3,7 +3,7 @@
 
 layout(local_size_x = 64) in;
 
-#include "kernels/growth/growth.glsl"
+#include "kernels/criterion/growth.glsl"
 #include "kernels/fronts/frontBits.glsl"
 
 layout(binding = 2, std430) restrict buffer Front { uint front[]; };

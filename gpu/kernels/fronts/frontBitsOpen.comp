@@ -3,7 +3,7 @@
 
 layout(local_size_x = 128) in;
 
-#include "kernels/growth/growth.glsl"
+#include "kernels/criterion/growth.glsl"
 #include "kernels/fronts/frontBits.glsl"
 
 layout(binding = 7, std430) restrict writeonly buffer Open { uint open[]; };

@@ -3,7 +3,7 @@
 
 layout(local_size_x = 64) in;
 
-#include "kernels/growth/growth.glsl"
+#include "kernels/criterion/growth.glsl"
 
 layout(binding = 4, std430) readonly buffer Bricks { uint bricks[]; };
 

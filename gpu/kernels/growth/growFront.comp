@@ -2,7 +2,7 @@
 // With BACK, while narrowing: every member with a neighbour that it could prove to qualify. One
 // work-group per listed brick. The order in the queue depends on scheduling and decides nothing.
 
-#include "kernels/growth/growth.glsl"
+#include "kernels/criterion/growth.glsl"
 
 #ifdef LONG_CRITERION
 layout(local_size_x = 256) in;

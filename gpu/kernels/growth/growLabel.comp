@@ -2,7 +2,7 @@
 
 layout(local_size_x = 64) in;
 
-#include "kernels/growth/growth.glsl"
+#include "kernels/criterion/growth.glsl"
 
 uniform uint ring;
 

@@ -20,7 +20,7 @@
 
 layout(local_size_x = 64) in;
 
-#include "kernels/growth/growth.glsl"
+#include "kernels/criterion/growth.glsl"
 #ifdef PASSAGE
 #include "kernels/passage/passage.glsl"
 #endif

@@ -3,7 +3,7 @@
 
 layout(local_size_x = 64) in;
 
-#include "kernels/growth/growth.glsl"
+#include "kernels/criterion/growth.glsl"
 #include "kernels/passage/passageBits.glsl"
 
 // Grown voxels count as unowned, so it does not matter when in a burst this is computed.

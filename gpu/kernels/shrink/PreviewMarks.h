@@ -12,7 +12,7 @@ class VolumeTextures;
 class VoxelFields;
 
 /// Marks on voxels of plane 0 that pictures draw: what a cut would remove, and what a moving
-/// interval has changed (render/raycast/cutPreview.glsl). Pictures show one set at a time, the one
+/// interval has changed (render/parts/cutPreview.glsl). Pictures show one set at a time, the one
 /// that was set last. Engine thread only.
 class PreviewMarks {
 public:

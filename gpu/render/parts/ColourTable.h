@@ -7,7 +7,7 @@
 
 namespace gpu {
 
-/// The colours of grey values as a texture of 256 × 1 texels, RGBA8 (render/colourMap.glsl).
+/// The colours of grey values as a texture of 256 × 1 texels, RGBA8 (render/parts/colourMap.glsl).
 class ColourTable {
 public:
     ColourTable();

@@ -6,6 +6,7 @@
 #include "gpu/fields/textures/VolumeTextures.h"
 #include "gpu/render/PlanePass.h"
 #include "gpu/render/SurfacePass.h"
+#include "gpu/render/parts/TileParts.h"
 #include "gpu/render/raycast/ContextDrawing.h"
 #include "gpu/scene/ViewFrame.h"
 #include "gpu/scene/WindowMapping.h"
@@ -46,39 +47,6 @@ constexpr std::array<const char*, renderModes> labels{
 TransferFunction materialColours(double from, double to)
 {
     return {{{from, 0xB27059, 0.0}, {to, 0xF6E2C1, 1.0}}};
-}
-
-/// Of two rectangles; empty: none.
-Tile common(const Tile& a, const Tile& b)
-{
-    const glm::ivec2 low = glm::max(a.minimum, b.minimum);
-    const glm::ivec2 high = glm::min(a.minimum + a.size, b.minimum + b.size);
-    return glm::all(glm::lessThan(low, high)) ? Tile{low, high - low} : Tile{};
-}
-
-/// What holds two rectangles.
-Tile united(const Tile& a, const Tile& b)
-{
-    const glm::ivec2 low = glm::min(a.minimum, b.minimum);
-    return {low, glm::max(a.minimum + a.size, b.minimum + b.size) - low};
-}
-
-/// What is left of a tile without a rectangle in it.
-std::vector<Tile> around(const Tile& tile, const Tile& hole)
-{
-    if (hole.size.x == 0)
-        return {tile};
-    const glm::ivec2 end = tile.minimum + tile.size;
-    const glm::ivec2 holeEnd = hole.minimum + hole.size;
-    std::vector<Tile> parts;
-    for (const Tile& part : {Tile{tile.minimum, {tile.size.x, hole.minimum.y - tile.minimum.y}},
-             Tile{{tile.minimum.x, hole.minimum.y}, {hole.minimum.x - tile.minimum.x, hole.size.y}},
-             Tile{{holeEnd.x, hole.minimum.y}, {end.x - holeEnd.x, hole.size.y}},
-             Tile{{tile.minimum.x, holeEnd.y}, {tile.size.x, end.y - holeEnd.y}}}) {
-        if (part.size.x > 0 && part.size.y > 0)
-            parts.push_back(part);
-    }
-    return parts;
 }
 
 } // namespace
@@ -210,7 +178,7 @@ void RaycastPass::drawMode(VolumeTextures& volume, const VolumeScene& scene, con
         .segmentLooks = palette.changesBodies()};
     Tile over;
     const auto overlay = [&over](const Tile& blocks) {
-        over = over.size.x > 0 ? united(over, blocks) : blocks;
+        over = over.size.x > 0 ? unionOf(over, blocks) : blocks;
     };
     if (seeds)
         overlay(m_seeds.blocksIn(scene, target));
@@ -220,7 +188,7 @@ void RaycastPass::drawMode(VolumeTextures& volume, const VolumeScene& scene, con
         overlay(blocksAround(suspended, volume.geometry(), scene, target));
     if (chunks)
         overlay(blocksAround(scene.chunks->box, volume.geometry(), scene, target));
-    const Tile overlaid = common(tile, over);
+    const Tile overlaid = commonPart(tile, over);
     const bool sculpted = pieces || volume.cells().isSculpted();
     using Parts = std::array<std::vector<Tile>, RayBlocks::kinds>;
     Parts parts;
@@ -228,7 +196,7 @@ void RaycastPass::drawMode(VolumeTextures& volume, const VolumeScene& scene, con
     Tile sheetBlocks = sheets.surface ? sheets.surface->blocks : Tile{};
     if (sheets.plane)
         sheetBlocks =
-            sheets.surface ? united(sheetBlocks, sheets.plane->blocks) : sheets.plane->blocks;
+            sheets.surface ? unionOf(sheetBlocks, sheets.plane->blocks) : sheets.plane->blocks;
     const auto addTo = [&](Parts& into, const Tile& rest) {
         if (!sculpted) {
             into[std::size_t(RayBlocks::Kind::Plain)].push_back(rest);
@@ -238,11 +206,11 @@ void RaycastPass::drawMode(VolumeTextures& volume, const VolumeScene& scene, con
         for (std::size_t kind = 0; kind < into.size(); ++kind)
             into[kind].insert(into[kind].end(), split[kind].begin(), split[kind].end());
     };
-    for (const Tile& rest : around(tile, overlaid)) {
-        const Tile near = sheets.any() ? common(rest, sheetBlocks) : Tile{};
+    for (const Tile& rest : partsAround(tile, overlaid)) {
+        const Tile near = sheets.any() ? commonPart(rest, sheetBlocks) : Tile{};
         if (near.size.x > 0)
             addTo(sheetParts, near);
-        for (const Tile& apart : around(rest, near))
+        for (const Tile& apart : partsAround(rest, near))
             addTo(parts, apart);
     }
     const auto drawParts = [&](Program& program, const std::vector<Tile>& tiles) {

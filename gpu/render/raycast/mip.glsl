@@ -6,7 +6,7 @@ uniform float saturated; // code / 65535 from which on every grey is white
 uniform float black;     // code / 65535 up to which every grey is black
 uniform float levels[6]; // code / 65535, ascending
 
-#include "render/colourMap.glsl"
+#include "render/parts/colourMap.glsl"
 
 layout(binding = 8) uniform usampler3D maximumCells; // greatest code, distances by level
 

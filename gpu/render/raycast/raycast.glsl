@@ -273,7 +273,7 @@ vec3 tetrahedronDifferences(sampler3D field, vec3 at)
 #include "kernels/labels/memberWords.glsl"
 #endif
 #if CUT_PREVIEW
-#include "render/raycast/cutPreview.glsl"
+#include "render/parts/cutPreview.glsl"
 #endif
 
 #include "render/raycast/segmentLooks.glsl"
@@ -354,4 +354,4 @@ vec3 faceNormal(Ray ray)
     return normal;
 }
 
-#include "render/raycast/light.glsl"
+#include "render/parts/light.glsl"

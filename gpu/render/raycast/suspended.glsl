@@ -1,6 +1,6 @@
 // What another interval has suspended (gpu/kernels/shrink/PreviewMarks) as translucent bodies
 // beside the segment, striped as in slices. Those behind tissue shine through faintly. Include
-// render/raycast/cutPreview.glsl and render/raycast/bodies.glsl before this file.
+// render/parts/cutPreview.glsl and render/raycast/bodies.glsl before this file.
 
 /* Uniforms */
 uniform vec3 suspendedLow; // index: low corner of a box around all that is suspended

@@ -3,12 +3,13 @@
 #include "core/base/MemoryReserve.h"
 #include "core/base/ParallelFor.h"
 #include "core/base/TaskThread.h"
-#include "tests/support/program/TestProgram.h"
 #include "tests/support/program/Sanitizer.h"
+#include "tests/support/program/TestProgram.h"
 
 #include <QTest>
 
 #include <atomic>
+#include <chrono>
 #include <memory>
 #include <stdexcept>
 #include <thread>
@@ -60,6 +61,7 @@ private Q_SLOTS:
     void resultsPassThrough();
     void tasksTellWhatTheyThrow();
     void whoWaitsForATaskGetsWhatItThrows();
+    void aLoneTaskIsDoneBesideItsOwner();
     void parallelWorkThrowsOnce();
     void theReserveIsThereOnce();
 };
@@ -113,6 +115,28 @@ void GuardedTest::whoWaitsForATaskGetsWhatItThrows()
     QVERIFY(done);
 }
 
+void GuardedTest::aLoneTaskIsDoneBesideItsOwner()
+{
+    std::thread::id where;
+    LoneTask task([&where] { where = std::this_thread::get_id(); });
+    task.finish();
+    QVERIFY(where != std::thread::id());
+    QVERIFY(where != std::this_thread::get_id());
+
+    LoneTask failing([] { throw std::runtime_error("x"); });
+    QVERIFY_THROWS_EXCEPTION(std::runtime_error, failing.finish());
+
+    // Whoever leaves without asking for it waits for it all the same.
+    bool done = false;
+    {
+        const LoneTask left([&done] {
+            std::this_thread::sleep_for(std::chrono::milliseconds(20));
+            done = true;
+        });
+    }
+    QVERIFY(done);
+}
+
 void GuardedTest::parallelWorkThrowsOnce()
 {
     std::atomic<int> begun = 0;
@@ -139,8 +163,18 @@ void GuardedTest::workIsDoneWhereNoThreadCanBeStarted()
     std::thread::id here = std::this_thread::get_id();
     std::vector<std::thread::id> where(1000);
     Result<void> started;
+    int begun = 0;
+    std::thread::id whereAlone;
+    const auto alone = [&] {
+        ++begun;
+        whereAlone = std::this_thread::get_id();
+    };
     {
         const NoThreads none;
+        LoneTask finished(alone);
+        QCOMPARE(begun, 0);
+        finished.finish();
+        const LoneTask left(alone);
         parallelFor(
             1000,
             [&](int i) {
@@ -152,6 +186,8 @@ void GuardedTest::workIsDoneWhereNoThreadCanBeStarted()
     }
     QCOMPARE(counts, std::vector<int>(1000, 1));
     QCOMPARE(where, std::vector<std::thread::id>(1000, here));
+    QCOMPARE(begun, 1); // not the one that nobody asked for
+    QCOMPARE(whereAlone, here);
     QVERIFY(!started);
     QCOMPARE(started.error().code, ErrorCode::OutOfMemory);
 }

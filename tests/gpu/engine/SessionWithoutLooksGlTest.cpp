@@ -110,6 +110,15 @@ private Q_SLOTS:
         step("to the beginning", [&] { return m_session->goTo(0); });
         step("to the end",
             [&] { return m_session->goTo(RowId(m_session->history().rows().size())); });
+        // As a hand on the timeline does, which waits for no walk.
+        const auto last = RowId(m_session->history().rows().size());
+        step("scrub", [&] {
+            Result<void> gone;
+            for (int walk = 1; gone && walk < 10; ++walk)
+                gone = m_session->goTo(RowId(3 * walk) % last);
+            return gone ? m_session->goTo(last) : gone;
+        });
+        QCOMPARE(m_session->history().position(), last);
         step("divide",
             [&] { return m_session->apply(DivideSegment{.segment = 1, .marginMm = 1.0}); });
         RowId touched = 0;
