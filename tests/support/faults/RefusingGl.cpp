@@ -48,11 +48,11 @@ decltype(epoxy_glDispatchComputeIndirect) dispatchIndirect = nullptr;
 decltype(epoxy_glShaderSource) shaderSource = nullptr;
 
 enum class Counted { Storages, Dispatches, Shaders };
-std::atomic<Counted> counted = Counted::Storages; ///< all others go through
+std::atomic<Counted> kindCounted = Counted::Storages; ///< all others go through
 
 bool refuses(Counted what = Counted::Storages)
 {
-    return counted == what && refusesNext();
+    return kindCounted == what && refusesNext();
 }
 
 constexpr GLsizeiptr farTooMuch = GLsizeiptr(1) << 61;
@@ -121,7 +121,7 @@ RefusingGl::RefusingGl(int first, From from)
     firstRefused = first;
     onAndOn = from == From::OnAndOn;
     mostGap = 0;
-    counted = Counted::Storages;
+    kindCounted = Counted::Storages;
     exchange(
         epoxy_glNamedBufferStorage, bufferStorage, refusingBufferStorage, "glNamedBufferStorage");
     exchange(epoxy_glTextureStorage2D, textureStorage2D, refusingStorage2D, "glTextureStorage2D");
@@ -137,13 +137,13 @@ RefusingGl::RefusingGl(int first, From from)
 RefusingGl::RefusingGl(Dispatch refused)
     : RefusingGl(refused.number)
 {
-    counted = Counted::Dispatches;
+    kindCounted = Counted::Dispatches;
 }
 
 RefusingGl::RefusingGl(Shader refused)
     : RefusingGl(refused.number)
 {
-    counted = Counted::Shaders;
+    kindCounted = Counted::Shaders;
 }
 
 RefusingGl::RefusingGl(std::uint32_t seed, int least, int most)
