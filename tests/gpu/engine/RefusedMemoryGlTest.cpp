@@ -63,6 +63,7 @@ private Q_SLOTS:
 private:
     test::EditEngineFixture m_gpu;
     int m_failed = 0; ///< edits that an error other than memory refused
+    int m_withoutDispatch = 0; ///< cases in which nothing is dispatched, as a pen that hits nothing
 };
 
 void RefusedMemoryGlTest::initTestCase()
@@ -143,7 +144,7 @@ void RefusedMemoryGlTest::anyErrorIsRefused()
         QVERIFY2(watched.found.isEmpty(), qPrintable(watched.found));
         calls = counting.calls();
     }
-    QVERIFY(calls > 0);
+    m_withoutDispatch += calls == 0 ? 1 : 0;
     const int tried = test::longRun() ? calls : std::min(calls, 3);
     int failed = 0;
     for (int i = 0; i < tried; ++i) {
@@ -160,8 +161,10 @@ void RefusedMemoryGlTest::anyErrorIsRefused()
         m_failed += watched.failedEdits;
     }
     qInfo("%d of %d dispatches refused: %d edits refused", tried, calls, failed);
-    if (number + 1 == int(all.size()))
+    if (number + 1 == int(all.size())) {
         QVERIFY(m_failed > 0);
+        QVERIFY(m_withoutDispatch * 4 < int(all.size()));
+    }
 }
 
 void RefusedMemoryGlTest::aSessionGoesOn_data()

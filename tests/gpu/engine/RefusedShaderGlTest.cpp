@@ -18,14 +18,15 @@ using test::RefusingGl;
 
 namespace {
 
-/// One of each kind of edit.
+/// One of each kind of edit; the last ones, as the first are volumes of one voxel, in which a pen
+/// may hit nothing.
 std::vector<EngineCase> cases()
 {
     std::vector<EngineCase> made;
     for (const auto& some : {test::growthCases(1), test::drillCases(1), test::capsuleCases(1),
              test::peelCases(1), test::relabelCases(1), test::spreadCases(1), test::layerCases(1),
              test::overwrittenCases(1), test::scissorsCases(1)})
-        made.push_back(some.front());
+        made.push_back(some.back());
     if (!test::longRun())
         made.resize(3);
     return made;

@@ -233,7 +233,7 @@ void ViewsUiTest::thePointerPointsIntoTheSliceThatIsShown()
         fixture.hover(axial, at + QPoint(30, 0));
         QTRY_VERIFY(saysWhere() && status.readout() != said);
         fixture.hover(axial, at);
-        QTRY_COMPARE(status.readout(), said);
+        QTRY_VERIFY(saysWhere() && status.readout() == said);
     }
 }
 
