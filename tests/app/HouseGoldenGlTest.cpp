@@ -2,7 +2,7 @@
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/fixtures/CommandFixture.h"
 #include "tests/support/program/TestProgram.h"
-#include "tests/support/scenes/GoldenSessions.h"
+#include "tests/support/scenes/sessions/GoldenSessions.h"
 #include "tests/support/series/SessionFiles.h"
 
 #include <QFile>

@@ -4,6 +4,7 @@
 #include <QDir>
 #include <QDirIterator>
 #include <QFile>
+#include <QFileInfo>
 #include <QLibraryInfo>
 #include <QRegularExpression>
 #include <QTest>
@@ -490,6 +491,23 @@ Arrows arrowsIn(const QString& room, bool ofShaders)
     return arrows;
 }
 
+/// In which folders a test belongs instead of its own, by the files of its room: FooTest, FooGlTest
+/// and FooUiTest lie where Foo lies. Empty: it may stay. A test that is named after none of these
+/// files is about several of them, or about what a room below holds.
+QStringList foldersMeant(const QString& test, const QStringList& files)
+{
+    static const QRegularExpression name(QStringLiteral("/((\\w+?)(?:Gl|Ui)?)Test\\.cpp$"));
+    const QRegularExpressionMatch match = name.match(test);
+    QStringList meant;
+    for (const QString& file : match.hasMatch() ? files : QStringList()) {
+        const QString of = QFileInfo(file).completeBaseName();
+        if (isSource(file) && (of == match.captured(1) || of == match.captured(2)))
+            meant += QStringLiteral("tests/") + folderOf(file);
+    }
+    meant.removeDuplicates();
+    return meant.contains(folderOf(test)) ? QStringList() : meant;
+}
+
 } // namespace
 
 /// The rooms know only what DESIGN §2 lets them know.
@@ -503,6 +521,9 @@ private Q_SLOTS:
     void circlesAreFound();
     void foldersFormNoCircle_data();
     void foldersFormNoCircle();
+    void misplacedTestsAreFound();
+    void testsMirrorTheProgram_data();
+    void testsMirrorTheProgram();
     void foldersAreSmallAndNamed_data();
     void foldersAreSmallAndNamed();
     void sourcesHoldOneIdea();
@@ -662,7 +683,7 @@ void HouseTest::foldersFormNoCircle_data()
 {
     QTest::addColumn<QString>("room");
     QTest::addColumn<bool>("ofShaders");
-    for (const char* room : {"core", "gpu", "ui", "app", "tests/support"})
+    for (const char* room : {"core", "gpu", "ui", "app", "tests"})
         QTest::newRow(room) << QString::fromLatin1(room) << false;
     QTest::newRow("gpu, shaders") << QStringLiteral("gpu") << true;
 }
@@ -677,14 +698,62 @@ void HouseTest::foldersFormNoCircle()
     QVERIFY2(circle.isEmpty(), qPrintable(circle));
 }
 
-void HouseTest::foldersAreSmallAndNamed_data()
+void HouseTest::misplacedTestsAreFound()
+{
+    const QStringList files{QStringLiteral("core/a/A.cpp"), QStringLiteral("core/a/A.h"),
+        QStringLiteral("core/b/B.h"), QStringLiteral("core/b/c/B.h"),
+        QStringLiteral("core/b/light.glsl")};
+    const auto meant = [&files](const char* test) {
+        return foldersMeant(QString::fromLatin1(test), files).join(QLatin1Char(' '));
+    };
+    const QString a = QStringLiteral("tests/core/a"),
+                  either = QStringLiteral("tests/core/b tests/core/b/c"), stays;
+    QCOMPARE(meant("tests/core/b/ATest.cpp"), a);
+    QCOMPARE(meant("tests/core/a/b/AGlTest.cpp"), a);
+    QCOMPARE(meant("tests/core/AUiTest.cpp"), a);
+    QCOMPARE(meant("tests/core/a/BTest.cpp"), either);
+    QCOMPARE(meant("tests/core/a/ATest.cpp"), stays);
+    QCOMPARE(meant("tests/core/a/AUiTest.cpp"), stays);
+    QCOMPARE(meant("tests/core/b/c/BTest.cpp"), stays);
+    QCOMPARE(meant("tests/core/b/ManyTest.cpp"), stays);
+    QCOMPARE(meant("tests/core/a/lightTest.cpp"), stays);
+    QCOMPARE(meant("tests/core/b/A.cpp"), stays);
+}
+
+void HouseTest::testsMirrorTheProgram_data()
 {
     QTest::addColumn<QString>("room");
-    for (const char* room : {"core", "gpu", "ui"})
+    for (const char* room : {"core", "gpu", "ui", "app"})
         QTest::newRow(room) << QString::fromLatin1(room);
 }
 
-/// A folder of more files holds two ideas; what belongs there says the README of its room.
+void HouseTest::testsMirrorTheProgram()
+{
+    QFETCH(QString, room);
+    // What commands do without a context; LostContextUiTest tells of the window's LostContext.
+    const QStringList elsewhere{QStringLiteral("tests/app/commands/LostContextGlTest.cpp")};
+    const QStringList files = filesOf(room);
+    const QStringList tests = filesOf(QStringLiteral("tests/") + room);
+    QVERIFY(!tests.empty());
+    QStringList wrong;
+    for (const QString& test : tests) {
+        const QStringList meant = foldersMeant(test, files);
+        if (!meant.empty() && !elsewhere.contains(test))
+            wrong +=
+                QStringLiteral("%1 belongs into %2").arg(test, meant.join(QStringLiteral(" or ")));
+    }
+    QVERIFY2(wrong.isEmpty(), qPrintable(wrong.join(QLatin1Char('\n'))));
+}
+
+void HouseTest::foldersAreSmallAndNamed_data()
+{
+    QTest::addColumn<QString>("room");
+    for (const char* room : {"core", "gpu", "ui", "app", "tests"})
+        QTest::newRow(room) << QString::fromLatin1(room);
+}
+
+/// A folder of more files holds two ideas; what belongs there says the README of its room. Folders
+/// of tests are called as those that they test, and tests/data holds no source.
 void HouseTest::foldersAreSmallAndNamed()
 {
     QFETCH(QString, room);
@@ -697,7 +766,9 @@ void HouseTest::foldersAreSmallAndNamed()
     for (const auto& [folder, files] : folders) {
         if (files > most)
             wrong += QStringLiteral("%1 has %2 files").arg(folder).arg(files);
-        if (!readme.contains(QStringLiteral("`%1`").arg(folder.mid(room.size() + 1))))
+        const bool isNamed = folder == room || room == QLatin1String("tests")
+            || readme.contains(QStringLiteral("`%1`").arg(folder.mid(room.size() + 1)));
+        if (!isNamed)
             wrong += QStringLiteral("%1/README.md does not name %2").arg(room, folder);
     }
     QVERIFY2(wrong.isEmpty(), qPrintable(wrong.join(QLatin1Char('\n'))));

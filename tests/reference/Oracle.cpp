@@ -4,9 +4,9 @@
 #include "core/brick/ThreadWithoutVoxels.h"
 #include "core/document/Document.h"
 #include "core/growth/SeedWord.h"
-#include "tests/reference/LayerWrites.h"
-#include "tests/reference/Radiation.h"
-#include "tests/reference/Spread.h"
+#include "tests/reference/fields/Radiation.h"
+#include "tests/reference/growth/Spread.h"
+#include "tests/reference/sculpt/LayerWrites.h"
 
 #include <algorithm>
 

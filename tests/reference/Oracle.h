@@ -2,14 +2,14 @@
 #pragma once
 
 #include "core/engine/EngineCommands.h"
-#include "tests/reference/Capsules.h"
-#include "tests/reference/DenseFields.h"
-#include "tests/reference/Drill.h"
-#include "tests/reference/Growth.h"
-#include "tests/reference/GrowthCut.h"
-#include "tests/reference/Laser.h"
-#include "tests/reference/Peel.h"
-#include "tests/reference/Tolerance.h"
+#include "tests/reference/fields/DenseFields.h"
+#include "tests/reference/growth/Growth.h"
+#include "tests/reference/growth/GrowthCut.h"
+#include "tests/reference/growth/Tolerance.h"
+#include "tests/reference/sculpt/Capsules.h"
+#include "tests/reference/sculpt/Drill.h"
+#include "tests/reference/sculpt/Laser.h"
+#include "tests/reference/sculpt/Peel.h"
 
 #include <optional>
 #include <variant>

@@ -3,7 +3,7 @@
 #include "tests/reference/Oracle.h"
 
 #include "core/growth/SeedWord.h"
-#include "tests/reference/GrowthCut.h"
+#include "tests/reference/growth/GrowthCut.h"
 
 #include <algorithm>
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/engine/EditEngine.h"
-#include "tests/reference/DenseFields.h"
+#include "tests/reference/fields/DenseFields.h"
 
 #include <memory>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/study/StudyLoader.h"
-#include "tests/support/fixtures/FrameFixture.h"
-#include "tests/support/fixtures/GlTest.h"
+#include "tests/support/fixtures/frames/FrameFixture.h"
+#include "tests/support/fixtures/frames/GlTest.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/SharedData.h"
 #include "ui/workspace/InitialDisplay.h"

@@ -2,7 +2,7 @@
 #include "core/contour/ContourEvolution.h"
 
 #include "core/export/common/SegmentMeter.h"
-#include "tests/reference/Contour.h"
+#include "tests/reference/filling/Contour.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/program/TestProgram.h"
 

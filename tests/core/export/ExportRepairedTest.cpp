@@ -7,8 +7,8 @@
 #include "core/repair/WayBack.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/series/Affine.h"
-#include "tests/support/series/DefectiveSeries.h"
 #include "tests/support/series/OpenedVolume.h"
+#include "tests/support/series/defective/DefectiveSeries.h"
 #include "ui/texts/ReportTexts.h"
 
 #include <dcmtk/config/osconfig.h>

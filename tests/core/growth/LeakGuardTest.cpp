@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/growth/LeakGuard.h"
 #include "core/growth/SeedWord.h"
-#include "tests/reference/FrontWatch.h"
+#include "tests/reference/growth/FrontWatch.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/TestVolumes.h"
 

@@ -9,7 +9,7 @@
 #include "core/masks/MaskParts.h"
 #include "core/masks/ReadImport.h"
 #include "core/recipe/Recipe.h"
-#include "tests/reference/LayerWrites.h"
+#include "tests/reference/sculpt/LayerWrites.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/series/LabelledSeries.h"
 

@@ -4,7 +4,7 @@
 #include "core/morphology/SliceDistances.h"
 #include "core/morphology/SliceParts.h"
 #include "core/volume/VolumeGeometry.h"
-#include "tests/reference/BetweenSlices.h"
+#include "tests/reference/filling/BetweenSlices.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/program/TestProgram.h"
 

@@ -3,8 +3,8 @@
 #include "core/repair/SeriesFindings.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/program/TestProgram.h"
-#include "tests/support/series/DefectiveSeries.h"
 #include "tests/support/series/OpenedVolume.h"
+#include "tests/support/series/defective/DefectiveSeries.h"
 
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dctk.h>

@@ -7,7 +7,7 @@
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/fixtures/CommandFixture.h"
 #include "tests/support/program/TestProgram.h"
-#include "tests/support/scenes/GoldenSessions.h"
+#include "tests/support/scenes/sessions/GoldenSessions.h"
 
 #include <QFile>
 #include <QTemporaryDir>

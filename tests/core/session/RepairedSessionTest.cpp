@@ -9,8 +9,8 @@
 #include "tests/reference/ReferenceEngine.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/SmallStudy.h"
-#include "tests/support/series/DefectiveSeries.h"
 #include "tests/support/series/OpenedVolume.h"
+#include "tests/support/series/defective/DefectiveSeries.h"
 
 #include <QDir>
 #include <QFile>

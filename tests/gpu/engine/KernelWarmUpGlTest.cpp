@@ -2,7 +2,7 @@
 #include "gpu/engine/KernelWarmUp.h"
 
 #include "gpu/engine/EditPrograms.h"
-#include "tests/support/fixtures/FrameTest.h"
+#include "tests/support/fixtures/frames/FrameTest.h"
 #include "tests/support/program/TestProgram.h"
 
 #include <QTest>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/growth/SeedWord.h"
-#include "tests/reference/Radiation.h"
 #include "tests/reference/ReferenceEngine.h"
+#include "tests/reference/fields/Radiation.h"
 #include "tests/support/cases/EngineConformance.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/fixtures/EditEngineFixture.h"

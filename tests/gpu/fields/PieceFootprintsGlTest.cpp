@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tests/reference/Radiation.h"
-#include "tests/support/fixtures/FrameTest.h"
+#include "tests/reference/fields/Radiation.h"
+#include "tests/support/fixtures/frames/FrameTest.h"
 #include "tests/support/program/TestProgram.h"
 
 #include <QTest>

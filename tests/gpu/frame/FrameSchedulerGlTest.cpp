@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/refine/mesh/SurfaceUpdate.h"
 #include "tests/support/faults/RefusingGl.h"
-#include "tests/support/fixtures/FrameTest.h"
+#include "tests/support/fixtures/frames/FrameTest.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/SimplexShapes.h"
 

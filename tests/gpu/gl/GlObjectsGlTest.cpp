@@ -6,7 +6,7 @@
 #include "gpu/gl/Program.h"
 #include "gpu/gl/Texture3D.h"
 #include "gpu/gl/VertexArray.h"
-#include "tests/support/fixtures/GlTest.h"
+#include "tests/support/fixtures/frames/GlTest.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/program/TraceEvents.h"
 

@@ -2,7 +2,7 @@
 #include "core/growth/SeedWord.h"
 #include "gpu/fields/BrickImages.h"
 #include "gpu/fields/bricks/BarrierBricks.h"
-#include "tests/support/fixtures/FrameTest.h"
+#include "tests/support/fixtures/frames/FrameTest.h"
 #include "tests/support/program/TestProgram.h"
 
 #include <QTest>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tests/support/fixtures/FrameFixture.h"
-#include "tests/support/fixtures/GlTest.h"
+#include "tests/support/fixtures/frames/FrameFixture.h"
+#include "tests/support/fixtures/frames/GlTest.h"
 #include "tests/support/program/TestProgram.h"
 
 #include <QTest>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tests/support/fixtures/FrameTest.h"
-#include "tests/support/fixtures/ViewRays.h"
+#include "tests/support/fixtures/frames/FrameTest.h"
+#include "tests/support/fixtures/frames/ViewRays.h"
 #include "tests/support/program/TestProgram.h"
 
 #include <QElapsedTimer>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/refine/mesh/SurfaceUpdate.h"
-#include "tests/support/fixtures/FrameTest.h"
+#include "tests/support/fixtures/frames/FrameTest.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/SimplexShapes.h"
 #include "tests/support/scenes/SlabScene.h"

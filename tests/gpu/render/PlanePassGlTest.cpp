@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/refine/mesh/SurfaceUpdate.h"
-#include "tests/support/fixtures/FrameTest.h"
-#include "tests/support/fixtures/ViewRays.h"
-#include "tests/support/fixtures/VoxelNoise.h"
+#include "tests/support/fixtures/frames/FrameTest.h"
+#include "tests/support/fixtures/frames/ViewRays.h"
+#include "tests/support/fixtures/frames/VoxelNoise.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/SimplexShapes.h"
 

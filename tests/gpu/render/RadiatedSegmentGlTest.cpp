@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tests/reference/Radiation.h"
 #include "tests/reference/ReferenceEngine.h"
+#include "tests/reference/fields/Radiation.h"
 #include "tests/support/cases/growth/GrowToClosure.h"
-#include "tests/support/fixtures/FrameTest.h"
+#include "tests/support/fixtures/frames/FrameTest.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/FigurePanels.h"
 #include "tests/support/scenes/SharedData.h"

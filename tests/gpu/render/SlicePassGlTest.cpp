@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/growth/SeedWord.h"
 #include "gpu/kernels/spread/ToleranceKernel.h"
-#include "tests/reference/Tolerance.h"
-#include "tests/support/fixtures/FrameTest.h"
+#include "tests/reference/growth/Tolerance.h"
+#include "tests/support/fixtures/frames/FrameTest.h"
 #include "tests/support/program/TestProgram.h"
 
 #include <QTest>

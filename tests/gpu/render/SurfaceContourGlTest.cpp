@@ -2,7 +2,7 @@
 #include "core/refine/mesh/SurfaceUpdate.h"
 #include "gpu/render/SurfaceContour.h"
 #include "gpu/render/parts/SurfaceBuffers.h"
-#include "tests/support/fixtures/FrameTest.h"
+#include "tests/support/fixtures/frames/FrameTest.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/SimplexShapes.h"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/refine/mesh/SurfaceUpdate.h"
-#include "tests/support/fixtures/DemoHeadScene.h"
-#include "tests/support/fixtures/FrameTest.h"
-#include "tests/support/fixtures/ViewRays.h"
+#include "tests/support/fixtures/frames/DemoHeadScene.h"
+#include "tests/support/fixtures/frames/FrameTest.h"
+#include "tests/support/fixtures/frames/ViewRays.h"
 #include "tests/support/program/LongRun.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/SimplexShapes.h"

@@ -49,11 +49,11 @@
 #include "core/engine/EngineCommands.h"
 #include "core/growth/SeedWord.h"
 #include "core/sessionfile/records/StateHash.h"
-#include "tests/reference/BetweenSlices.h"
-#include "tests/reference/Contour.h"
-#include "tests/reference/ElementPlane.h"
-#include "tests/reference/FloodFill.h"
 #include "tests/reference/ReferenceEngine.h"
+#include "tests/reference/filling/BetweenSlices.h"
+#include "tests/reference/filling/Contour.h"
+#include "tests/reference/filling/FloodFill.h"
+#include "tests/reference/sculpt/ElementPlane.h"
 #include "tests/support/cases/IslandTruth.h"
 
 #include <QJsonDocument>

@@ -65,9 +65,9 @@
 #include "tests/support/cases/HistoryTruth.h"
 #include "tests/support/cases/IslandTruth.h"
 #include "tests/support/cases/RandomEdits.h"
-#include "tests/support/scenes/GoldenSessions.h"
 #include "tests/support/scenes/PlainEdits.h"
 #include "tests/support/scenes/SmallStudy.h"
+#include "tests/support/scenes/sessions/GoldenSessions.h"
 
 #include <QJsonDocument>
 #include <QTemporaryDir>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "tests/reference/DenseFields.h"
+#include "tests/reference/fields/DenseFields.h"
 
 #include <cstdint>
 #include <random>

@@ -2,7 +2,7 @@
 #include "tests/support/fixtures/ApplicationFixture.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/SmallStudy.h"
-#include "tests/support/series/DefectiveSeries.h"
+#include "tests/support/series/defective/DefectiveSeries.h"
 #include "ui/frame/PanelSection.h"
 #include "ui/panels/SeriesDoctorPanel.h"
 #include "ui/views/ViewGrid.h"

@@ -3,10 +3,10 @@
 #include "core/dicom/codecs/FrameCodec.h"
 #include "core/fence/FencedDecoder.h"
 #include "core/study/StudyLoader.h"
-#include "tests/support/program/TestProgram.h"
 #include "tests/support/program/Sanitizer.h"
-#include "tests/support/series/HostileDicom.h"
+#include "tests/support/program/TestProgram.h"
 #include "tests/support/series/SyntheticSeries.h"
+#include "tests/support/series/defective/HostileDicom.h"
 #include "ui/texts/ProblemTexts.h"
 
 #include <QDir>

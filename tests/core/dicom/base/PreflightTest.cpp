@@ -8,8 +8,8 @@
 #include "core/study/StudyLoader.h"
 #include "tests/support/program/LongRun.h"
 #include "tests/support/program/TestProgram.h"
-#include "tests/support/series/HostileDicom.h"
 #include "tests/support/series/SyntheticSeries.h"
+#include "tests/support/series/defective/HostileDicom.h"
 
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dcistrmb.h>

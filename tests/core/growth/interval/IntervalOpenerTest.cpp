@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/growth/interval/IntervalOpener.h"
-#include "tests/reference/Growth.h"
+#include "tests/reference/growth/Growth.h"
 #include "tests/support/program/LongRun.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/TestVolumes.h"

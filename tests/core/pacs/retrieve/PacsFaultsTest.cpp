@@ -7,9 +7,9 @@
 #include "tests/support/faults/FileSizeLimit.h"
 #include "tests/support/faults/SmallFileSystem.h"
 #include "tests/support/program/TestProgram.h"
-#include "tests/support/series/HostileDicom.h"
 #include "tests/support/series/SyntheticSeries.h"
 #include "tests/support/series/VerifyResult.h"
+#include "tests/support/series/defective/HostileDicom.h"
 #include "tests/support/servers/PacsServers.h"
 #include "ui/base/ErrorText.h"
 

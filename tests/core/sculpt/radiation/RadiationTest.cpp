@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/sculpt/radiation/Radiation.h"
-#include "tests/reference/Radiation.h"
+#include "tests/reference/fields/Radiation.h"
 #include "tests/support/program/LongRun.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/TestVolumes.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/sculpt/radiation/SparseRadiation.h"
 #include "core/sculpt/radiation/Radiation.h"
-#include "tests/reference/SparseRadiation.h"
+#include "tests/reference/fields/SparseRadiation.h"
 #include "tests/support/program/LongRun.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/TestVolumes.h"

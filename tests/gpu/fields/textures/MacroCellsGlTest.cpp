@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "gpu/fields/textures/MacroCells.h"
 #include "gpu/gl/Program.h"
-#include "tests/support/fixtures/GlTest.h"
+#include "tests/support/fixtures/frames/GlTest.h"
 #include "tests/support/program/TestProgram.h"
 
 #include <QTest>

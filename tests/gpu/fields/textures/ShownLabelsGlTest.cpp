@@ -2,8 +2,8 @@
 #include "gpu/fields/textures/ShownLabels.h"
 
 #include "core/document/Document.h"
-#include "tests/reference/Radiation.h"
-#include "tests/support/fixtures/FrameTest.h"
+#include "tests/reference/fields/Radiation.h"
+#include "tests/support/fixtures/frames/FrameTest.h"
 #include "tests/support/program/TestProgram.h"
 
 #include <QTest>

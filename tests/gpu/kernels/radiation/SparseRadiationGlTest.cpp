@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "gpu/kernels/radiation/SparseRadiationKernel.h"
-#include "tests/reference/SparseRadiation.h"
-#include "tests/support/fixtures/GlTest.h"
+#include "tests/reference/fields/SparseRadiation.h"
+#include "tests/support/fixtures/frames/GlTest.h"
 #include "tests/support/program/LongRun.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/TestVolumes.h"

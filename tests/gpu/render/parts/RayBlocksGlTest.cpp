@@ -3,8 +3,8 @@
 
 #include "core/document/Piece.h"
 #include "tests/support/faults/ChangedRaycaster.h"
-#include "tests/support/fixtures/FrameFixture.h"
-#include "tests/support/fixtures/GlTest.h"
+#include "tests/support/fixtures/frames/FrameFixture.h"
+#include "tests/support/fixtures/frames/GlTest.h"
 #include "tests/support/program/TestProgram.h"
 
 #include <QTemporaryDir>

@@ -4,7 +4,7 @@
 #include "core/contour/ContourRule.h"
 #include "core/edits/EditQuantise.h"
 #include "core/edits/kinds/Edit.h"
-#include "tests/reference/Contour.h"
+#include "tests/reference/filling/Contour.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/fixtures/WorkspaceFixture.h"
 #include "tests/support/program/TestProgram.h"

@@ -5,7 +5,7 @@
 #include "core/contour/ContourRule.h"
 #include "core/contour/ContourWatch.h"
 #include "core/session/questions/VoxelQuestions.h"
-#include "tests/reference/Contour.h"
+#include "tests/reference/filling/Contour.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/fixtures/WindowFixture.h"
 #include "tests/support/fixtures/WorkspaceFixture.h"

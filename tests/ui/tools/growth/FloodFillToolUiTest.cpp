@@ -4,7 +4,7 @@
 #include "core/edits/kinds/filling/FloodFill.h"
 #include "core/session/SegmentWork.h"
 #include "core/session/questions/VoxelQuestions.h"
-#include "tests/reference/FloodFill.h"
+#include "tests/reference/filling/FloodFill.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/fixtures/Pen.h"
 #include "tests/support/fixtures/WindowFixture.h"

@@ -10,7 +10,7 @@
 #include "core/recipe/Recipe.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/PlainEdits.h"
-#include "tests/support/scenes/SmallDocument.h"
+#include "tests/support/scenes/sessions/SmallDocument.h"
 
 #include <QFile>
 #include <QTemporaryDir>

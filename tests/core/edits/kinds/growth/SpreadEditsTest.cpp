@@ -4,7 +4,7 @@
 #include "core/edits/kinds/growth/GrowFromSeeds.h"
 #include "core/edits/kinds/parts/GrowBox.h"
 #include "tests/support/program/TestProgram.h"
-#include "tests/support/scenes/SmallDocument.h"
+#include "tests/support/scenes/sessions/SmallDocument.h"
 
 #include <QTest>
 

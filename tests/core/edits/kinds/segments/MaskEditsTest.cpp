@@ -5,7 +5,7 @@
 #include "core/edits/engine/EngineEdits.h"
 #include "core/edits/kinds/segments/ImportMask.h"
 #include "core/edits/kinds/segments/ImportTargets.h"
-#include "tests/reference/LayerWrites.h"
+#include "tests/reference/sculpt/LayerWrites.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/PlainEdits.h"
 

@@ -24,8 +24,8 @@
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/PlainEdits.h"
-#include "tests/support/scenes/SessionBench.h"
 #include "tests/support/scenes/SmallStudy.h"
+#include "tests/support/scenes/sessions/SessionBench.h"
 
 #include <QJsonDocument>
 #include <QJsonObject>
