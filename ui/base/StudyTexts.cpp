@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/base/StudyTexts.h"
 
+#include "ui/base/NumberText.h"
+
 #include <QObject>
 
 #include <cmath>
@@ -65,20 +67,6 @@ QString slicesApartText(const core::VolumeGeometry& geometry)
     return geometry.slicePositions.empty()
         ? QObject::tr("every %1 mm").arg(QString::number(geometry.spacingMm().z, 'g', 4))
         : QObject::tr("unevenly spaced");
-}
-
-QString numberText(double value, int decimals)
-{
-    QString text = QString::number(value, 'f', decimals);
-    if (text.startsWith(QLatin1Char('-'))) {
-        text.remove(0, 1);
-        bool zero = true;
-        for (const QChar character : text)
-            zero = zero && (character == QLatin1Char('0') || character == QLatin1Char('.'));
-        if (!zero)
-            text.prepend(QChar(0x2212));
-    }
-    return text;
 }
 
 QString valueText(double value, const QString& unit, double span)

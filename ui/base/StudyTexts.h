@@ -34,7 +34,5 @@ namespace ui {
 [[nodiscard]] QString toleranceText(int tolerance, const core::Volume& volume);
 /// "−31.5, −12.2, 48.0 mm" (LPS).
 [[nodiscard]] QString positionText(const glm::dvec3& lps);
-/// A number with a true minus sign.
-[[nodiscard]] QString numberText(double value, int decimals);
 
 } // namespace ui

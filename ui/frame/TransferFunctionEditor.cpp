@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/frame/TransferFunctionEditor.h"
 
+#include "ui/base/NumberText.h"
 #include "ui/base/Theme.h"
 
 #include <QColorDialog>
 #include <QKeyEvent>
-#include <QLocale>
 #include <QMouseEvent>
 #include <QPainter>
 #include <QPainterPath>
@@ -182,11 +182,11 @@ void TransferFunctionEditor::paintEvent(QPaintEvent* event)
     if (!m_chosen)
         return;
     const auto& point = points[*m_chosen];
-    const QString value = QLocale().toString(point.value, 'g', 6);
+    const QString value = digitsText(point.value, 6);
     painter.setFont(theme::smallFont());
     painter.setPen(theme::text);
     painter.drawText(rect().adjusted(8, 3, -8, -3), Qt::AlignTop | Qt::AlignRight,
-        tr("%1 %2 · %3 per mm").arg(value, m_unit, QLocale().toString(point.opacity, 'f', 3)));
+        tr("%1 %2 · %3 per mm").arg(value, m_unit, numberText(point.opacity, 3)));
 }
 
 } // namespace ui

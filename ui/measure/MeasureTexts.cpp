@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/measure/MeasureTexts.h"
 
+#include "ui/base/NumberText.h"
 #include "ui/base/StudyTexts.h"
 
 #include <QCoreApplication>

@@ -3,7 +3,7 @@
 
 #include "core/edits/EditTask.h"
 #include "core/edits/document/DocumentEdits.h"
-#include "ui/base/CountText.h"
+#include "ui/base/NumberText.h"
 #include "ui/base/RowTitleText.h"
 #include "ui/workspace/Workspace.h"
 

@@ -3,7 +3,7 @@
 
 #include "core/edits/kinds/segments/ChangeSegment.h"
 #include "core/session/past/FollowedInterval.h"
-#include "ui/base/CountText.h"
+#include "ui/base/NumberText.h"
 #include "ui/base/StudyTexts.h"
 #include "ui/workspace/ViewSteps.h"
 #include "ui/workspace/Workspace.h"

@@ -3,7 +3,7 @@
 
 #include "core/export/common/StatisticsText.h"
 #include "core/measure/MeasuredSize.h"
-#include "ui/base/CountText.h"
+#include "ui/base/NumberText.h"
 #include "ui/base/StudyTexts.h"
 #include "ui/base/Theme.h"
 #include "ui/measure/LiveStatistics.h"

@@ -2,6 +2,7 @@
 #include "ui/panels/ClippingPanel.h"
 
 #include "ui/base/Icons.h"
+#include "ui/base/NumberText.h"
 #include "ui/base/SmallLabel.h"
 #include "ui/base/StudyTexts.h"
 #include "ui/base/Theme.h"

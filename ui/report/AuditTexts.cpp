@@ -2,7 +2,7 @@
 #include "ui/report/AuditTexts.h"
 
 #include "core/repair/SeriesRepair.h"
-#include "ui/base/CountText.h"
+#include "ui/base/NumberText.h"
 #include "ui/report/AuditSegments.h"
 #include "ui/texts/ClauseText.h"
 #include "ui/texts/SessionTexts.h"

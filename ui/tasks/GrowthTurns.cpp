@@ -4,6 +4,7 @@
 #include "core/edits/kinds/growth/GrowCriteria.h"
 #include "core/edits/kinds/growth/GrowSteps.h"
 #include "core/session/EditSession.h"
+#include "ui/base/NumberText.h"
 #include "ui/base/StudyTexts.h"
 #include "ui/settings/GrowSettings.h"
 #include "ui/workspace/PendingSeeds.h"

@@ -5,7 +5,7 @@
 #include "core/edits/kinds/growth/GrowSteps.h"
 #include "core/session/past/RecentGrowth.h"
 #include "core/session/questions/VoxelQuestions.h"
-#include "ui/base/CountText.h"
+#include "ui/base/NumberText.h"
 #include "ui/settings/GrowSettings.h"
 #include "ui/workspace/PendingSeeds.h"
 #include "ui/workspace/Workspace.h"

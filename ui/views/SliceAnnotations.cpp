@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What is drawn over the picture of a slice.
+#include "ui/base/NumberText.h"
 #include "ui/base/StudyTexts.h"
 #include "ui/base/Theme.h"
 #include "ui/base/TimeText.h"

@@ -11,6 +11,7 @@
 #include "core/edits/kinds/pieces/SendPiecesHome.h"
 #include "core/history/StandingStrokes.h"
 #include "core/session/questions/VoxelQuestions.h"
+#include "ui/base/NumberText.h"
 #include "ui/base/RowTitleText.h"
 #include "ui/base/StudyTexts.h"
 #include "ui/workspace/LayerActions.h"

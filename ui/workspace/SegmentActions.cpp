@@ -17,7 +17,7 @@
 #include "core/edits/kinds/splitting/SplitSegment.h"
 #include "core/edits/kinds/values/ThresholdSegment.h"
 #include "core/session/questions/VoxelQuestions.h"
-#include "ui/base/CountText.h"
+#include "ui/base/NumberText.h"
 #include "ui/base/RowTitleText.h"
 #include "ui/workspace/CuttingPlane.h"
 #include "ui/workspace/Workspace.h"

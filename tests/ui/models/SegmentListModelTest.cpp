@@ -7,7 +7,7 @@
 #include "tests/support/fixtures/WorkspaceFixture.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/PlainEdits.h"
-#include "ui/base/CountText.h"
+#include "ui/base/NumberText.h"
 #include "ui/workspace/SegmentActions.h"
 
 #include <QAbstractItemModelTester>

@@ -9,7 +9,7 @@
 #include "tests/support/fixtures/WorkspaceFixture.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/PlainEdits.h"
-#include "ui/base/CountText.h"
+#include "ui/base/NumberText.h"
 #include "ui/panels/growth/GrowthPanel.h"
 #include "ui/widgets/HistogramRange.h"
 #include "ui/widgets/HistogramRangePlot.h"

@@ -2,6 +2,7 @@
 #include "tests/support/fixtures/WindowFixture.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/PlainEdits.h"
+#include "ui/base/NumberText.h"
 #include "ui/base/StudyTexts.h"
 #include "ui/dialogs/study/OpenStudyDialog.h"
 #include "ui/frame/MessageBar.h"

@@ -6,7 +6,7 @@
 #include "core/session/past/PastImports.h"
 #include "core/session/past/SegmentLayers.h"
 #include "core/sessionfile/SessionStudy.h"
-#include "ui/base/CountText.h"
+#include "ui/base/NumberText.h"
 #include "ui/base/TabOrder.h"
 #include "ui/base/Theme.h"
 #include "ui/dialogs/export/ExportOptions.h"

@@ -5,7 +5,7 @@
 #include "core/edits/kinds/segments/ChangeSegment.h"
 #include "core/session/EditSession.h"
 #include "core/session/past/SeedStrokes.h"
-#include "ui/base/CountText.h"
+#include "ui/base/NumberText.h"
 #include "ui/base/StudyTexts.h"
 #include "ui/base/Theme.h"
 #include "ui/dialogs/CodeDialog.h"

@@ -2,7 +2,7 @@
 #include "ui/dialogs/segment/BetweenSlicesDialog.h"
 
 #include "core/session/EditSession.h"
-#include "ui/base/CountText.h"
+#include "ui/base/NumberText.h"
 #include "ui/base/Theme.h"
 #include "ui/dialogs/segment/SegmentWorkRow.h"
 #include "ui/geometry/ViewPlane.h"

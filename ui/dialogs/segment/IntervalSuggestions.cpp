@@ -5,11 +5,11 @@
 #include "core/session/EditSession.h"
 #include "core/session/questions/VoxelQuestions.h"
 #include "core/volume/OtsuThresholds.h"
+#include "ui/base/NumberText.h"
 #include "ui/base/Theme.h"
 #include "ui/workspace/Workspace.h"
 
 #include <QHBoxLayout>
-#include <QLocale>
 #include <QMenu>
 #include <QPointer>
 #include <QToolButton>
@@ -40,7 +40,7 @@ std::vector<Tissue> tissuesOfCt()
 QString intervalText(const std::pair<double, double>& interval, const QString& unit)
 {
     const QString text = IntervalSuggestions::tr("%1 … %2").arg(
-        QLocale().toString(interval.first, 'g', 5), QLocale().toString(interval.second, 'g', 5));
+        digitsText(interval.first, 5), digitsText(interval.second, 5));
     return unit.isEmpty() ? text : text + QLatin1Char(' ') + unit;
 }
 

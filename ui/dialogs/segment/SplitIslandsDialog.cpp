@@ -3,7 +3,7 @@
 
 #include "core/islands/SegmentIslands.h"
 #include "core/session/EditSession.h"
-#include "ui/base/CountText.h"
+#include "ui/base/NumberText.h"
 #include "ui/base/Theme.h"
 #include "ui/menus/SegmentMenus.h"
 #include "ui/workspace/SegmentActions.h"

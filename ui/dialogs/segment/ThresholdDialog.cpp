@@ -3,7 +3,7 @@
 
 #include "core/session/EditSession.h"
 #include "core/session/past/FollowedInterval.h"
-#include "ui/base/CountText.h"
+#include "ui/base/NumberText.h"
 #include "ui/base/Theme.h"
 #include "ui/dialogs/segment/IntervalSuggestions.h"
 #include "ui/dialogs/segment/ThresholdTrial.h"

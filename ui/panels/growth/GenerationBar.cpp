@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/panels/growth/GenerationBar.h"
 
-#include "ui/base/CountText.h"
+#include "ui/base/NumberText.h"
 #include "ui/base/Theme.h"
 #include "ui/widgets/MarkedCurve.h"
 

@@ -6,7 +6,7 @@
 #include "core/edits/kinds/growth/GrowSteps.h"
 #include "core/edits/kinds/growth/ShrinkSteps.h"
 #include "core/session/EditSession.h"
-#include "ui/base/CountText.h"
+#include "ui/base/NumberText.h"
 
 #include <QObject>
 

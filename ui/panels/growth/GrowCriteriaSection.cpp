@@ -3,6 +3,7 @@
 
 #include "core/session/EditSession.h"
 #include "core/session/questions/VoxelQuestions.h"
+#include "ui/base/NumberText.h"
 #include "ui/base/SmallLabel.h"
 #include "ui/base/StudyTexts.h"
 #include "ui/base/Theme.h"

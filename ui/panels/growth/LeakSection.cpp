@@ -5,7 +5,7 @@
 #include "core/edits/kinds/growth/ShrinkSteps.h"
 #include "core/session/EditSession.h"
 #include "core/session/StepFindings.h"
-#include "ui/base/CountText.h"
+#include "ui/base/NumberText.h"
 #include "ui/base/Theme.h"
 #include "ui/workspace/Workspace.h"
 

@@ -5,7 +5,7 @@
 #include "core/session/EditSession.h"
 #include "core/session/past/LabelReader.h"
 #include "core/session/questions/VoxelQuestions.h"
-#include "ui/base/CountText.h"
+#include "ui/base/NumberText.h"
 #include "ui/base/Theme.h"
 #include "ui/workspace/Workspace.h"
 

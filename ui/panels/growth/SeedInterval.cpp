@@ -3,6 +3,7 @@
 
 #include "core/session/EditSession.h"
 #include "core/session/past/RecentGrowth.h"
+#include "ui/base/NumberText.h"
 #include "ui/base/StudyTexts.h"
 #include "ui/base/Theme.h"
 #include "ui/settings/SeedValues.h"
@@ -12,7 +13,6 @@
 
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QLocale>
 #include <QScopedValueRollback>
 #include <QSignalBlocker>
 #include <QSlider>
@@ -329,7 +329,7 @@ void SeedInterval::showState()
     m_use->setEnabled(known);
     m_tolerance->setEnabled(known);
     m_text->setText(
-        tr("± %1 σ").arg(QLocale().toString(double(m_tolerance->value()) / stepsPerDeviation)));
+        tr("± %1 σ").arg(digitsText(double(m_tolerance->value()) / stepsPerDeviation, 6)));
 }
 
 QString SeedInterval::text(int seeds) const

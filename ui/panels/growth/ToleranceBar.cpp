@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/panels/growth/ToleranceBar.h"
 
-#include "ui/base/CountText.h"
+#include "ui/base/NumberText.h"
 #include "ui/base/Theme.h"
 #include "ui/widgets/MarkedCurve.h"
 
 #include <QHelpEvent>
 #include <QKeyEvent>
-#include <QLocale>
 #include <QMouseEvent>
 #include <QPainter>
 #include <QToolTip>
@@ -208,10 +207,9 @@ bool ToleranceBar::event(QEvent* event)
         if (jump != m_jumps.end() && *jump > 0) {
             const double before =
                 double(std::max<std::int64_t>(m_members[std::size_t(*jump - 1)], 1));
-            text =
-                tr("%1: %2 times as large as just before")
-                    .arg(textFor(*jump),
-                        QLocale().toString(double(m_members[std::size_t(*jump)]) / before, 'f', 1));
+            text = tr("%1: %2 times as large as just before")
+                       .arg(textFor(*jump),
+                           numberText(double(m_members[std::size_t(*jump)]) / before, 1));
         }
     }
     QToolTip::showText(help->globalPos(), text, this);

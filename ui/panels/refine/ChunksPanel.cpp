@@ -3,6 +3,7 @@
 
 #include "core/edits/kinds/chunks/DivideSegment.h"
 #include "core/masks/MaskOnVolume.h"
+#include "ui/base/NumberText.h"
 #include "ui/base/SmallLabel.h"
 #include "ui/base/Theme.h"
 #include "ui/panels/refine/LikelySection.h"
@@ -18,7 +19,6 @@
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QLocale>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QSignalBlocker>
@@ -210,8 +210,7 @@ void ChunksPanel::buildLook()
         grid->addWidget(value, row, 2);
         return std::pair(made, value);
     };
-    std::tie(m_count, m_countText) =
-        slider(0, tr("Chunks"), "chunkCount", QLocale().toString(Chunks::most));
+    std::tie(m_count, m_countText) = slider(0, tr("Chunks"), "chunkCount", countText(Chunks::most));
     m_count->setRange(sliderOf(Chunks::fewest), sliderOf(Chunks::most));
     m_count->setSingleStep(10);
     m_count->setPageStep(50);
@@ -251,7 +250,7 @@ QString ChunksPanel::summary() const
     const Chunks& chunks = m_workspace.chunks();
     if (chunks.isWorking())
         return tr("working …");
-    return chunks.map() ? tr("%1 chunks").arg(QLocale().toString(chunks.shownCount())) : QString();
+    return chunks.map() ? tr("%1 chunks").arg(countText(chunks.shownCount())) : QString();
 }
 
 void ChunksPanel::show()
@@ -287,15 +286,14 @@ void ChunksPanel::show()
         const QSignalBlocker opacity(m_opacity);
         m_shown->setChecked(look.shown);
         m_count->setValue(sliderOf(look.count));
-        m_countText->setText(QLocale().toString(chunks.map() ? chunks.shownCount() : look.count));
+        m_countText->setText(countText(chunks.map() ? chunks.shownCount() : look.count));
         m_opacity->setValue(int(std::lround(100.0f * look.opacity)));
         m_opacityText->setText(tr("%1 %").arg(m_opacity->value()));
         m_bodies->setCurrentIndex(int(look.bodies));
-        m_state->setText(chunks.map()
-                ? tr("%1 has %2 of %3 chunks")
-                      .arg(divided->name, QLocale().toString(chunks.ownCount()),
-                          QLocale().toString(chunks.shownCount()))
-                : tr("%1 is divided").arg(divided->name));
+        m_state->setText(chunks.map() ? tr("%1 has %2 of %3 chunks")
+                                            .arg(divided->name, countText(chunks.ownCount()),
+                                                countText(chunks.shownCount()))
+                                      : tr("%1 is divided").arg(divided->name));
     }
     Q_EMIT summaryChanged(summary());
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/panels/refine/ComparePanel.h"
 
+#include "ui/base/NumberText.h"
 #include "ui/base/Theme.h"
 #include "ui/panels/refine/LookFirstSection.h"
 #include "ui/tasks/MaskImporter.h"
@@ -10,7 +11,6 @@
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QLocale>
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
@@ -24,11 +24,6 @@ QLabel* smallLabel(const QString& text, QWidget* parent)
     auto* label = new QLabel(text, parent);
     label->setFont(theme::smallFont());
     return label;
-}
-
-QString number(double value, int decimals)
-{
-    return QLocale().toString(value, 'f', decimals);
 }
 
 } // namespace
@@ -120,7 +115,7 @@ QString ComparePanel::title() const
 QString ComparePanel::summary() const
 {
     const auto& outcome = m_comparison.outcome();
-    return outcome ? tr("Dice %1").arg(number(outcome->comparison.dice, 3)) : QString();
+    return outcome ? tr("Dice %1").arg(numberText(outcome->comparison.dice, 3)) : QString();
 }
 
 void ComparePanel::ask()
@@ -175,17 +170,18 @@ void ComparePanel::show()
         const glm::dvec3 spacing = m_workspace.volume()->geometry.spacingMm();
         const auto millilitres = [&](std::uint64_t voxels) {
             return tr("%1 mL").arg(
-                number(double(voxels) * spacing.x * spacing.y * spacing.z / 1000.0, 2));
+                numberText(double(voxels) * spacing.x * spacing.y * spacing.z / 1000.0, 2));
         };
         m_values[0]->setText(millilitres(comparison.voxels - comparison.sharedVoxels));
         m_values[1]->setText(millilitres(comparison.referenceVoxels - comparison.sharedVoxels));
         if (comparison.relativeVolumeError)
             m_values[2]->setText(
-                tr("%1 %").arg(number(100.0 * *comparison.relativeVolumeError, 2)));
-        m_values[3]->setText(number(comparison.dice, 4));
+                tr("%1 %").arg(numberText(100.0 * *comparison.relativeVolumeError, 2)));
+        m_values[3]->setText(numberText(comparison.dice, 4));
         if (comparison.distances) {
-            m_values[4]->setText(tr("%1 mm").arg(number(comparison.distances->hausdorff95Mm, 2)));
-            m_values[5]->setText(tr("%1 mm").arg(number(comparison.distances->meanMm, 2)));
+            m_values[4]->setText(
+                tr("%1 mm").arg(numberText(comparison.distances->hausdorff95Mm, 2)));
+            m_values[5]->setText(tr("%1 mm").arg(numberText(comparison.distances->meanMm, 2)));
         }
     }
     Q_EMIT summaryChanged(summary());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/panels/refine/DoubtsSection.h"
 
+#include "ui/base/NumberText.h"
 #include "ui/base/StudyTexts.h"
 #include "ui/base/Theme.h"
 #include "ui/workspace/Refinement.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/panels/refine/LikelySection.h"
 
-#include "ui/base/CountText.h"
+#include "ui/base/NumberText.h"
 #include "ui/base/SmallLabel.h"
 #include "ui/base/Theme.h"
 #include "ui/workspace/Chunks.h"

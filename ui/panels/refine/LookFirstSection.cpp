@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/panels/refine/LookFirstSection.h"
 
-#include "ui/base/CountText.h"
+#include "ui/base/NumberText.h"
 #include "ui/base/SmallLabel.h"
 #include "ui/base/StudyTexts.h"
 #include "ui/base/Theme.h"

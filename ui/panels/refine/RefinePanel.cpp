@@ -5,6 +5,7 @@
 #include "core/refine/deform/RefineSurface.h"
 #include "core/refine/mesh/SurfaceFile.h"
 #include "core/session/SessionSurface.h"
+#include "ui/base/NumberText.h"
 #include "ui/base/RowTitleText.h"
 #include "ui/base/SmallLabel.h"
 #include "ui/base/Theme.h"
@@ -19,7 +20,6 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QListWidget>
-#include <QLocale>
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QSlider>
@@ -40,9 +40,8 @@ constexpr int vertexStep = 1000;
 
 QString areaText(double areaMm2)
 {
-    return areaMm2 < 100.0
-        ? RefinePanel::tr("%1 mm²").arg(QLocale().toString(areaMm2, 'f', 0))
-        : RefinePanel::tr("%1 cm²").arg(QLocale().toString(areaMm2 / 100.0, 'f', 1));
+    return areaMm2 < 100.0 ? RefinePanel::tr("%1 mm²").arg(numberText(areaMm2, 0))
+                           : RefinePanel::tr("%1 cm²").arg(numberText(areaMm2 / 100.0, 1));
 }
 
 } // namespace
@@ -235,7 +234,7 @@ QString RefinePanel::summary() const
         return {};
     return surface->isApart()
         ? tr("differs from the segment")
-        : tr("%1 vertices").arg(QLocale().toString(qulonglong(refinement.mirror().vertexCount())));
+        : tr("%1 vertices").arg(countText(qulonglong(refinement.mirror().vertexCount())));
 }
 
 QString RefinePanel::asLaidText() const
@@ -303,7 +302,7 @@ void RefinePanel::showErrors()
     const std::array<std::size_t, 3> counts = refinement.mirror().markCounts();
     const double all = std::max<double>(1.0, double(refinement.mirror().vertexCount()));
     const auto share = [&](core::SurfaceMark mark) {
-        return QLocale().toString(100.0 * double(counts[std::size_t(mark)]) / all, 'f', 1);
+        return numberText(100.0 * double(counts[std::size_t(mark)]) / all, 1);
     };
     m_counts->setText(tr("green %1 %, red %2 %, the rest follows the mask")
                           .arg(share(core::SurfaceMark::Green), share(core::SurfaceMark::Red)));

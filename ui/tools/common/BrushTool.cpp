@@ -3,11 +3,11 @@
 
 #include "core/edits/kinds/parts/BrushPath.h"
 #include "core/session/questions/VoxelQuestions.h"
+#include "ui/base/NumberText.h"
 #include "ui/tools/aim/CursorLabel.h"
 #include "ui/tools/aim/SeenSurface.h"
 #include "ui/tools/common/PenPressure.h"
 
-#include <QLocale>
 #include <QPainter>
 #include <QPointer>
 
@@ -315,7 +315,7 @@ void BrushTool::paintOverlay(QPainter& painter, const ViewContext& view) const
     const auto draw = core::isSquare(shape) ? drawCursorSquare : drawCursorRing;
     draw(painter, cursor(), radius, colour(), m_inverted);
 
-    QString size = tr("radius %1 mm").arg(QLocale().toString(settings().radiusMm, 'f', 1));
+    QString size = tr("radius %1 mm").arg(numberText(settings().radiusMm, 1));
     if (view.isSlice())
         size += shapeText(shape);
     QStringList lines{action(m_inverted), size};

@@ -2,7 +2,7 @@
 #include "ui/tools/contour/ContourTool.h"
 
 #include "core/session/SegmentWork.h"
-#include "ui/base/CountText.h"
+#include "ui/base/NumberText.h"
 #include "ui/base/StudyTexts.h"
 #include "ui/settings/SeedValues.h"
 #include "ui/tools/aim/CursorLabel.h"

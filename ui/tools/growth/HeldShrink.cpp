@@ -4,7 +4,7 @@
 #include "core/edits/kinds/growth/ShrinkAt.h"
 #include "core/growth/GrowthProgress.h"
 #include "core/session/EditSession.h"
-#include "ui/base/CountText.h"
+#include "ui/base/NumberText.h"
 #include "ui/workspace/Workspace.h"
 
 #include <algorithm>

@@ -3,6 +3,7 @@
 
 #include "core/session/StepFindings.h"
 #include "core/session/questions/VoxelQuestions.h"
+#include "ui/base/NumberText.h"
 #include "ui/tools/common/PenPressure.h"
 #include "ui/tools/common/SeedOptions.h"
 #include "ui/tools/growth/SeedMarks.h"
@@ -17,7 +18,6 @@
 #include "ui/tools/aim/SeenVoxels.h"
 
 #include <QHBoxLayout>
-#include <QLocale>
 #include <QPainter>
 #include <QPointer>
 #include <QToolButton>
@@ -269,7 +269,7 @@ QStringList SeedTool::cursorLines() const
 {
     QStringList lines = SketchTool::cursorLines();
     if (m_byPressure)
-        lines += tr("pressed fully %1 mm to each side").arg(QLocale().toString(m_reachMm, 'f', 1));
+        lines += tr("pressed fully %1 mm to each side").arg(numberText(m_reachMm, 1));
     return lines;
 }
 

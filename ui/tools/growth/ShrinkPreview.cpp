@@ -3,7 +3,7 @@
 
 #include "core/edits/kinds/growth/ShrinkAt.h"
 #include "core/session/questions/VoxelQuestions.h"
-#include "ui/base/CountText.h"
+#include "ui/base/NumberText.h"
 #include "ui/workspace/Workspace.h"
 
 #include <QPointer>

@@ -4,6 +4,7 @@
 #include "core/edits/EditQuantise.h"
 #include "core/edits/engine/NudgeDisc.h"
 #include "core/edits/kinds/segments/PaintStroke.h"
+#include "ui/base/NumberText.h"
 #include "ui/base/Theme.h"
 #include "ui/tools/aim/CursorLabel.h"
 #include "ui/tools/common/BrushTool.h"
@@ -13,7 +14,6 @@
 #include "ui/workspace/SegmentActions.h"
 #include "ui/workspace/Workspace.h"
 
-#include <QLocale>
 #include <QPainter>
 
 #include <algorithm>
@@ -344,7 +344,7 @@ void NudgeTool::paintOverlay(QPainter& painter, const ViewContext& view) const
     const double radius = radiusMm() / view.mmPerPixel();
     drawCursorRing(painter, m_cursor, radius, colour, outwards == false);
     drawCursorCross(painter, m_cursor, colour); // what lies under it decides
-    const QString size = tr("radius %1 mm").arg(QLocale().toString(radiusMm(), 'f', 1));
+    const QString size = tr("radius %1 mm").arg(numberText(radiusMm(), 1));
     QStringList lines{target(),
         radiusMm() < m_settings.radiusMm ? tr("%1, as far as the border").arg(size) : size};
     if (const QString limits = limitsText(m_workspace); !limits.isEmpty())

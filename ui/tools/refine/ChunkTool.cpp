@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/tools/refine/ChunkTool.h"
 
-#include "ui/base/CountText.h"
+#include "ui/base/NumberText.h"
 #include "ui/tools/aim/CursorLabel.h"
 #include "ui/tools/refine/ChunkOptions.h"
 #include "ui/tools/refine/ChunkRay.h"

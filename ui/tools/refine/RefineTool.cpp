@@ -8,11 +8,11 @@
 #include "core/edits/kinds/surface/SmoothSurface.h"
 #include "core/edits/kinds/surface/SpherePush.h"
 #include "core/edits/kinds/surface/SurfacePath.h"
+#include "ui/base/NumberText.h"
 #include "ui/tools/aim/CursorLabel.h"
 #include "ui/tools/common/PenPressure.h"
 #include "ui/tools/refine/RefineOptions.h"
 
-#include <QLocale>
 #include <QPainter>
 
 #include <algorithm>
@@ -372,7 +372,7 @@ void RefineTool::paintOverlay(QPainter& painter, const ViewContext& view) const
     const double radius = m_pressure * radiusMm / view.mmPerPixel();
     drawCursorRing(painter, cursor(), radius, colour(), m_inverted);
     drawCursorLabel(painter, view.sizePixels, cursor(), radius,
-        {target(), tr("radius %1 mm").arg(QLocale().toString(radiusMm, 'f', 1))});
+        {target(), tr("radius %1 mm").arg(numberText(radiusMm, 1))});
 }
 
 } // namespace ui

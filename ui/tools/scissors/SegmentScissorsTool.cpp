@@ -5,6 +5,7 @@
 #include "core/edits/kinds/filling/SegmentScissors.h"
 #include "core/session/EditSession.h"
 #include "ui/base/DisplayJson.h"
+#include "ui/base/NumberText.h"
 #include "ui/tools/aim/CursorLabel.h"
 #include "ui/tools/aim/PickQuestion.h"
 #include "ui/tools/common/PaintLimits.h"
@@ -13,7 +14,6 @@
 #include "ui/workspace/SegmentActions.h"
 #include "ui/workspace/Workspace.h"
 
-#include <QLocale>
 #include <QPainter>
 #include <QPainterPath>
 
@@ -311,9 +311,8 @@ void SegmentScissorsTool::paintOverlay(QPainter& painter, const ViewContext& vie
     painter.drawEllipse(cursor(), 2.0, 2.0);
     QStringList lines;
     if (!isOutside(doesNow()))
-        lines << (m_settings.depthMm > 0.0
-                ? tr("%1 mm deep").arg(QLocale().toString(m_settings.depthMm, 'f', 1))
-                : tr("through everything"));
+        lines << (m_settings.depthMm > 0.0 ? tr("%1 mm deep").arg(numberText(m_settings.depthMm, 1))
+                                           : tr("through everything"));
     lines << target();
     if (const QString limits = limitsText(m_workspace); !limits.isEmpty())
         lines << limits;

@@ -5,6 +5,7 @@
 #include "core/edits/kinds/sculpt/DrillStroke.h"
 #include "core/edits/kinds/sculpt/ToolMasks.h"
 #include "core/session/questions/VoxelQuestions.h"
+#include "ui/base/NumberText.h"
 #include "ui/tools/aim/CursorLabel.h"
 #include "ui/tools/aim/DrillMask.h"
 #include "ui/tools/aim/DrillSurface.h"
@@ -43,8 +44,7 @@ double stepped(double value, int steps, double minimum, double maximum)
 QString sizeText(const Workspace::DrillSettings& settings)
 {
     const bool round = settings.shape == core::ToolMask::Kind::Circle && !settings.freehand;
-    const QString mm =
-        QLocale().toString(round ? settings.radiusMm : 2.0 * settings.radiusMm, 'f', 1);
+    const QString mm = numberText(round ? settings.radiusMm : 2.0 * settings.radiusMm, 1);
     if (round)
         return DrillTool::tr("radius %1 mm").arg(mm);
     return settings.freehand ? DrillTool::tr("%1 mm across").arg(mm)
@@ -447,13 +447,13 @@ void DrillTool::paintOverlay(QPainter& painter, const ViewContext& view) const
     painter.setPen(Qt::NoPen);
     painter.drawEllipse(cursor(), 2.0, 2.0);
 
-    const QString full = QLocale().toString(depthMm(), 'f', 1);
+    const QString full = numberText(depthMm(), 1);
     const bool rate = settings.mode == core::DrillMode::Rate;
     QString depth = rate ? tr("%1 mm a second").arg(full) : tr("%1 mm deep").arg(full);
     if (m_strokeView && !rate) {
         // Mode Limit: the depth grows with the square of the pressure (DrillStroke's exponent).
         const double now = depthMm() * m_pressure * m_pressure;
-        depth = tr("%1 of %2 mm").arg(QLocale().toString(now, 'f', 1), full);
+        depth = tr("%1 of %2 mm").arg(numberText(now, 1), full);
     }
     QStringList lines{depth, sizeText(settings), target()};
     // Where the picture itself does not say where a cut starts.

@@ -3,6 +3,7 @@
 
 #include "core/session/EditSession.h"
 #include "ui/base/DisplayJson.h"
+#include "ui/base/NumberText.h"
 #include "ui/tools/aim/CursorLabel.h"
 #include "ui/tools/sculpt/PeelOptions.h"
 #include "ui/workspace/Workspace.h"
@@ -183,8 +184,8 @@ void PeelTool::confirm()
     if (!m_open)
         return;
     close(core::Ending::Commit);
-    workspace().say(tr("Peeled off %1 mm; Ctrl+L lifts it as a piece")
-                        .arg(QLocale().toString(m_depthMm, 'f', 1)));
+    workspace().say(
+        tr("Peeled off %1 mm; Ctrl+L lifts it as a piece").arg(numberText(m_depthMm, 1)));
 }
 
 /// What was chosen stays chosen, and the user hears of it.
@@ -243,8 +244,7 @@ core::RowId PeelTool::keptRow() const
 
 QString PeelTool::keptText() const
 {
-    return tr("The open peel, %1 mm, was kept as a step")
-        .arg(QLocale().toString(m_depthMm, 'f', 1));
+    return tr("The open peel, %1 mm, was kept as a step").arg(numberText(m_depthMm, 1));
 }
 
 void PeelTool::offerToTakeBack()
@@ -272,7 +272,7 @@ SurfacePatch PeelTool::taken(SurfacePatch surface) const
 
 QStringList PeelTool::lines() const
 {
-    const QString depth = tr("%1 mm thick").arg(QLocale().toString(m_depthMm, 'f', 1));
+    const QString depth = tr("%1 mm thick").arg(numberText(m_depthMm, 1));
     if (m_depthDrag)
         return {depth, tr("letting go keeps it, Esc takes it back")};
     return m_open ? QStringList{depth, tr("drag down for deeper, up for shallower")}

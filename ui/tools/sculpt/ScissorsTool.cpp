@@ -3,6 +3,7 @@
 
 #include "core/edits/kinds/sculpt/ScissorsCut.h"
 #include "ui/base/DisplayJson.h"
+#include "ui/base/NumberText.h"
 #include "ui/base/Theme.h"
 #include "ui/workspace/Workspace.h"
 
@@ -130,9 +131,8 @@ void ScissorsTool::cut(const Sketch& sketch)
 
 QStringList ScissorsTool::lines() const
 {
-    QString depth = m_settings.limited
-        ? tr("%1 mm deep").arg(QLocale().toString(m_settings.depthMm, 'f', 1))
-        : tr("through everything");
+    QString depth = m_settings.limited ? tr("%1 mm deep").arg(numberText(m_settings.depthMm, 1))
+                                       : tr("through everything");
     if (m_settings.firstLayerOnly)
         depth = m_settings.limited ? tr("%1, first layer only").arg(depth) : tr("the first layer");
     return {depth};

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/tools/sculpt/ToolMaskDrawing.h"
 
+#include "ui/base/NumberText.h"
 #include "ui/tools/aim/CursorLabel.h"
 #include "ui/tools/aim/DrillMask.h"
 #include "ui/tools/sculpt/DrillOptions.h"
 #include "ui/workspace/Workspace.h"
 
-#include <QLocale>
 #include <QPainter>
 
 #include <algorithm>
@@ -102,7 +102,7 @@ void ToolMaskDrawing::take(const std::vector<glm::dvec2>& curveMm, double mmPerP
     m_asked = false;
     m_workspace.setDrillSettings(settings);
     follow();
-    const QString across = QLocale().toString(2.0 * settings.radiusMm, 'f', 1);
+    const QString across = numberText(2.0 * settings.radiusMm, 1);
     if (settings.radiusMm < drawn->radiusMm)
         m_workspace.say(
             tr("The outline is the mask now, made smaller: %1 mm across is the most").arg(across));

@@ -2,12 +2,12 @@
 #include "ui/tools/view/UndoHereTool.h"
 
 #include "core/session/questions/VoxelQuestions.h"
+#include "ui/base/NumberText.h"
 #include "ui/tasks/UndoOnly.h"
 #include "ui/tools/aim/CursorLabel.h"
 #include "ui/tools/aim/PickQuestion.h"
 #include "ui/workspace/Workspace.h"
 
-#include <QLocale>
 #include <QPainter>
 #include <QPointer>
 
@@ -187,7 +187,7 @@ void UndoHereTool::paintOverlay(QPainter& painter, const ViewContext& view) cons
             painter.drawEllipse(cursor(), radius, radius);
     }
     drawCursorLabel(painter, view.sizePixels, cursor(), rectangle ? 4.0 : radius,
-        {target(), tr("within %1 mm").arg(QLocale().toString(m_radiusMm, 'f', 1))});
+        {target(), tr("within %1 mm").arg(numberText(m_radiusMm, 1))});
 }
 
 } // namespace ui

@@ -8,7 +8,7 @@
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/PlainEdits.h"
 #include "tests/support/scenes/SmallStudy.h"
-#include "ui/base/CountText.h"
+#include "ui/base/NumberText.h"
 
 #include <QComboBox>
 #include <QLabel>

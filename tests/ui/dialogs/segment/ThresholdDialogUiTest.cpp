@@ -10,7 +10,7 @@
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/PlainEdits.h"
 #include "tests/support/scenes/SmallStudy.h"
-#include "ui/base/CountText.h"
+#include "ui/base/NumberText.h"
 #include "ui/widgets/HistogramRange.h"
 
 #include <QCheckBox>

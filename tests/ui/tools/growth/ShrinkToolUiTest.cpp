@@ -11,7 +11,7 @@
 #include "tests/support/fixtures/WindowFixture.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/PlainEdits.h"
-#include "ui/base/CountText.h"
+#include "ui/base/NumberText.h"
 #include "ui/tools/growth/HeldShrink.h"
 #include "ui/tools/growth/ShrinkPreview.h"
 #include "ui/views/ViewGrid.h"

@@ -5,7 +5,15 @@
 
 #include <cstdint>
 
+/// Numbers as users read them, everywhere alike: the decimal sign of the system, a true minus sign,
+/// no "−0.0", and no groups but those of countText().
 namespace ui {
+
+/// "−31.5": @p value with a fixed number of decimals.
+[[nodiscard]] QString numberText(double value, int decimals);
+
+/// "−31.5", "1024", "0.00012": @p value with at most @p digits digits that count.
+[[nodiscard]] QString digitsText(double value, int digits);
 
 /// A count with its digits in groups of three, as in the names of the history: 18204 → "18 204".
 [[nodiscard]] QString countText(qlonglong count);

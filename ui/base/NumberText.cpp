@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/base/NumberText.h"
+
+#include <QLocale>
+#include <QObject>
+
+#include <algorithm>
+#include <cmath>
+
+namespace ui {
+
+namespace {
+
+QString writtenOut(double value, char format, int precision)
+{
+    QLocale locale;
+    locale.setNumberOptions(QLocale::OmitGroupSeparator);
+    const QString text = locale.toString(std::abs(value), format, precision);
+    const bool isZero = std::none_of(text.begin(), text.end(),
+        [](QChar character) { return character.isDigit() && character.digitValue() != 0; });
+    return value < 0.0 && !isZero ? QChar(0x2212) + text : text;
+}
+
+} // namespace
+
+QString numberText(double value, int decimals)
+{
+    return writtenOut(value, 'f', decimals);
+}
+
+QString digitsText(double value, int digits)
+{
+    return writtenOut(value, 'g', digits);
+}
+
+QString countText(qlonglong count)
+{
+    QString digits = QString::number(count);
+    const qsizetype first = count < 0 ? 1 : 0;
+    for (qsizetype place = digits.size() - 3; place > first; place -= 3)
+        digits.insert(place, QLatin1Char(' '));
+    return digits;
+}
+
+QString volumeText(double millilitres)
+{
+    return QObject::tr("%1 mL").arg(numberText(millilitres, millilitres < 1.0 ? 2 : 1));
+}
+
+QString millilitreText(std::int64_t voxels, double voxelVolumeMm3)
+{
+    if (voxels == 0)
+        return QStringLiteral("—");
+    const double millilitres = double(voxels) * voxelVolumeMm3 / 1000.0;
+    if (millilitres >= 1000.0)
+        return QObject::tr("%1 mL").arg(countText(std::llround(millilitres)));
+    const int digits = millilitres < 10.0 ? 2 : 1;
+    return QObject::tr("%1 mL").arg(numberText(millilitres, digits));
+}
+
+} // namespace ui
