@@ -49,8 +49,8 @@ public:
     virtual void finish(core::EngineResult& result);
     /// Called after a rollback, when all voxels are restored.
     virtual void rollBack(core::EngineResult& result);
-    /// Called when the edit has failed and is given up. Restores no voxels, and only releases memory
-    /// that it shares with other edits.
+    /// Called when the edit has failed and is given up. Restores no voxels, and only releases
+    /// memory that it shares with other edits.
     virtual void abandon() { }
     [[nodiscard]] virtual core::GrowthProgress progress() const { return {}; }
     /// The label plane in which it grows; none if it is no GrowBurst.
