@@ -8,21 +8,23 @@
 
 namespace app {
 
-/// A recipe in which `${NAME}` stands for what a list of studies has in its column NAME; also
-/// `${name}`, `${study}` and `${folder}`, where the results of a study go. A text that is nothing
-/// but one variable becomes a number where the variable is one.
+/// A recipe with placeholders for a batch. `${NAME}` stands for the value that a study of the list
+/// has in its column NAME; `${name}`, `${study}` and `${folder}` (the folder for the study's
+/// results) are always defined. A text that consists of one placeholder only takes the value's
+/// type, so it can become a number.
 class RecipeTemplate {
 public:
     /// Errors: FileUnreadable, InvalidRecipe.
+    /// Reads a recipe.
     [[nodiscard]] static core::Result<RecipeTemplate> read(const QString& path);
 
-    /// The recipe for one study, as its file holds it. Files that it reads are named absolutely,
-    /// as it is carried out in @p folder.
-    /// Errors: InvalidRecipe (a variable that the study does not have).
+    /// Returns the recipe for one study as the content of its file. Names of files that it reads
+    /// become absolute, because it is carried out in @p folder. Errors: InvalidRecipe (the study
+    /// has no value for a placeholder).
     [[nodiscard]] core::Result<QByteArray> filled(
         const BatchStudy& study, const QString& folder) const;
 
-    /// The absolute names of the files that a filled recipe exports.
+    /// Returns the absolute names of the files that a filled recipe exports.
     [[nodiscard]] static QStringList exportsOf(const QByteArray& filled, const QString& folder);
 
 private:

@@ -7,9 +7,9 @@
 
 namespace app {
 
-/// The table of a batch's results, from the records on disk: a line for each study, with a column
-/// for each number about a segment that a recipe exports as CSV statistics ("Bone volumeMl").
-/// @return CSV as in RFC 4180
+/// Returns the table of a batch's results from the records on disk, as CSV (RFC 4180). It has a
+/// line for each study, and a column for each number about a segment that a recipe has exported as
+/// CSV statistics ("Bone volumeMl").
 [[nodiscard]] QByteArray resultsTable(const std::vector<StudyTask>& tasks);
 
 } // namespace app

@@ -12,44 +12,47 @@
 namespace app {
 
 /// One attempt at a study of a batch. It writes into hidden folders, one in each folder that
-/// results go to, and its files get their names when the attempt is over: of an attempt that was
-/// killed, nothing but hidden folders is left, which the record names.
+/// results go to; files get their final names only when the attempt is over. So a killed attempt
+/// leaves nothing but hidden folders, and the record names them.
 ///
-/// Whatever has the name of a result is replaced only if an attempt at this study made it and
-/// nobody has changed it since; the record tells by checksums.
+/// An existing file with the name of a result is replaced only if an earlier attempt at this study
+/// made it and nobody has changed it since. The record's checksums tell.
 class StudyAttempt {
 public:
     /// @param folder of the study's results; it exists
-    /// @param session the session's name in it
-    /// @param recipe filled
-    /// @param earlier the record of this study so far
+    /// @param session name of the session's file in it
+    /// @param recipe filled, as JSON
+    /// @param earlier the study's record so far
     StudyAttempt(const QString& folder, QString session, const QByteArray& recipe,
         const QJsonObject& earlier);
     StudyAttempt(const StudyAttempt&) = delete;
     StudyAttempt& operator=(const StudyAttempt&) = delete;
     ~StudyAttempt();
 
-    /// Removes the hidden folders that an earlier attempt left. Errors: FileUnwritable.
+    /// Removes hidden folders of a killed attempt. Errors: FileUnwritable.
     [[nodiscard]] core::Result<void> removeLeft() const;
-    /// Whether a result may have its name. Errors: FileUnwritable (what is there stays).
+    /// Checks that every result may get its name. Errors: FileUnwritable (a file that must not be
+    /// replaced has the name).
     [[nodiscard]] core::Result<void> check() const;
-    /// Adds what a later attempt has to know: "attempt", the hidden folders, and "made", the files
-    /// that attempts have made or are about to. The record is written before either happens.
+    /// Adds to the record what a later attempt must know: "attempt", the hidden folders, and
+    /// "made", the files that attempts have made or are about to make. Write the record before
+    /// begin() and before place().
     void noteIn(QJsonObject& record) const;
-    /// Makes the hidden folders, empty, with the recipe that writes to them. Errors:
-    /// FileUnwritable.
+    /// Makes empty hidden folders, with the recipe that writes to them. Errors: FileUnwritable.
     [[nodiscard]] core::Result<void> begin();
 
     [[nodiscard]] QString recipePath() const;
     [[nodiscard]] QString sessionPath() const;
-    /// What the child said, with the names that its files will have.
+    /// Returns a text of the child process with hidden paths replaced by the names that the files
+    /// will get.
     [[nodiscard]] QString told(QString text) const;
 
-    /// Takes the checksums of what was written. Errors: FileUnreadable.
+    /// Computes the checksums of the files that were written. Errors: FileUnreadable.
     [[nodiscard]] core::Result<void> survey();
-    /// Gives what was surveyed its names. Errors: FileExists, FileUnwritable.
+    /// Gives the files of survey() their final names. Errors: FileExists, FileUnwritable.
     [[nodiscard]] core::Result<void> place() const;
-    /// Adds "exports" and "sessionSha256", and keeps in "made" what is there besides.
+    /// Adds "exports" and "sessionSha256" to the record, and keeps in "made" other files of earlier
+    /// attempts that still exist.
     void concludeIn(QJsonObject& record) const;
     /// Removes the hidden folders.
     void discard() const;
@@ -66,11 +69,12 @@ private:
 
     QStringList m_places; ///< the folders that results go to; first the study's own
     QString m_session;
-    QString m_name; ///< of the hidden folder in each
-    QByteArray m_recipe; ///< that writes to them
+    QString m_name; ///< name of the hidden folder in each of them
+    QByteArray m_recipe; ///< the recipe, changed to write into the hidden folders
+    /// Absolute names of all results; first the session.
     QStringList m_targets;
     QStringList m_left; ///< hidden folders of an earlier attempt
-    QMultiHash<QString, QString> m_made; ///< checksums by name
+    QMultiHash<QString, QString> m_made; ///< checksums of files that attempts have made, by name
     QJsonArray m_exports;
     QString m_sessionSha256;
 };

@@ -14,37 +14,37 @@
 
 namespace app {
 
-/// One study of a batch and what is to be done with it.
+/// A study of a batch and how to work on it.
 struct StudyTask {
     BatchStudy study;
-    QString folder; ///< of its results, absolute
+    QString folder; ///< for its results, absolute
     QByteArray recipe; ///< filled
-    QString recipePath; ///< of the recipe that it was filled from
-    QStringList options; ///< of `burin run` besides
+    QString recipePath; ///< the recipe with placeholders
+    QStringList options; ///< further options of `burin run`
     int retries = 0;
 };
 
-/// A study that a child process (`burin run`) works on: a crash of it costs this study only. The
-/// child ends with this process, however that ends. The record is written when it begins and when
-/// it ends.
+/// Works on one study in a child process (`burin run`), so a crash costs this study only. The child
+/// also ends when this process ends in any way. The record is written at the beginning and at the
+/// end.
 class StudyJob {
 public:
-    /// @pre @p results has its turn
+    /// @pre @p results holds the lock of the study's folder (Turn::Mine)
     StudyJob(StudyTask task, StudyResults results);
 
-    /// Removes what an earlier attempt left unfinished, writes recipe and record, and starts the
-    /// child. Errors: FileUnwritable, also if a result's name is taken by what no attempt at this
-    /// study made.
+    /// Removes unfinished files of an earlier attempt, writes recipe and record, and starts the
+    /// child. Errors: FileUnwritable, also if the name of a result is taken by a file that no
+    /// attempt at this study made.
     core::Result<void> begin();
-    /// Looks whether the child has ended, and starts it again where a retry is due.
-    /// @return whether the job is over; its record is on disk
+    /// Checks whether the child has ended, and starts it again if a retry is due.
+    /// @return whether the job is over; its record is on disk then
     [[nodiscard]] bool isOver();
-    /// Tells the child to end. A study that is told so is not finished, and not tried again.
+    /// Tells the child to end. The study then counts as not finished and is not tried again.
     void stop();
 
     [[nodiscard]] const StudyTask& task() const { return m_task; }
     [[nodiscard]] bool succeeded() const { return m_succeeded; }
-    /// Why not, for people.
+    /// Why it has not succeeded, as a sentence.
     [[nodiscard]] const QString& failure() const { return m_failure; }
 
 private:

@@ -13,26 +13,27 @@ namespace app {
 /// One study of a batch.
 struct BatchStudy {
     QString path; ///< absolute
-    QString name; ///< of its folder among the results; no other study has it
-    QString session; ///< the session's file, without a folder
-    QString series; ///< with its repair, as --series has them; empty: the study has only one
+    QString name; ///< of its folder among the results; unique in the list
+    QString session; ///< name of the session's file in that folder
+    QString series; ///< key of the series, as for --series; empty: the study has only one series
     QString repair;
     QString spacing;
-    QJsonObject variables{}; ///< by name: texts, numbers, true and false
+    /// Values for placeholders of the recipe, by name: texts, numbers, true and false.
+    QJsonObject variables{};
 };
 
-/// Reads the studies of a batch: a list, as CSV, TSV or JSON, or a folder, each entry of which is a
-/// study.
+/// Reads the studies of a batch: from a list (CSV, TSV or JSON), or from a folder, each entry of
+/// which is a study.
 ///
-/// A table has a first line with the names of its columns, JSON a list of objects with these keys
-/// (or of paths): "study" is needed; "name", "session", "series", "repair" and "spacing" are
-/// optional; all others are variables of the recipe. Paths are relative to the list. A name that is
-/// not given is the file's, without its ending.
-/// Errors: FileNotFound, FileUnreadable (with the line or entry), FolderEmpty.
+/// The first line of a table has the names of the columns; JSON is a list of objects with these
+/// names as keys, or of paths. "study" is required; "name", "session", "series", "repair" and
+/// "spacing" are optional; any other column is a variable of the recipe. Paths are relative to the
+/// list. Without a name a study is named after its file, without extension. Errors: FileNotFound,
+/// FileUnreadable (with the line or entry), FolderEmpty.
 [[nodiscard]] core::Result<std::vector<BatchStudy>> readStudyList(const QString& path);
 
-/// A line of a table: cells with quotes as in RFC 4180. For lists, and for statistics.
-/// Errors: InvalidField with the line, counted from 1.
+/// Splits a table into rows of cells, with quotes as in RFC 4180. @p between separates cells. For
+/// lists, and for statistics. Errors: InvalidField with the line, counted from 1.
 [[nodiscard]] core::Result<std::vector<QStringList>> readTable(const QString& text, QChar between);
 
 } // namespace app

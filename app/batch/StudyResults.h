@@ -11,29 +11,30 @@
 
 namespace app {
 
-/// The folder with the results of one study of a batch. Whoever holds an object of this class is
-/// the only one who works there, in this process or another, on this machine or (where the file
-/// system locks across machines) on any; the lock ends with the last process that inherited it.
+/// The folder with the results of one study of a batch. The holder of an object of this class is
+/// the only one who works there, among all processes of this machine and, where the file system
+/// locks across machines, of all machines. The lock ends with the last process that inherited it.
 ///
-/// The file `lock` says that the folder is a batch's: only then is anything in it replaced.
+/// The file `lock` marks the folder as a batch's; nothing in a folder without it is ever replaced.
 class StudyResults {
 public:
     enum class Turn { Mine, Another };
 
-    /// Makes the folder if it is missing.
-    /// @return whose turn it is; Another: somebody else works there
-    /// Errors: FileExists (a folder with files that no batch made), FileUnwritable.
+    /// Makes the folder if it is missing, and tries to lock it. Errors: FileUnwritable, also for a
+    /// folder with files that no batch has made.
+    /// @return Mine: this object holds the lock now; Another: somebody else works there
     [[nodiscard]] core::Result<Turn> begin(const QString& folder);
-    /// The descriptor that holds the lock.
+    /// The file descriptor that holds the lock; −1: it is not held.
     [[nodiscard]] int lock() const { return m_lock ? m_lock->handle() : -1; }
+    /// Releases the lock.
     void end();
 
-    /// Writes a file in the folder, whole or not at all; it may replace its like.
+    /// Writes a file in the folder, whole or not at all. An existing file of that name is replaced.
     static core::Result<void> write(
         const QString& folder, const char* name, const QByteArray& content);
-    /// What record.json holds; empty: there is none, or it is no record.
+    /// Returns the content of record.json; empty if there is none or it is invalid.
     [[nodiscard]] static QJsonObject record(const QString& folder);
-    /// Whether the record says that this was done, and all files are there that it names.
+    /// Whether the record says that the study is finished and all files that it names exist.
     [[nodiscard]] static bool isDone(const QString& folder);
 
 private:

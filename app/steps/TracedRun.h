@@ -5,12 +5,12 @@
 
 namespace app {
 
-/// The option --trace, of verbs that compute much or show a window.
+/// The option --trace of verbs that compute much or show a window.
 [[nodiscard]] std::vector<Option> traceOption();
 
-/// Runs a verb. With --trace FILE, a new file, everything is recorded meanwhile (core::Trace) and
-/// written when the verb has ended, whatever its status, but not if its arguments were wrong.
-/// @return the exit status of the verb; 1 if the file cannot be written
+/// Runs a verb. With --trace FILE it records everything meanwhile (core::Trace) and writes FILE,
+/// which must be a new file, when the verb has ended. Nothing is written if the verb's arguments
+/// were wrong.
 int traced(const Arguments& arguments, int (*run)(const Arguments&));
 
 } // namespace app

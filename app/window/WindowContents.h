@@ -7,9 +7,9 @@ class MainWindow;
 
 namespace app {
 
-/// Gives the window what the workstation has: the tools, the panels, their menus and keys, and the
-/// dialogs that export. Their order here is their order in the window. To be called once, before a
-/// study is opened.
+/// Adds the workstation's contents to the window: tools, panels, their menus and keys, and the
+/// export dialogs. The order here is their order in the window. Call it once, before a study is
+/// opened.
 void addContents(ui::MainWindow& window);
 
 } // namespace app

@@ -32,8 +32,8 @@ private:
 
     EditPrograms& m_programs;
     FieldPrograms& m_fieldPrograms;
-    std::deque<KernelWarmUp> m_warmUps; ///< of kernels that were not run yet
-    /// What was run or is being run, and at which sizes (KernelWarmUp::sizeLike()).
+    std::deque<KernelWarmUp> m_warmUps; ///< requested, with kernels that were not run yet
+    /// Kernels that were run or are being run, and for which size (KernelWarmUp::sizeLike()).
     std::vector<std::pair<KernelWarmUp::Of, glm::ivec3>> m_warm;
 };
 

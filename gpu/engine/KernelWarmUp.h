@@ -18,7 +18,7 @@ class KernelWarmUp {
 public:
     enum class Of {
         AllTools,
-        EditableRanges, ///< those of edits of labels that must leave some voxels alone
+        EditableRanges, ///< the kernels of edits of labels within an editable range
     };
     /// The size of a small volume for which the driver compiles the same code as for @p volumeSize.
     /// llvmpipe compiles separate code for textures whose sides, in voxels or in bricks, are powers

@@ -47,10 +47,10 @@ public:
     /// took any have pages.
     [[nodiscard]] BrickField& overwritten(std::uint8_t plane);
     [[nodiscard]] bool anyOverwritten(std::uint8_t plane) const;
-    /// A plane that was never asked for is made, empty, and pictures count it as in use. Throws
-    /// GlFailure.
+    /// A label plane. One that does not exist yet is created, empty, and views count it as in use.
+    /// Throws GlFailure.
     [[nodiscard]] const Texture3D& labels(std::uint8_t plane);
-    /// The planes that are in use, by number: plane 0 always; null: not in use.
+    /// The label planes by number; null: not in use. Plane 0 always is.
     [[nodiscard]] std::array<const Texture3D*, core::mostLabelPlanes> labelPlanes() const;
     /// The intermediate result of growing from seeds, kept for the next preview. It can be
     /// recomputed.
@@ -111,7 +111,7 @@ public:
     [[nodiscard]] std::size_t bytes() const;
 
 private:
-    /// Tells the pictures which label planes there are.
+    /// Tells VolumeTextures which label planes are in use.
     void sharePlanes();
     [[nodiscard]] core::VoxelBox boxOf(std::span<const std::uint32_t> bricks) const;
     [[nodiscard]] std::vector<core::VoxelBox> boxesOf(std::span<const std::uint32_t> bricks) const;
@@ -140,7 +140,7 @@ private:
     std::map<std::uint8_t, BrickField> m_seedWords;
     std::map<std::uint8_t, BrickField> m_overwritten;
     std::map<std::uint8_t, Texture3D> m_furtherPlanes;
-    std::optional<ShownLabels> m_seenLabels; ///< as soon as there are further planes
+    std::optional<ShownLabels> m_seenLabels; ///< exists while there are several label planes
     SpreadField m_spread;
     BarrierBricks m_barriers; ///< of plane 0
     ToleranceField m_tolerance;

@@ -14,28 +14,28 @@
 namespace gpu {
 
 /// Measures on the graphics processor when each kernel and each draw of a context begins and ends,
-/// for core::Trace. Nothing waits for an answer: what has arrived is taken when more is measured.
-/// If no trace is on, a kernel or draw costs no more than a look at a pointer.
+/// for core::Trace. It never waits for the driver: results that have arrived are collected when the
+/// next measurement starts. Without a trace, a kernel or draw costs only a check of a pointer.
 ///
-/// Make and destroy it on the thread of a context, with that current; at most one per thread.
+/// Create and destroy it on the thread of a context while that is current; at most one per thread.
 class GpuTrace {
 public:
-    /// Measures only if a trace is on and the driver has timestamps.
+    /// Measures only if a trace is on and the driver supports timestamps.
     GpuTrace();
-    /// Waits for what is still under way.
+    /// Waits for the results that are still missing.
     ~GpuTrace();
     GpuTrace(const GpuTrace&) = delete;
     GpuTrace& operator=(const GpuTrace&) = delete;
 
-    /// Says which program draws from now on.
-    /// @param label stays as long as the program runs (core::TraceName)
+    /// Names the program whose kernels and draws follow.
+    /// @param label must live as long as the process (core::TraceName)
     static void use(const char* label)
     {
         if (s_here)
             s_here->m_used = label;
     }
 
-    /// Measures what is queued while it lives: one kernel, or one draw, of the program in use.
+    /// Measures the commands queued during its lifetime: one kernel or draw of the program in use.
     class Span {
     public:
         Span()
@@ -59,7 +59,8 @@ private:
         Query begin;
         Query end;
     };
-    /// More are under way only if the driver keeps its answers to itself; then some are left out.
+    /// Most measurements that may wait for a result. Only a driver that does not deliver results
+    /// reaches it; then some kernels are not measured.
     static constexpr std::size_t mostUnderWay = 4096;
 
     void begin();
@@ -73,8 +74,8 @@ private:
     const char* m_used = nullptr;
     std::optional<core::TraceLane> m_lane; ///< none: it measures nothing
     bool m_flushes = false;
-    std::chrono::nanoseconds m_toClock{}; ///< to add to the driver's time
-    core::Trace::Clock::time_point m_last; ///< the end of what was recorded last
+    std::chrono::nanoseconds m_toClock{}; ///< to be added to the driver's time
+    core::Trace::Clock::time_point m_last; ///< end of the last recorded measurement
     std::optional<Measured> m_open;
     std::deque<Measured> m_underWay; ///< in the order of queueing
     std::vector<Query> m_free;

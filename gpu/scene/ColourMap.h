@@ -7,13 +7,13 @@
 
 namespace gpu {
 
-/// In which colours grey values are shown. HotIron, HotMetalBlue and Pet20Step are the palettes of
-/// these names that DICOM defines (PS3.6 annex B.1). EvenLightness goes from nearly black over blue
-/// and green to light yellow and grows in lightness (CIE L*) as evenly as the grey scale does.
+/// The colours in which grey values are shown. HotIron, HotMetalBlue and Pet20Step are the palettes
+/// of these names in DICOM PS3.6 annex B.1. EvenLightness goes from nearly black over blue and
+/// green to light yellow; its lightness (CIE L*) increases as evenly as that of a grey scale.
 enum class ColourMap : std::uint8_t { Grey, HotIron, HotMetalBlue, Pet20Step, EvenLightness };
 inline constexpr std::size_t colourMaps = 5;
 
-/// Colours by grey value, 0 … 255, each 0xRRGGBB.
+/// Colours as 0xRRGGBB, by grey value 0 … 255.
 using ColourEntries = std::array<std::uint32_t, 256>;
 [[nodiscard]] const ColourEntries& entriesOf(ColourMap map);
 

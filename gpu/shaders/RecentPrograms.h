@@ -9,13 +9,14 @@
 
 namespace gpu {
 
-/// Programs that are compiled for many kinds of work, of which only those used last are kept: with
-/// some drivers a program takes megabytes, and hundreds of kinds can be asked for in a day. Whoever
-/// works with programs holds them, so that none is deleted in use. Engine thread only.
+/// A cache of the programs used last, for programs with many variants. With some drivers a program
+/// takes megabytes, and hundreds of variants may be asked for in a day. Users hold the programs by
+/// shared pointer, so none is deleted while in use. Engine thread only.
 template <class Kind, class Programs, std::size_t most = 8> class RecentPrograms {
 public:
-    /// @param make compiles them: a std::shared_ptr. Cost: that of compiling, for a kind that is
-    /// not among the last ones.
+    /// Returns the programs of a variant. Cost: that of compiling if the variant is not among the
+    /// last @p most.
+    /// @param make compiles them and returns a std::shared_ptr
     template <class Make>
     [[nodiscard]] std::shared_ptr<Programs> of(const Kind& kind, const Make& make)
     {

@@ -5,13 +5,14 @@
 
 namespace ui {
 
-/// A name as an entry of a menu or a button shows it, where an ampersand would mark a letter.
+/// Returns a name with each ampersand doubled. A single ampersand in the text of a menu entry or
+/// button would mark the next letter as its keyboard shortcut.
 [[nodiscard]] inline QString menuText(const QString& name)
 {
     return QString(name).replace(QLatin1Char('&'), QLatin1String("&&"));
 }
 
-/// The name that menuText() was made of.
+/// Returns the name from which menuText() made @p menuText.
 [[nodiscard]] inline QString plainText(const QString& menuText)
 {
     return QString(menuText).replace(QLatin1String("&&"), QLatin1String("&"));

@@ -17,20 +17,24 @@ namespace ui {
 
 class MaskImporter;
 
-/// Asks what becomes of voxels that several segments of a mask have: each segment keeps its own, in
-/// further label planes, or each voxel goes to one of them. For the latter it asks which segments
-/// go before which others, and tells for each pair how much goes to which.
+/// Asks what to do when segments of an imported mask overlap. There are two answers: keep the
+/// overlaps, so that each segment keeps all its voxels and the segments are spread over several
+/// label planes; or flatten the mask, so that each voxel goes to one segment. For the second answer
+/// the user puts the overlapping segments in order of precedence, and the dialog says for each
+/// overlapping pair how much goes to which segment.
 class MaskOrderDialog : public QDialog {
     Q_OBJECT
 
 public:
-    /// @param read has overlaps
+    /// @param read the mask as it was read; it has overlaps
     MaskOrderDialog(const core::ReadImport& read, const core::VolumeGeometry& geometry,
         QWidget* parent = nullptr);
 
-    /// ImportMask::ahead as chosen; none: the order of the file, or the overlaps are kept.
+    /// The order that the user chose, in the form of ImportMask::ahead. None if the overlaps are
+    /// kept, or if the order is that of the file.
     [[nodiscard]] std::optional<std::vector<int>> ahead() const;
-    /// ImportMask::planes as chosen; none: each voxel goes to one segment.
+    /// The label planes of the segments, in the form of ImportMask::planes. None if the mask is
+    /// flattened.
     [[nodiscard]] std::optional<std::vector<int>> planes() const;
 
 private:
@@ -41,14 +45,17 @@ private:
     core::VolumeGeometry m_geometry;
     QRadioButton* m_keep;
     QRadioButton* m_flatten;
-    QWidget* m_ordering; ///< what the second answer needs
-    QListWidget* m_order; ///< of the segments that overlap, the first one foremost
-    QListWidget* m_given; ///< a sentence for each pair
+    /// The widgets for the order; shown while "Each voxel goes to one segment" is chosen.
+    QWidget* m_ordering;
+    /// The segments that overlap; the first one takes precedence over all others.
+    QListWidget* m_order;
+    QListWidget* m_given; ///< one sentence for each overlapping pair
     QPushButton* m_up;
     QPushButton* m_down;
 };
 
-/// Lets the dialog ask whenever the segments of a mask overlap that the importer has read.
+/// From now on opens this dialog over @p window whenever @p importer has read a mask whose segments
+/// overlap.
 void askForOrderOf(MaskImporter& importer, QWidget& window);
 
 } // namespace ui

@@ -7,9 +7,9 @@ namespace ui {
 
 class Workspace;
 
-/// Opens the dialogs that work on a segment as a whole when the workspace asks for them: reshaping,
-/// filling between slices, splitting islands, a threshold. There is one of each; it stays open
-/// beside @p window, and belongs to it.
+/// From now on opens a dialog about a whole segment whenever the workspace asks for one: reshaping,
+/// filling between slices, splitting islands, threshold. There is one dialog of each kind. It
+/// belongs to @p window and stays open beside it.
 void openSegmentDialogs(Workspace& workspace, QWidget& window);
 
 } // namespace ui

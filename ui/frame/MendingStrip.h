@@ -10,8 +10,9 @@ class QToolButton;
 
 namespace ui {
 
-/// A slim strip over the views with the steps in which a network's mask is mended: look, mend,
-/// compare, export. Each is a button; the next one is emphasised. It knows nothing but that.
+/// A slim strip above the views with the four steps of mending a network's mask: look, mend,
+/// compare, export. Each step is a button; the next one to do is highlighted. The strip only shows
+/// states that showSteps() gives it (MendingSteps decides them).
 class MendingStrip : public QFrame {
     Q_OBJECT
 
@@ -21,7 +22,8 @@ public:
 
     explicit MendingStrip(QWidget* parent = nullptr);
 
-    /// @param next the step that is emphasised; none: all are done
+    /// Shows which steps are done.
+    /// @param next the step that is highlighted; none: all are done
     void showSteps(const std::array<bool, steps>& done, std::optional<Step> next);
     [[nodiscard]] std::optional<Step> next() const { return m_next; }
 
@@ -31,7 +33,7 @@ Q_SIGNALS:
 
 private:
     std::array<QToolButton*, steps> m_buttons{};
-    std::optional<std::array<bool, steps>> m_done; ///< as shown; none: nothing was shown yet
+    std::optional<std::array<bool, steps>> m_done; ///< what is shown; none: nothing yet
     std::optional<Step> m_next;
 };
 

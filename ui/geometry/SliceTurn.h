@@ -5,19 +5,21 @@
 
 namespace ui {
 
-/// How a slice is laid on the screen: mirrored or not, and turned by quarters of a circle. All that
-/// leads from pixels to places follows from the axes of the picture (of()), so tools, outlines and
-/// orientation letters need not know of it.
+/// How the picture of a slice lies on the screen: mirrored or not, and rotated by quarter turns.
+/// of() applies this to the axes of the slice. Everything else (tools, outlines, orientation
+/// letters) works with these axes and need not know about it.
 struct SliceTurn {
-    bool mirrored = false; ///< left and right are exchanged, before it is turned
-    int quarters = 0; ///< clockwise, 0 … 3
+    bool mirrored = false; ///< left and right are exchanged; this comes before the rotation
+    int quarters = 0; ///< quarter turns clockwise, 0 … 3
 
     [[nodiscard]] bool isUpright() const { return !mirrored && quarters == 0; }
-    /// The axes on the screen of a slice that has these axes when it is upright. The normal is
-    /// right × down again, so it points to the other side if the slice is mirrored.
+    /// Returns the axes of the slice as it lies on the screen.
+    /// @param upright the axes of the slice when it is upright
+    /// @return the normal is again right × down, so it points to the other side if the slice is
+    /// mirrored
     [[nodiscard]] SliceAxes of(const SliceAxes& upright) const;
 
-    /// After the picture on the screen was flipped or turned once more.
+    /// The state after flipping or rotating the picture as it is seen on the screen.
     [[nodiscard]] SliceTurn flippedLeftRight() const;
     [[nodiscard]] SliceTurn flippedTopBottom() const;
     [[nodiscard]] SliceTurn turnedClockwise() const;

@@ -8,20 +8,22 @@ class QAction;
 
 namespace ui {
 
-/// Makes an action that its key switches on and off a look for as long as the key is held: a short
-/// press switches; a long one switches, and switches back when the key is let go. It also switches
-/// back when the window is left while the key is down, since nobody tells then that it was let go.
+/// Lets the key of a checkable action also work while it is held: a short press switches the state;
+/// a long press switches it and switches it back on release. It also switches back when the window
+/// loses the keyboard while the key is down, because no release would be reported then.
 class HeldKey : public QObject {
     Q_OBJECT
 
 public:
-    /// From this long on a key was held.
+    /// A press of at least this length counts as held.
     static constexpr int heldMilliseconds = 350;
 
-    /// @param action owns this; its first shortcut is the key, a letter without others held down
+    /// @param action becomes the owner of this object. Its first shortcut is the key, a letter
+    /// without modifier keys.
     explicit HeldKey(QAction& action);
 
-    [[nodiscard]] bool isDown() const { return m_switched; } ///< and has switched
+    /// Whether the key is down and has switched the action.
+    [[nodiscard]] bool isDown() const { return m_switched; }
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
@@ -32,8 +34,8 @@ private:
     QAction& m_action;
     int m_key = 0;
     bool m_pressed = false;
-    bool m_switched = false; ///< by the press that has not ended yet
-    QTimer m_short; ///< runs while the press is still a short one
+    bool m_switched = false; ///< the present press has switched the action
+    QTimer m_short; ///< runs as long as the press still counts as short
 };
 
 } // namespace ui

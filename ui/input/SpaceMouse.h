@@ -13,20 +13,19 @@ class QSocketNotifier;
 
 namespace ui {
 
-/// How far the cap of a six-degrees-of-freedom device was held out of its rest, and for how long:
-/// 1 is what full deflection does in a second. Axes as the user sees them: right, up, towards the
-/// user.
+/// How far the cap of a 6-DoF device was deflected, multiplied by the time for which it was: 1 is
+/// full deflection for one second. The axes are those of the user: right, up, towards the user.
 struct SpaceMotion {
-    glm::dvec3 push{0.0}; ///< along the axes
-    glm::dvec3 turn{0.0}; ///< about the axes, by the right-hand rule
+    glm::dvec3 push{0.0}; ///< displacement along the axes
+    glm::dvec3 turn{0.0}; ///< rotation about the axes, by the right-hand rule
 };
 
-/// Reads a six-degrees-of-freedom device ("space mouse") from spacenavd, the free driver of such
-/// devices, by version 0 of its protocol: records of eight 32-bit integers over a local socket.
+/// Reads a 6-DoF device ("space mouse") from spacenavd, the free driver of such devices, by version
+/// 0 of its protocol: records of eight 32-bit integers over a local socket.
 ///
-/// GUI thread. Without the driver there is nothing to read, and nobody is told: such devices are
-/// rare. What several waiting records say is added up, so that a slow picture does not lag behind
-/// the hand.
+/// GUI thread. Without the driver this does nothing and reports no error, because most users have
+/// no such device. Motions that have arrived together are added up into one signal, so the view
+/// does not lag behind the hand when it draws slowly.
 class SpaceMouse : public QObject {
     Q_OBJECT
 
@@ -34,19 +33,19 @@ public:
     explicit SpaceMouse(QObject* parent = nullptr);
     ~SpaceMouse() override;
 
-    /// What the environment variable SPNAV_SOCKET names, as for other programs, or else the usual
-    /// place.
+    /// The path of the driver's socket: the value of the environment variable SPNAV_SOCKET, as in
+    /// other programs, or else /var/run/spnav.sock.
     [[nodiscard]] static QString usualSocket();
-    /// Connects to the driver unless that has happened. Takes no time: the driver is on this
-    /// machine.
-    /// @return whether it is connected
+    /// Connects to the driver if that has not been done yet. It does not block, because the driver
+    /// runs on this machine.
     bool connectTo(const QString& socketPath = usualSocket());
     [[nodiscard]] bool connected() const { return m_notifier != nullptr; }
 
 Q_SIGNALS:
     void moved(const ui::SpaceMotion& motion);
     void buttonChanged(int button, bool pressed); ///< counted from 0
-    void disconnected(); ///< the driver has gone; no button is held any longer
+    /// The driver has ended the connection; no button counts as pressed any longer.
+    void disconnected();
 
 private:
     void read();
@@ -54,7 +53,7 @@ private:
 
     int m_socket = -1;
     std::unique_ptr<QSocketNotifier> m_notifier;
-    QByteArray m_rest; ///< the beginning of a record whose end has not come yet
+    QByteArray m_rest; ///< the beginning of a record that has not arrived completely
 };
 
 } // namespace ui

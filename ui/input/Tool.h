@@ -21,7 +21,7 @@ struct PointerSample {
     double timeSeconds = 0.0;
     Qt::KeyboardModifiers modifiers;
     bool eraserEnd = false;
-    bool isPen = false; ///< it knows how firmly it is pressed
+    bool isPen = false; ///< it reports pressure
     /// For a pen: degrees from upright, positive to the right and towards the user. For a mouse: 0.
     QPointF tiltDegrees;
     /// For a pen: rotation about its own axis, clockwise, in degrees; none if it does not report
@@ -38,7 +38,7 @@ public:
     using QObject::QObject;
 
     [[nodiscard]] virtual QString name() const = 0; ///< short, under the icon: "Drill"
-    /// In menus and lists, where another tool is called the same.
+    /// The name for menus and lists, if another tool has the same short name.
     [[nodiscard]] virtual QString longName() const { return name(); }
     [[nodiscard]] virtual QString iconName() const = 0; ///< resources/icons/<name>.svg
     /// What it expects next, shown in the status line.
@@ -69,22 +69,21 @@ public:
     /// Called before something else happens: another tool is chosen, another study opened, a step
     /// undone.
     virtual void putAway() { cancel(); }
-    /// Undo while something is drawn step by step, before it is an edit: the last step is taken
-    /// back instead of a row of the history. stepsChanged() is emitted when the answer may be
-    /// another.
+    /// Whether undo takes back the last step of what is being drawn (before it is an edit) instead
+    /// of a row of the history. stepsChanged() must be emitted when the answer changes.
     [[nodiscard]] virtual bool canTakeStepBack() const { return false; }
     virtual void takeStepBack() { }
-    /// What undo says that it takes back then.
+    /// The name of that step in the text of undo.
     [[nodiscard]] virtual QString stepText() const { return tr("last corner"); }
     virtual void hover(const PointerSample&, const ViewContext&) { }
     virtual void leave() { } ///< the pointer left the view
-    /// A key went down over a view; Esc is cancel(). @return whether the tool uses it
+    /// Handles a key press over a view; Esc is cancel(). @return whether the tool has used it
     virtual bool pressKey(int /*key*/) { return false; }
     /// Shift + wheel and [ ]: @p steps is positive for greater.
     virtual void changeRadius(int /*steps*/) { }
-    /// Ctrl + Shift + wheel, in views that have no use of their own for it.
+    /// Ctrl + Shift + wheel, in views that do not use it themselves.
     virtual void changeDepth(int /*steps*/) { }
-    /// Whether Ctrl + wheel turns it, in the 3D view, which the wheel alone zooms as well.
+    /// Whether the tool uses Ctrl + wheel in the 3D view, which the wheel alone also zooms.
     [[nodiscard]] virtual bool turns() const { return false; }
     /// Ctrl + wheel: @p steps is positive for counter-clockwise.
     virtual void turn(int /*steps*/) { }

@@ -13,20 +13,22 @@ namespace ui {
 
 class Workspace;
 
-/// Suggests the longest axis of a segment in a slice and the longest one across it
-/// (core/outline/SegmentAxes.h), as two measurements: each is a step that undo takes back. The
-/// engine reads the labels, another thread finds the axes.
+/// Measures the longest axis of a segment in a slice and the longest axis perpendicular to it
+/// (core/outline/SegmentAxes.h). Both become distance measurements; each is a step that can be
+/// undone. The engine reads the labels and a background thread finds the axes. GUI thread.
 class AxesOfSegment : public QObject {
     Q_OBJECT
 
 public:
     explicit AxesOfSegment(Workspace& workspace, QObject* parent = nullptr);
 
-    /// Of what hangs together at a place of the view's slice, of the segment there: where several
-    /// overlap, that in the label plane of the active one, else that of the highest plane. What was
-    /// asked before is dropped.
-    /// @param view a slice
+    /// Starts a measurement of the connected part of a segment, within the view's slice, at a
+    /// place. If several segments overlap there, shown ones come before hidden ones; among these
+    /// the one in the active segment's label plane comes first, then those in higher planes. A
+    /// measurement that is still being computed is dropped.
+    /// @param view shows a slice
     void suggest(const ViewContext& view, const glm::dvec3& placeLps);
+    /// Drops the measurement that is being computed.
     void drop();
     [[nodiscard]] bool busy() const { return m_job != nullptr; }
 
@@ -38,7 +40,7 @@ private:
     void fail(const core::Error& error);
 
     Workspace& m_workspace;
-    std::shared_ptr<Job> m_job; ///< null: nothing was asked
+    std::shared_ptr<Job> m_job; ///< null: nothing is being computed
     core::Background m_background; ///< last: it uses all of the above
 };
 

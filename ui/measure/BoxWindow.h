@@ -7,9 +7,9 @@ namespace ui {
 
 class Workspace;
 
-/// Sets the grey scale of slices from the values in a box on one of them, beside the window
-/// (RegionReader): what is darker than all but 2 % of the box is black, what is brighter than 98 %
-/// is white, so that a few extreme voxels decide nothing.
+/// Sets the window of slices from the values in a box on one of them: its lower end is the 2nd
+/// percentile of the values, its upper end the 98th, so a few extreme voxels have no influence.
+/// RegionReader reads the values in the background.
 class BoxWindow : public QObject {
     Q_OBJECT
 
@@ -19,7 +19,9 @@ public:
 
     explicit BoxWindow(Workspace& workspace, QObject* parent = nullptr);
 
-    /// @param box a region in a plane; the one before, if it is still being read, is dropped
+    /// Starts to read the box; the window changes when that is done. A box that is still being read
+    /// is dropped.
+    /// @param box a rectangle in a plane
     void setFrom(const core::Measurement& box);
     [[nodiscard]] bool busy() const { return m_reader.busy(); }
 

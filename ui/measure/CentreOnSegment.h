@@ -5,10 +5,10 @@ namespace ui {
 
 class Workspace;
 
-/// Puts the crosshair on the voxel of a segment that is nearest to its middle, and has every view
-/// show the middle of the box around it; how near the views look stays. The engine reads the
-/// labels, another thread finds the place; the window goes on. What was asked for before is
-/// dropped, and everything is when the session closes. Failures are reported by the workspace.
+/// Puts the crosshair on the voxel of a segment that is nearest to the centre of the segment's
+/// bounding box, and moves every view to that centre; the zoom stays. It returns at once: the
+/// engine reads the labels and a background thread finds the place. A further call, or closing the
+/// session, drops the request. The workspace reports errors.
 void centreOnSegment(Workspace& workspace, int label);
 
 } // namespace ui

@@ -5,10 +5,10 @@ namespace ui {
 
 class Workspace;
 
-/// Measures the smallest distance between the surfaces of two segments (core/metrics/SegmentGap.h)
-/// and keeps it as a measurement, which is a step that undo takes back, and tells what it is. The
-/// engine reads the labels, another thread finds the places; the window goes on. What is asked for
-/// is dropped when the session closes. Failures are reported by the workspace.
+/// Measures the smallest distance between the surfaces of two segments (core/metrics/SegmentGap.h).
+/// It becomes a distance measurement, which is a step that can be undone, and the workspace tells
+/// its length. The call returns at once: the engine reads the labels and a background thread finds
+/// the two places. Closing the session drops the request. The workspace reports errors.
 void measureDistance(Workspace& workspace, int label, int other);
 
 } // namespace ui

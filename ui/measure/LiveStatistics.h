@@ -18,25 +18,26 @@ namespace ui {
 
 class Workspace;
 
-/// Keeps the statistics of the segments up to date while somebody watches: the same as an export
-/// writes (core/export/common/SegmentMeter.h). The engine reads the voxels, another thread measures
-/// them, when nothing has changed for a moment and no edit is under way. Only segments whose voxels
-/// have changed are measured. GUI thread.
+/// Keeps the statistics of all segments up to date while somebody watches. They are the same
+/// numbers that an export writes (core/export/common/SegmentMeter.h). A short time after the last
+/// change, and when no edit is under way, the engine reads the voxels and a background thread
+/// measures them. Only segments whose voxels have changed are measured. GUI thread.
 class LiveStatistics : public QObject {
     Q_OBJECT
 
 public:
     explicit LiveStatistics(Workspace& workspace, QObject* parent = nullptr);
 
-    /// While nobody watches nothing is asked; what has changed by then is measured afterwards.
+    /// Says whether somebody watches. Without a watcher nothing is read; changes up to then are
+    /// measured when watching begins.
     void setWatched(bool watched);
-    /// The newest of a segment; null: it was not measured yet, or has no voxels.
+    /// The latest statistics of a segment; null if it was not measured yet or has no voxels.
     [[nodiscard]] const core::SegmentStatistics* of(int label) const;
-    /// Whether a segment has voxels that are not measured, so that of() is none or older.
+    /// Whether the segment has voxels and its statistics are missing or older than its last change.
     [[nodiscard]] bool isBehind(int label) const;
-    /// Whether something is being measured, or will be by itself.
+    /// Whether segments are being measured or are about to be.
     [[nodiscard]] bool isLooking() const { return m_timer.isActive() || m_job != nullptr; }
-    /// How many times a segment was measured.
+    /// How many segments were measured since construction, counting repetitions.
     [[nodiscard]] std::int64_t measuredSegments() const { return m_measuredSegments; }
 
 Q_SIGNALS:
@@ -45,7 +46,7 @@ Q_SIGNALS:
 
 private:
     struct Known {
-        std::shared_ptr<const core::VoxelRuns> voxels; ///< that were measured
+        std::shared_ptr<const core::VoxelRuns> voxels; ///< the voxels that were measured
         core::SegmentStatistics statistics;
         bool behind = false;
     };
@@ -70,7 +71,7 @@ private:
     std::int64_t m_measuredSegments = 0;
     QTimer m_timer; ///< delay after the last change
     LabelFetch m_fetch;
-    std::shared_ptr<Job> m_job; ///< what is under way; null: nothing
+    std::shared_ptr<Job> m_job; ///< null: nothing is being measured
     core::Background m_background; ///< last: it uses all of the above
 };
 

@@ -17,17 +17,19 @@ namespace ui {
 /// "ellipse", "angle" …
 [[nodiscard]] QString kindText(core::Measurement::Kind kind);
 
-/// What a measurement comes to by its points, in lines: "120.4 mm²", "20.0 × 7.7 mm". In voxels
-/// where the spacing of the volume is unknown; the last line is "projected" if it was drawn over a
-/// picture without depth.
+/// The size of a measurement in lines of text, after its own text if it has one: "120.4 mm²", "20.0
+/// × 7.7 mm". Units are voxels if the spacing of the volume is unknown. The last line is
+/// "projected" if the measurement was drawn on a picture without depth.
 [[nodiscard]] QStringList sizeLines(
     const core::Measurement& measurement, const core::MeasuredSize& size);
 
-/// "mean 41.2 ± 12.0 HU", "−20 … 88 HU in 240". Of a probe only its value.
+/// The values in a region in lines of text: "mean 41.2 ± 12.0 HU", "−20 … 88 HU in 240" (voxels).
+/// For a probe only its value.
 [[nodiscard]] QStringList valueLines(const core::Measurement& measurement,
     const core::RegionStatistics& values, const core::Volume& volume);
 
-/// Where a view is led to: its middle, or the vertex of an angle.
+/// The place (LPS mm) to which views go when the measurement is chosen in a list: its centre; for
+/// an angle, its vertex; for an arrow or text, its first point.
 [[nodiscard]] glm::dvec3 middleOf(const core::Measurement& measurement);
 
 } // namespace ui

@@ -7,21 +7,21 @@ namespace ui {
 
 class Workspace;
 
-/// Works out what measurements come to, with the values in regions and under probes, one after the
-/// other, beside the window (RegionReader). What is found is handed to the workspace (measured()),
-/// where views and panels read it. Since the study never changes, it is kept until the session
-/// closes, also while undo has taken a measurement back.
+/// Computes the sizes of all measurements of the session, and the values in regions and under
+/// probes, one after the other in the background (RegionReader). Results go to the workspace
+/// (setMeasured()), where views and panels read them. They stay valid until the session closes,
+/// because the volume never changes, and are therefore kept even while a measurement is undone.
 class MeasuredRegions : public QObject {
     Q_OBJECT
 
 public:
     explicit MeasuredRegions(Workspace& workspace, QObject* parent = nullptr);
 
-    /// Whether some are still to be worked out.
+    /// Whether a measurement is being computed.
     [[nodiscard]] bool busy() const { return m_reader.busy(); }
 
 private:
-    /// Begins with the first that is not known, unless one is under way.
+    /// Starts with the first measurement that is not computed yet, unless one is under way.
     void lookOn();
     void take(const core::Measurement& measurement, const RegionReader::Found& found);
 

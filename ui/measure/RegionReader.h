@@ -15,8 +15,8 @@ namespace ui {
 
 class Workspace;
 
-/// Reads the values in one region after the other: the engine reads the voxels, another thread
-/// chooses and counts them.
+/// Reads the values in a region, one region at a time. The engine reads the voxels in portions; a
+/// background thread chooses those that lie in the region and counts their values. GUI thread.
 class RegionReader : public QObject {
     Q_OBJECT
 
@@ -24,15 +24,16 @@ public:
     struct Found {
         core::MeasuredSize size;
         core::RegionTally tally; ///< of all voxels that lie in the region
-        std::optional<core::Error> error; ///< why it was not read to its end
+        std::optional<core::Error> error; ///< none: the region was read completely
     };
 
     explicit RegionReader(Workspace& workspace, QObject* parent = nullptr);
 
-    /// Begins with a region or a probe, and drops the one before.
-    /// @param done called later, on this thread, when busy() is false again
+    /// Starts to read a region or probe; one that is still being read is dropped.
+    /// @param done is called later on this thread, when busy() is false again
     void read(const core::Measurement& measurement, std::function<void(const Found&)> done);
-    /// To be called before the session closes. Nothing is reported then.
+    /// Drops the region that is being read; @p done is not called. Call it before the session
+    /// closes.
     void drop();
     [[nodiscard]] bool busy() const { return m_job != nullptr; }
 
@@ -43,7 +44,7 @@ private:
     void finish(std::optional<core::Error> error);
 
     Workspace& m_workspace;
-    std::shared_ptr<Job> m_job; ///< what is under way; null: nothing
+    std::shared_ptr<Job> m_job; ///< null: nothing is being read
     core::Background m_background; ///< last: it uses all of the above
 };
 

@@ -15,7 +15,7 @@ class Workspace;
 
 /// A colour map, as the View menu and context menus offer it.
 struct ColourMapEntry {
-    const char* id; ///< of its action in the window
+    const char* id; ///< of the window's action
     QString text;
     gpu::ColourMap map;
 };
@@ -23,10 +23,10 @@ struct ColourMapEntry {
 /// All of them, in the order of a menu.
 [[nodiscard]] const std::vector<ColourMapEntry>& colourMapEntries();
 
-/// Shows slices and MIP in these colours.
+/// Sets the colour map of slices and of the MIP.
 void showColours(Workspace& workspace, gpu::ColourMap map);
 
-/// Adds a submenu of them to a context menu; the one that is shown is marked.
+/// Adds a submenu with all colour maps to a context menu. The present one is checked.
 void addColourMaps(QMenu& menu, Workspace& workspace);
 
 } // namespace ui

@@ -8,8 +8,8 @@
 
 namespace ui {
 
-/// A button that says to which voxels editing is limited, and has an EditableSection as its menu,
-/// for tools whose options have no other menu for it.
+/// A button that says which voxels may be edited (the editable range) and has an EditableSection as
+/// its menu. It is for tools whose options have no other menu for that section.
 class EditableButton : public QToolButton {
     Q_OBJECT
 
@@ -22,7 +22,7 @@ private:
     Workspace& m_workspace;
 };
 
-/// The same as a sentence, for dialogs; hidden while the range is off.
+/// The same text as a label for dialogs. It is hidden while the editable range is off.
 class EditableNote : public QLabel {
     Q_OBJECT
 

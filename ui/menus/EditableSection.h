@@ -11,8 +11,8 @@ class QDoubleSpinBox;
 
 namespace ui {
 
-/// Which voxels all tools that write labels may change (EditableSettings), for the menu of a button
-/// of a tool's options; always in step with the workspace.
+/// The controls of the editable range, which limits the voxels that tools may change
+/// (EditableSettings), for a menu of a tool's options. They always show the workspace's settings.
 class EditableSection : public QWidget {
     Q_OBJECT
 
@@ -20,7 +20,7 @@ public:
     explicit EditableSection(Workspace& workspace, QWidget* parent = nullptr);
 
 protected:
-    /// Segments may have come or gone since.
+    /// Lists the segments anew, since some may have been added or removed.
     void showEvent(QShowEvent* event) override;
 
 private:

@@ -11,21 +11,21 @@ namespace ui {
 
 class Workspace;
 
-/// A voxel that a menu is about, and what the session knows of it.
+/// The voxel that a context menu is about, and what the session knows of it.
 struct PointedVoxel {
-    glm::ivec3 voxel{0};
+    glm::ivec3 voxel{0}; ///< index space
     glm::dvec3 centreLps{0.0};
-    int code = 0; ///< its value, as the volume stores it
-    int label = 0; ///< of the segment that it belongs to; 0: of none
-    std::vector<int> others{}; ///< labels of the other segments that have it; segments may overlap
+    int code = 0; ///< its value as the volume stores it
+    int label = 0; ///< label of its segment; 0: it belongs to none
+    std::vector<int> others{}; ///< labels of the other segments at this voxel, if segments overlap
 };
 
-/// Adds what every view offers about a place: whose segment becomes active, is locked or shown
-/// alone; which others become active; the crosshair, undo of the step that changed this very voxel
-/// last, the window presets, and its value and position for the clipboard. Another session makes
-/// the entries do nothing. An entry that cannot be chosen says why by its tool tip.
+/// Adds the entries that every view offers about a voxel: activate, lock or isolate its segment;
+/// activate another segment there; put the crosshair there; undo the last step at this voxel only;
+/// the window presets; copy value and position. The entries do nothing once another session is
+/// open. The tool tip of a disabled entry says why it is disabled.
 void addPlaceEntries(QMenu& menu, Workspace& workspace, const PointedVoxel& pointed);
-/// Adds the grey scales that are offered for the volume that is open, as a submenu.
+/// Adds a submenu with the window presets of the open volume.
 void addWindowPresets(QMenu& menu, Workspace& workspace);
 
 } // namespace ui

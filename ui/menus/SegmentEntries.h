@@ -14,22 +14,25 @@ namespace ui {
 
 class Workspace;
 
-/// What is done to a segment as a whole, and not to one that is locked: in the menu of its row, and
-/// to the active one in the menu Segments.
+/// An action on one whole segment: an entry of the menu of the segment's row in the list and, for
+/// the active segment, of the menu Segments. Locked segments are excluded.
 struct SegmentAction {
     const char* id; ///< of the window's action: "segments.remove"
-    QString text; ///< "Delete segment"; with the segment's name behind it where that is said,
-    QString named{}; ///< unless this says it: "Fill holes of '%1'"
-    QKeySequence keys{}; ///< heard in the list of segments alone
+    QString text; ///< "Delete segment"
+    /// With a place for the segment's name: "Fill holes of '%1'"; empty: namedText() appends it.
+    QString named{};
+    QKeySequence keys{}; ///< shortcut that works only in the list of segments
     void (*run)(Workspace& workspace, int label);
-    bool makesFirst = false; ///< where there is no segment yet, one is added for it
-    QString submenu{}; ///< the title of the one in which it stands, beside its like; empty: none
-    /// Why it cannot be done to any segment now, empty if it can; null: it always can.
+    bool makesFirst = false; ///< also works without any segment, by adding one first
+    QString submenu{}; ///< title of the submenu that holds this entry; empty: none
+    /// Returns why the action is not possible now for any segment; empty: it is possible. Null:
+    /// always possible.
     QString (*whyNot)(const Workspace& workspace) = nullptr;
 };
-/// The text with the segment's name, where no list shows whose it is; null: without.
+/// Text of the entry with the segment's name, for menus outside the list of segments, where no row
+/// shows which segment is meant. @p segment null: without a name.
 [[nodiscard]] QString namedText(const SegmentAction& action, const core::Segment* segment);
-/// As menus have them.
+/// All actions, in the order of the menus. They live as long as the program.
 [[nodiscard]] const std::vector<SegmentAction>& segmentActions();
 
 } // namespace ui

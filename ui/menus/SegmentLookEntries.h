@@ -11,25 +11,26 @@ class QMenu;
 
 namespace ui {
 
-/// How one view draws segments, for those who show and change it.
+/// Reads and changes how one view draws segments.
 struct LookOfView {
     std::function<Workspace::SegmentLook()> get;
     std::function<void(const Workspace::SegmentLook&)> set;
 };
 
-/// Adds to a menu how segments are drawn in this view: fill and outline, how opaque the fill is,
-/// and as in all views again.
+/// Adds entries to a menu that choose how segments are drawn in one view: fill and outline, the
+/// opacity of the fill, and a return to the look of all views.
 void addSegmentLook(QMenu& menu, Workspace& workspace, const LookOfView& look);
 
-/// The small control in a corner of a slice that draws segments in its own way: says how, and has a
-/// menu of the same. It is there only while the view does so, so that it covers nothing else.
+/// The small button in a corner of a slice that draws segments in a way of its own. It says how,
+/// and its menu changes it (addSegmentLook()). It is hidden while the view draws segments as all
+/// views do, so it covers nothing then.
 class SegmentLookButton : public QToolButton {
     Q_OBJECT
 
 public:
     SegmentLookButton(Workspace& workspace, LookOfView look, QWidget* view);
 
-    /// Says what holds now, and stands over the scale bar in the lower right corner.
+    /// Updates text, visibility and place: above the scale bar in the lower right corner.
     void showState();
 
 private:

@@ -18,29 +18,32 @@ namespace ui {
 class Workspace;
 struct SegmentAction;
 
-// Parts of menus about segments, in most of which another one is chosen for what is done to one. An
-// entry that cannot be chosen says why by its tool tip.
+// Parts of menus about segments. In most of them the user chooses a second segment. The tool tip of
+// a disabled entry says why it is disabled.
 
-/// Why no voxel of a segment can be changed; empty if they can.
-/// @param segment null: there is none
+/// Returns why the voxels of a segment cannot be changed; empty if they can.
+/// @param segment null: there is no segment
 [[nodiscard]] QString whyUnchangeable(const core::Segment* segment);
 
-/// Fills a menu with all segments but one, in the order of their list.
-/// @param choose is called with the label of the chosen one
-/// @param changes whether something is done to that one, which must not be locked then
-/// @return why none of them can be chosen; empty if one can
+/// Fills a menu with all segments except one, in the order of the list of segments. If @p changes,
+/// entries of locked segments and of those in another label plane are disabled.
+/// @param but the label of the segment that is left out
+/// @param choose is called with the label of the chosen segment
+/// @param changes whether the action changes the chosen segment's voxels
+/// @return why no segment can be chosen; empty if at least one can
 QString listOtherSegments(QMenu& menu, const core::Document& document, int but,
     const std::function<void(int)>& choose, bool changes = true);
 
-/// The menu in which an entry for an action stands that is added to this one: itself, or its
-/// submenu of the action's title, which is made where it ends if there is none yet.
+/// Returns the menu to which the entry of an action is to be added: @p menu itself, or its submenu
+/// with the action's submenu title. A missing submenu is appended.
 [[nodiscard]] QMenu& menuOf(QMenu& menu, const SegmentAction& action);
 
-/// Adds "Merge into", "Swap with" and "Measure distance to" to a menu. They are listed anew
-/// whenever the menu opens.
-/// @param before the action that they stand before; null: at the end
-/// @param label of the segment that the menu is about then
-/// @param named whether they say that segment's name, since no list shows whose they are
+/// Adds the submenus "Merge into", "Swap with" and "Measure distance to" to a menu. They are filled
+/// anew whenever the menu opens.
+/// @param before the action before which they are inserted; null: at the end
+/// @param label returns the label of the segment that the menu is about at that moment
+/// @param named whether their titles contain that segment's name, for menus outside the list of
+/// segments
 void addCombinations(QMenu& menu, QAction* before, Workspace& workspace,
     const std::function<int()>& label, bool named);
 

@@ -7,8 +7,9 @@ namespace ui {
 
 class Workspace;
 
-/// Adds to a menu a slider for how opaque a segment is drawn in all views
-/// (Workspace::segmentOpacities()). The views follow it while the menu is open; the wheel moves it.
+/// Adds a slider to a menu that sets the opacity of a segment in all views
+/// (Workspace::segmentOpacities()). The views follow while the menu is open. The mouse wheel moves
+/// the slider, too.
 /// @param label of the segment
 void addSegmentOpacity(QMenu& menu, Workspace& workspace, int label);
 

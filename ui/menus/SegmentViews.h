@@ -14,16 +14,18 @@ namespace ui {
 class Actions;
 class Workspace;
 
-/// Adds to the window's actions how segments are looked at: the one before or after the active one
-/// becomes active, the views go to it, it is shown alone, and what is drawn of segments in slices,
-/// and whether their bodies are smooth. The last two are settings, which are restored now.
+/// Adds the window's actions about viewing segments: make the previous or next segment active,
+/// centre the views on the active one, show it alone, how segments are drawn in slices, and whether
+/// their surfaces in 3D are smoothed. The last two are saved settings; this call restores them.
 void addSegmentViews(Actions& actions, Workspace& workspace);
 
-/// What an entry of a menu says that shows a segment alone (ViewSteps), as things stand.
+/// Text of the menu entry that shows a segment alone. If it is shown alone already, the entry shows
+/// the others again, or all segments if it is not known which were shown before (ViewSteps).
 [[nodiscard]] QString showAloneText(const Workspace& workspace, const core::Segment& segment);
 
-/// Makes the segment of the voxel at a place the active one, when the session has answered whose
-/// that is; tells the user which it is, or that there is none.
+/// Asks the session for the segments at a place (LPS mm) and makes one of them active; if several
+/// overlap, repeated calls go through them (core::segmentNext()). The workspace tells the user
+/// which one is active, or that there is none.
 void activateSegmentAt(Workspace& workspace, const glm::dvec3& placeLps);
 
 } // namespace ui

@@ -11,7 +11,7 @@ namespace ui {
 
 /// A way to flip or turn a slice on the screen, as the View menu and context menus offer it.
 struct SliceTurnEntry {
-    const char* id; ///< of its action in the window
+    const char* id; ///< of the window's action
     QString text;
     SliceTurn (*after)(const SliceTurn& before);
 };

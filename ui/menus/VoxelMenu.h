@@ -17,26 +17,28 @@ namespace ui {
 struct PointedVoxel;
 class Workspace;
 
-/// What a view offers about the voxel under the pointer: the island of a segment that it lies in is
-/// removed, kept alone, or given to another segment, and what PlaceMenu.h adds. The session is
-/// asked first whose the voxel is, so the menu opens a moment later, unless the user has gone on
-/// meanwhile: a press, a wheel or a key anywhere, or another such request, withdraws it. Where
-/// there is no voxel, the menu is about the view alone.
+/// The context menu of a view about the voxel under the pointer. Its entries remove the island of
+/// the segment at that voxel, keep only this island, or give it to another segment; PlaceMenu.h
+/// adds more. The session is asked first which segments the voxel belongs to, so the menu opens a
+/// moment later. A press, a wheel turn or a key in the meantime, or another request, withdraws it.
+/// Outside the volume the menu is about the view alone.
 class VoxelMenu : public QObject {
     Q_OBJECT
 
 public:
-    /// Begins a request, and withdraws the one that the view made before. It deletes itself.
-    /// @param view owns it, and the menu
-    /// @param at on the screen
+    /// Begins a request and withdraws an earlier one of the same view. The object deletes itself
+    /// when the request has ended.
+    /// @param view owns this object and the menu
+    /// @param at place of the menu in screen pixels
     VoxelMenu(Workspace& workspace, QWidget& view, const QPoint& at);
 
-    /// Opens the menu when the session has answered; outside of the volume as openElsewhere().
-    /// @param placeLps the voxel nearest to it is meant
+    /// Opens the menu when the session has answered. Outside the volume it acts like
+    /// openElsewhere().
+    /// @param placeLps LPS mm; the nearest voxel is meant
     void openAbout(const glm::dvec3& placeLps);
-    /// Opens a menu at once that is about no voxel: the window presets, and what the view offers.
+    /// Opens at once a menu that is about no voxel: the window presets and the view's own entries.
     void openElsewhere();
-    /// What the view offers besides, below the entries about the voxel.
+    /// Sets the function that adds the view's own entries below those about the voxel.
     void addAtEnd(std::function<void(QMenu&)> more) { m_more = std::move(more); }
     [[nodiscard]] bool withdrawn() const { return m_withdrawn; }
     void withdraw();
@@ -46,7 +48,8 @@ protected:
 
 private:
     void open(const PointedVoxel& pointed);
-    /// @return null where none may open now
+    /// @return null while a menu must not open: a mouse button is down, or a dialog or another menu
+    /// is open
     [[nodiscard]] QMenu* newMenu(const char* name);
     void addEntries(QMenu& menu, int label, const glm::dvec3& placeLps) const;
     [[nodiscard]] QString whyNot(int label) const;

@@ -12,7 +12,7 @@
 
 namespace ui {
 
-/// What item models have in common that have a row per segment, in the document's order.
+/// Base of item models with one row per segment, in the document's order.
 /// @tparam Model QAbstractListModel or QAbstractTableModel
 template <class Model> class SegmentRows : public Model {
 public:
@@ -24,16 +24,17 @@ public:
 protected:
     using Model::Model;
 
-    /// The labels of the rows, as the views were last told.
+    /// Labels of the rows as the views know them.
     [[nodiscard]] const std::vector<int>& labels() const { return m_labels; }
-    /// Forgets the rows of another session.
+    /// Removes all rows. Call it when another session is opened.
     void clearRows()
     {
         Model::beginResetModel();
         m_labels.clear();
         Model::endResetModel();
     }
-    /// Tells the views which rows went and came; those in front of the first that differs stay.
+    /// Follows added and removed segments. All rows from the first difference on are removed and
+    /// inserted again; those before it stay.
     /// @param document null: none is open
     void followSegments(const core::Document* document)
     {

@@ -17,19 +17,20 @@ namespace ui {
 class LiveStatistics;
 class Workspace;
 
-/// Item model of the statistics of segments (measure/LiveStatistics.h): a row per segment in the
-/// document's order, a column per number. Its numbers are those that an export writes. The name is
-/// in column 0, and with the colour in the vertical header.
+/// Item model of the statistics of segments (measure/LiveStatistics.h), with a row per segment in
+/// the document's order and a column per number. The numbers are those that an export writes. The
+/// segment's name is column 0 and also, with its colour, the vertical header.
 class StatisticsModel : public SegmentRows<QAbstractTableModel> {
     Q_OBJECT
 
 public:
     enum Role {
         LabelRole = Qt::UserRole, ///< int
-        NumberRole, ///< double, as exported; none: there is no such number
-        BehindRole, ///< bool: the segment has changed since
-        KeyRole, ///< QString, of a column's header: its name in an exported table
-        LongNameRole, ///< QString, of a column's header, without the unit
+        /// Double as exported, or the name in column 0; invalid: there is no such number.
+        NumberRole,
+        BehindRole, ///< bool: the segment has changed since it was measured
+        KeyRole, ///< QString, of a column's header: its name in exported tables
+        LongNameRole, ///< QString, of a column's header: the full name without the unit
     };
 
     StatisticsModel(
@@ -40,7 +41,7 @@ public:
     [[nodiscard]] QVariant headerData(
         int section, Qt::Orientation orientation, int role) const override;
 
-    /// The column of a number, by its name in an exported table; −1: none.
+    /// Returns the column with a name in exported tables; −1 if there is none.
     [[nodiscard]] static int columnOf(const QString& key);
 
 private:
@@ -50,7 +51,7 @@ private:
     [[nodiscard]] QString textOf(double number, int column) const;
     [[nodiscard]] QString headingOf(int column) const;
     [[nodiscard]] QVariant rowHeader(int row, int role) const;
-    [[nodiscard]] bool isInVoxels() const; ///< the spacing of the volume is unknown
+    [[nodiscard]] bool isInVoxels() const; ///< whether the spacing of the volume is unknown
 
     Workspace& m_workspace;
     const LiveStatistics& m_statistics;

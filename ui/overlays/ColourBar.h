@@ -10,17 +10,17 @@ class QPainter;
 
 namespace ui {
 
-/// The legend of a slice in colours: which colour is which value, from the lower end of the window
-/// to its upper end.
+/// The legend of a slice in colours: the colours of the values from the lower end of the window
+/// (below) to its upper end (above).
 struct ColourBar {
     gpu::ColourMap map = gpu::ColourMap::Grey;
     bool inverted = false;
-    QString upper; ///< what stands at its ends
+    QString upper; ///< texts at its two ends
     QString lower;
 };
 
-/// Where it lies in a view: narrow, at the right, below the orientation letter. Empty where the
-/// view is too low for it.
+/// Returns its place in a view: a narrow bar at the right edge, below the orientation letter. Empty
+/// if the view is too low for it.
 [[nodiscard]] QRect colourBarPlace(const QRect& view);
 
 void paintColourBar(QPainter& painter, const QRect& view, const ColourBar& bar);

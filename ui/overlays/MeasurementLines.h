@@ -16,39 +16,41 @@ namespace ui {
 
 class Workspace;
 
-/// A measurement in logical pixels of a view, at places that were found for its points there.
+/// How a measurement is drawn, in logical pixels of a view.
 struct MeasurementDrawing {
-    std::vector<QPolygonF> lines{}; ///< open ones
-    std::vector<QPolygonF> outlines{}; ///< closed ones
-    std::vector<QPointF> marks{}; ///< places with a cross
-    QPointF text; ///< beside which its words stand
-    QPointF away{0.0, -1.0}; ///< on which side of it, a unit vector
+    std::vector<QPolygonF> lines{}; ///< open lines
+    std::vector<QPolygonF> outlines{}; ///< closed lines
+    std::vector<QPointF> marks{}; ///< places marked by a cross
+    QPointF text; ///< the place beside which its text stands
+    QPointF away{0.0, -1.0}; ///< unit vector towards the side on which the text stands
 };
 
-/// @param measurement its points as the view shows them
-/// Nothing of a ball that the view's slice does not cut.
+/// Returns the drawing of a measurement. It is empty for a ball that the view's slice does not cut.
+/// @param measurement with its points at the places where the view shows them
 [[nodiscard]] MeasurementDrawing drawingOf(
     const core::Measurement& measurement, const ViewContext& view);
 
-/// Draws lines with a dark rim, and words on a dark ground that stays in the view.
-/// @param taken where no words are to stand, as far as there is room elsewhere
-/// @returns where the words stand; empty: nowhere
+/// Draws the lines with a dark rim, and the text on a dark ground that stays within the view.
+/// @param words lines of the text
+/// @param taken rectangles that the text avoids if there is room elsewhere
+/// @return the rectangle of the text; empty: there is none
 QRectF paintMeasurement(QPainter& painter, const ViewContext& view,
     const MeasurementDrawing& drawing, const QStringList& words,
     const std::vector<QRectF>& taken = {});
 
-/// Whether a view shows a measurement of the document with all its points: a slice, if they lie in
-/// it.
+/// Whether a view shows a measurement of the document with all its points. A slice does if they lie
+/// in it.
 [[nodiscard]] bool isShown(
     const core::Measurement& measurement, const ViewContext& view, const Workspace& workspace);
 
-/// What a measurement of the document comes to, in lines; its values as far as they are known.
+/// Returns the size of a measurement of the document, and its values if they are known, in lines of
+/// text.
 [[nodiscard]] QStringList measurementLines(
     const core::Measurement& measurement, const Workspace& workspace);
 
-/// Draws the measurements of the document with what they come to: in a slice those that lie in it,
-/// to within a voxel, and the balls that it cuts; in a 3D view all of them, those on a piece where
-/// that piece is shown.
+/// Draws the measurements of the document with their sizes and values. A slice shows those that lie
+/// in it to within a voxel, and balls that it cuts. A 3D view shows all; those on a piece appear
+/// where the piece is shown.
 void paintMeasurements(QPainter& painter, const ViewContext& view, const Workspace& workspace);
 
 } // namespace ui

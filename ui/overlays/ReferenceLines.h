@@ -14,19 +14,19 @@ class QPainter;
 
 namespace ui {
 
-/// A plane that another view shows.
+/// The plane of another view.
 struct ReferencePlane {
     glm::dvec3 pointLps{0.0};
     glm::dvec3 normalLps{0.0, 0.0, 1.0}; ///< unit
     QColor colour;
 };
 
-/// The two ends (LPS) of the line where a plane meets a slice, within the volume. None if it does
-/// not meet it there, or lies nearly in it.
+/// Returns the two ends (LPS mm) of the line in which a plane cuts a slice, within the volume. None
+/// if they do not meet there or are nearly parallel.
 [[nodiscard]] std::optional<std::pair<glm::dvec3, glm::dvec3>> referenceLine(
     const ViewContext& slice, const ReferencePlane& plane, const core::VolumeGeometry& geometry);
 
-/// Draws those lines, thin and whole, with a gap around a pixel so that they never cover what the
+/// Draws these lines, thin and unbroken. A gap around @p gapAt (pixels) leaves free what the
 /// crosshair marks.
 void paintReferenceLines(QPainter& painter, const ViewContext& slice,
     std::span<const ReferencePlane> planes, const core::VolumeGeometry& geometry,

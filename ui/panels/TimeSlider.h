@@ -13,21 +13,22 @@ namespace ui {
 
 class Workspace;
 
-/// The points in time of the open series: a slider that chooses one, with a button that opens it.
-/// The slider's menu leads to both ends, plays the points one after the other and copies which one
-/// is chosen. Hidden while the series has one point only.
+/// A slider over the points in time of the open series, and a button that opens the chosen one. The
+/// slider's context menu opens the first or last point, plays the points one after the other, and
+/// copies the name of the chosen point. Hidden if the series has only one point.
 class TimeSlider : public QWidget {
     Q_OBJECT
 
 public:
     explicit TimeSlider(Workspace& workspace, QWidget* parent = nullptr);
 
+    /// Shows the points of the open series. Call it when another volume is open.
     void showVolume();
-    /// Whether the menu offers to stop instead of to play.
+    /// Tells whether the points are being played; the menu then offers "Pause".
     void showPlaying(bool isPlaying);
 
 Q_SIGNALS:
-    void requested(int time); ///< another point, 0-based
+    void requested(int time); ///< the user asks for another point, counted from 0
     void playRequested(double pointsPerSecond);
     void pauseRequested();
 

@@ -12,25 +12,25 @@
 
 namespace ui {
 
-/// What an audit report says of the segments as they stand: how large each is, and what was changed
-/// in those that were imported, a network's for instance.
+/// What an audit report says of the segments as they are: the size of each, and what was changed in
+/// those that were imported, for example from a network.
 struct AuditSegments {
     struct One {
         core::SegmentStatistics measured;
-        /// PNG of the slice with the most changes (ChangePicture.h); empty: none were made, or the
-        /// segment was not imported.
+        /// PNG of the slice with the most changes (ChangePicture.h). Empty if nothing was changed
+        /// or the segment was not imported.
         QByteArray changes;
-        int slice = 0; ///< of that picture, 0-based
+        int slice = 0; ///< slice of that picture, counted from 0
     };
-    bool areUnknown = false; ///< the study cannot be read
-    core::RowId position = 0; ///< after which step they stand so
-    std::vector<One> segments; ///< those with voxels
-    QStringList empty; ///< names of those without
+    bool areUnknown = false; ///< the study could not be read, so nothing was measured
+    core::RowId position = 0; ///< the row of the history after which they were measured
+    std::vector<One> segments; ///< the segments with voxels
+    QStringList empty; ///< names of the segments without voxels
 };
 
-/// Measures them. Cost: that of the statistics (SegmentStatistics.h). Any thread. Errors:
-/// UnknownSegment (its plane is missing), Cancelled.
-/// @param request with segments, planes, the codes of the volume and what was imported
+/// Measures the segments. Any thread. Cost: that of the statistics (SegmentStatistics.h). Errors:
+/// UnknownSegment (its label plane is missing), Cancelled.
+/// @param request with segments, label planes, the codes of the volume and what was imported
 [[nodiscard]] core::Result<AuditSegments> auditSegments(
     const core::Volume& volume, const core::ExportRequest& request, const core::Progress& progress);
 

@@ -11,19 +11,19 @@
 
 namespace ui {
 
-/// A native slice of a volume in its default window, with what was added to a mask in green, what
-/// was taken from it in red and what stayed in blue.
+/// A picture of a native slice of a volume in its default window. What was added to a mask is
+/// green, what was taken from it red, and what stayed blue.
 struct ChangePicture {
-    int slice = 0; ///< 0-based
+    int slice = 0; ///< index of the slice, counted from 0
     QImage image;
 };
 
-/// Of the slice in which most voxels differ, the first of several, cut to the masks with 30 mm
-/// around them. It is turned as views show it: of an axial slice the patient's front is above and
-/// the right on the left; lengths are true. None if the masks are equal. Cost: one pass over the
-/// runs, and one slice. Any thread.
+/// Draws the slice in which most voxels differ, the first of them if there are several, cropped to
+/// the masks with a margin of 30 mm. It is oriented as views show slices (axial: anterior at the
+/// top, the patient's right on the left), and its pixels are square. None if the masks are equal.
+/// Cost: one pass over the runs, and one slice. Any thread.
 /// @param codes of the volume, x fastest
-/// @param now, before voxels of the volume
+/// @param now, before the voxels of the mask, as voxel numbers of the volume
 [[nodiscard]] std::optional<ChangePicture> changePicture(const core::Volume& volume,
     std::span<const std::uint16_t> codes, const core::VoxelRuns& now,
     const core::VoxelRuns& before);

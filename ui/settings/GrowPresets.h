@@ -9,15 +9,15 @@
 
 namespace ui {
 
-/// The steps of *Smooth*: how many of the 27 voxels around and at a voxel must lie in the interval
-/// (GrowSettings::majority). Where all of a thing qualifies, a thread one voxel thick has 3 of 27
-/// around it, a sheet 9, a bar two voxels thick 12, a flat border 18. At a flat border in noise
-/// the strongest step still allows two voxels that fail.
+/// The steps of "Smooth": how many of the 27 voxels of a 3 × 3 × 3 neighbourhood must lie in the
+/// interval (GrowSettings::majority). If all voxels of a structure lie in it, the count is 3 in a
+/// thread one voxel thick, 9 in a sheet, 12 in a bar two voxels thick, and 18 at a flat border. So
+/// at a flat border the strongest step tolerates two noisy voxels.
 inline constexpr int smoothALittle = 10;
 inline constexpr int smoothMore = 14;
 inline constexpr int smoothStrong = 16;
 
-/// How a kind of structure is best grown, besides its interval.
+/// Settings of growth that suit a kind of structure, apart from the interval.
 struct GrowPreset {
     QString name;
     QString tip;
@@ -25,13 +25,14 @@ struct GrowPreset {
     int connectivity = 6; ///< GrowSettings::connectivity
 };
 
-/// From thick to thin. None of them stops at necks: which width does depends on the leak.
+/// All presets, from thick to thin structures. None of them stops at necks, because the right width
+/// depends on the leak.
 [[nodiscard]] const std::vector<GrowPreset>& growPresets();
 
-/// Sets what a preset is of: *Smooth*, necks and connectivity. All else stays, also the width of
-/// necks, which are switched off.
+/// Applies a preset: sets smoothness and connectivity, and switches the stop at necks off. The
+/// width of necks and all other settings stay.
 void takePreset(const GrowPreset& preset, GrowSettings& settings);
-/// Whether the settings are those of a preset.
+/// Whether applying the preset would change nothing.
 [[nodiscard]] bool areOf(const GrowSettings& settings, const GrowPreset& preset);
 
 } // namespace ui

@@ -13,9 +13,9 @@ class EditSession;
 
 namespace ui {
 
-/// What the history says of growth at its position. It is asked again and again while a growth is
-/// watched, and answering costs a walk through the history: so the answer is kept until the
-/// position is another one. What lies before a position never changes.
+/// What the history says of growth at its present position. It is asked many times per second while
+/// a growth is watched, and answering takes a walk through the history. So the answer is kept until
+/// the position changes; what led to a position never changes.
 class GrowthPast {
 public:
     struct Known {
@@ -25,7 +25,7 @@ public:
     };
 
     [[nodiscard]] const Known& of(const core::EditSession& session);
-    /// For another session.
+    /// To be called when another session is opened.
     void clear() { m_position.reset(); }
 
 private:

@@ -13,8 +13,8 @@
 
 namespace ui {
 
-/// The few chunks of a division that the user will most likely click on (core::DoubtfulChunks),
-/// looked for beside the window.
+/// Searches a division for the few chunks that are most likely on the wrong side of a segment's
+/// border (core::DoubtfulChunks), in the background. GUI thread.
 class LikelyChunks : public QObject {
     Q_OBJECT
 
@@ -23,14 +23,18 @@ public:
 
     explicit LikelyChunks(QObject* parent = nullptr);
 
-    /// Looks for them; those found before stay until then, unless the number of chunks is another.
-    /// @param own the number of the segment's voxels, by leaf
+    /// Starts a search. What was found before stays until its end, unless the number of chunks is
+    /// another.
+    /// @param segment label of the segment
+    /// @param own number of the segment's voxels in each leaf
+    /// @param count number of chunks of the division
     void look(const std::shared_ptr<const ChunkLeaves>& leaves, int segment,
         const std::vector<std::uint32_t>& own, int count);
     void forget();
-    /// Whether they are being looked for, so that all() may still change.
+    /// Whether a search is running, so that all() may still change.
     [[nodiscard]] bool isLooking() const { return m_background.busy(); }
-    /// The most likely one first; each with its place in the box.
+    /// The chunks that were found, the most likely one first, each with its place in the box of the
+    /// division.
     [[nodiscard]] const std::vector<core::DoubtfulChunks::Doubtful>& all() const { return m_all; }
 
 Q_SIGNALS:
@@ -38,7 +42,7 @@ Q_SIGNALS:
 
 private:
     std::vector<core::DoubtfulChunks::Doubtful> m_all;
-    int m_count = 0; ///< for which they are
+    int m_count = 0; ///< number of chunks for which they were found
     core::Background m_background; ///< last: it uses the above
 };
 

@@ -16,21 +16,21 @@ class EditSession;
 
 namespace ui {
 
-/// The voxels of the seeds of a segment, by the sketch that set them, on the history's line up to
-/// its present position; without sketches of which nothing is left.
+/// Returns the seed voxels of a segment by the sketch that set them, for all sketches in effect at
+/// the history's present position. Sketches of which nothing is left are omitted.
 [[nodiscard]] std::vector<std::vector<glm::ivec3>> sketchedVoxels(
     const core::EditSession& session, int label);
-/// The voxels of all seeds of a segment, on the history's line up to its present position.
+/// Returns all seed voxels of a segment that are in effect at the history's present position.
 [[nodiscard]] std::vector<glm::ivec3> seedVoxels(const core::EditSession& session, int label);
-/// The number of seed voxels of all segments that were sketched on that line.
+/// Returns the number of seed voxels of all segments.
 [[nodiscard]] int sketchedSeeds(const core::EditSession& session);
 
-/// The tolerance at which an interval is offered after a sketch, in deviations: of a normal
-/// distribution they hold 99 %.
+/// The tolerance with which an interval is suggested after a sketch, in standard deviations: it
+/// covers 99 % of a normal distribution.
 inline constexpr double usualTolerance = 2.5;
-/// The interval that is offered for what was sketched (core::offeredInterval()), in modality units
-/// and few digits. An end beyond which nearly nothing of the volume lies is open: the volume's own.
-/// None: nothing was sketched.
+/// Returns the interval that is suggested for sketched voxels (core::offeredInterval()), in
+/// modality units, rounded outwards to few digits. An end is set to the volume's own if less than
+/// half a percent of the volume lies beyond it. None if nothing was sketched.
 [[nodiscard]] std::optional<std::pair<double, double>> offeredValues(
     const core::Volume& volume, const core::SketchedCodes& sketched, double tolerance);
 

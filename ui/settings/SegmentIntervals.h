@@ -14,33 +14,34 @@
 
 namespace ui {
 
-/// The interval in which each segment grows, as the window remembers it with the session's display
-/// state. An undone segment keeps its interval for redo; another one that receives its label does
-/// not get it. When a growth is undone or redone, the segments that it grew get the intervals that
-/// they had when the growth that is now the last one was made.
+/// The interval of values in which each segment grows, as the window keeps it in the session's
+/// display state. An undone segment keeps its interval for redo; another segment that later gets
+/// the same label does not receive it. Undo or redo of a growth gives the segments concerned the
+/// intervals that belonged to the growth that is now the last one.
 class SegmentIntervals {
 public:
     struct Interval {
         double lower = 0.0; ///< modality units
         double upper = 0.0;
-        bool byHand = false; ///< the user has set it; no sketch changes it
-        double tolerance = usualTolerance; ///< where the slider tight … loose stands, deviations
+        bool byHand = false; ///< the user has set it; later sketches do not change it
+        /// Position of the slider "tight … loose", in standard deviations.
+        double tolerance = usualTolerance;
         bool operator==(const Interval&) const = default;
     };
 
-    /// For another session.
+    /// To be called when another session is opened.
     void clear();
-    /// Follows which segments there are, and which growth is the last one; to be called when the
-    /// segments or the history have changed.
+    /// To be called when segments or the history have changed.
     void follow(const core::EditSession& session);
 
-    /// @param label 0: while there is no segment
+    /// @param label 0: the interval that waits for the first segment
     [[nodiscard]] std::optional<Interval> of(int label) const;
-    /// Also for a segment that is about to be made.
+    /// Sets the interval of a segment, which may also be one that is about to be added.
     void set(int label, const Interval& interval);
-    /// Changes its bounds as the user wants them, wherever the slider stands.
+    /// Sets the bounds as the user chose them. The tolerance stays, and no sketch will change the
+    /// interval.
     void setByHand(int label, double lower, double upper);
-    /// That of 0, which is then forgotten: the first segment gets it.
+    /// Returns and forgets the interval of label 0, for the first segment to take over.
     [[nodiscard]] std::optional<Interval> takeFirst();
 
     [[nodiscard]] QJsonArray json() const;
@@ -50,7 +51,8 @@ public:
 private:
     struct Known {
         int label = 0;
-        core::RowId since = 0; ///< a row at which the segment was there, the first one known
+        /// The row at which the segment was first seen; tells it from others with its label.
+        core::RowId since = 0;
         Interval interval;
     };
 
@@ -59,16 +61,16 @@ private:
     void followGrowth(const core::EditSession& session);
     /// Keeps the intervals with the last growth.
     void remember(const core::EditSession& session);
-    /// Goes to the last growth over others, which named these segments.
+    /// Restores the intervals of @p segments from the growth that is now the last one.
     void goBack(const core::EditSession& session, const std::bitset<256>& segments);
 
-    std::vector<Known> m_known; ///< also of segments that were undone
-    std::map<int, core::RowId> m_since; ///< of the segments that there are, by label
-    std::map<int, Interval> m_early; ///< of segments that are about to be made, by label
-    /// By the row of a growth, then by label: the intervals when it was made.
+    std::vector<Known> m_known; ///< of all segments, including undone ones
+    std::map<int, core::RowId> m_since; ///< Known::since of the present segments, by label
+    std::map<int, Interval> m_early; ///< intervals of segments that are about to be added, by label
+    /// The intervals at the time of each growth, by the growth's row and the segment's label.
     std::map<core::RowId, std::map<int, Interval>> m_then;
-    std::size_t m_rows = 0; ///< number of the history's rows when it was followed last
-    core::RowId m_position = 0; ///< its position then
+    std::size_t m_rows = 0; ///< number of the history's rows at the last follow()
+    core::RowId m_position = 0; ///< the history's position at the last follow()
 };
 
 } // namespace ui

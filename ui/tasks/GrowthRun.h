@@ -14,37 +14,38 @@ namespace ui {
 
 class Workspace;
 
-/// The growth that the user has let run and watches. A burst lasts from its beginning to a pause,
-/// an alarm or closure, and is one step of undo. Where segments grow in different intervals it is
-/// one burst for each turn (GrowthTurns.h): the next one begins when the one before is a row.
+/// Runs a growth that the user watches. A burst lasts from its start to a pause, a leak alarm or
+/// closure, and is one step of undo. If segments grow in different intervals there is one burst for
+/// each turn (GrowthTurns.h); the next begins when the one before has become a row of the history.
+/// GUI thread.
 class GrowthRun : public QObject {
     Q_OBJECT
 
 public:
     explicit GrowthRun(Workspace& workspace, QObject* parent = nullptr);
 
-    /// Also between two turns.
+    /// Whether a growth is running or the next turn is about to begin.
     [[nodiscard]] bool running() const { return m_running; }
 
-    /// Begins with the first of the turns.
-    /// @param generationsPerSecond 0: as fast as it goes
+    /// Begins the first turn; the others follow by themselves.
+    /// @param generationsPerSecond pace; 0: as fast as possible
     void begin(std::vector<GrowthTurn> turns, double generationsPerSecond);
-    /// Goes on with the criteria of the growth before, as a single burst.
+    /// Continues the last growth with the same criteria, as a single burst.
     void resume();
-    /// Goes on after an alarm: with the segments that raised it, which need not be the active one,
-    /// and the turns after them.
+    /// Continues after a leak alarm. If the active segment was not in the turn that raised it, that
+    /// turn and those after it go on; otherwise the turns are planned anew.
     void goOn();
-    /// Ends the burst where it is, and drops the turns that have not begun.
+    /// Ends the burst at its present generation and drops the turns that have not begun.
     void pause();
-    /// Forgets everything, because another study was opened.
+    /// To be called when another session is opened.
     void forget();
 
 Q_SIGNALS:
-    void begun(); ///< a burst
-    void changed(); ///< it has begun, gone on or ended
-    void alarmed(const core::LeakAlarm& alarm); ///< which has ended it
-    /// Nothing is left within the interval, of the last turn either.
-    /// @param last that turn; after resume() it names no segments
+    void begun(); ///< a burst has begun
+    void changed(); ///< a burst has begun, made progress or ended
+    void alarmed(const core::LeakAlarm& alarm); ///< a leak alarm has ended the burst
+    /// All turns have reached closure: nothing is left to grow within the intervals.
+    /// @param last the last turn; after resume() it names no segments
     void completed(const GrowthTurn& last);
 
 private:
@@ -54,11 +55,13 @@ private:
     void finish();
 
     Workspace& m_workspace;
-    QTimer m_watch; ///< only updates what is shown; has no influence on voxels
+    QTimer m_watch; ///< reads the progress; has no influence on voxels
     bool m_running = false;
-    std::vector<GrowthTurn> m_turns; ///< the one that grows, or raised an alarm, and those after it
-    bool m_nextTurn = false; ///< the first of them begins as soon as the session is idle
-    std::size_t m_mostRows = 0; ///< that there may be when the next turn begins
+    /// The turn that grows or raised an alarm, then those after it.
+    std::vector<GrowthTurn> m_turns;
+    bool m_nextTurn = false; ///< m_turns.front() begins as soon as the session is idle
+    /// Rows that the history may have then; more mean that the user did something else.
+    std::size_t m_mostRows = 0;
     double m_pace = 0.0; ///< generations per second; 0: as fast as it goes
 };
 

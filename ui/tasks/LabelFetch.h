@@ -21,7 +21,7 @@ class LabelFetch : public QObject {
     Q_OBJECT
 
 public:
-    /// Whoever keeps them shares them: they are as large as the volume.
+    /// Shared by all who keep them, since a plane takes a byte per voxel of the volume.
     using Planes = std::shared_ptr<const std::vector<ExportJob::Plane>>;
 
     using QObject::QObject;
@@ -38,10 +38,11 @@ public:
         m_failures = 0;
     }
     [[nodiscard]] bool running() const { return m_work != nullptr; }
-    /// Whether it is worth starting again after this failure: the study was edited meanwhile. Where
-    /// it fails again and again though nothing is edited, there is another reason, and it is not.
+    /// Whether it makes sense to start again after this failure: true if the study was edited
+    /// meanwhile. After mostFailures failures in a row without an edit the reason is another one,
+    /// so the answer is false.
     [[nodiscard]] bool mayTryAgain(const core::Error& error) const;
-    /// So often in a row, without an edit in between.
+    /// Failures in a row without an edit in between, after which mayTryAgain() is false.
     static constexpr int mostFailures = 5;
 
 Q_SIGNALS:

@@ -26,14 +26,14 @@ class LiveComparison : public QObject {
 public:
     explicit LiveComparison(Workspace& workspace, QObject* parent = nullptr);
 
-    /// Reads a mask of any format on another thread; then its segment of the compared one's name is
-    /// the reference, or else its first, until another segment is active or one is chosen.
+    /// Reads a mask of any format on another thread. Its segment with the name of the compared one
+    /// becomes the reference, or else its first segment. That holds until another segment becomes
+    /// active or choose() is called.
     void read(const QString& path);
-    /// Takes the masks that the session has imported, as they came, for the reference: what has
-    /// been changed since? The segment of the compared one's name is chosen, whichever that
-    /// becomes.
+    /// Takes the imported masks, as they were read, as the reference, to show what was changed
+    /// since. Whichever segment is compared, the one of its name is chosen.
     void takeImported();
-    /// Whether there is such a mask among the steps that led to the present state.
+    /// Whether an import of a mask is among the steps that led to the present state.
     [[nodiscard]] bool canTakeImported() const;
     /// Whether the reference is what was imported.
     [[nodiscard]] bool isImported() const { return m_imported; }
@@ -41,13 +41,14 @@ public:
     /// The reference file; empty if there is none, or if it is what was imported.
     [[nodiscard]] const QString& path() const { return m_path; }
     [[nodiscard]] QStringList references() const; ///< names of the segments of the reference
-    /// Of a file: for the compared segment, until the reference is another one.
+    /// Chooses which segment of the reference is compared. If the reference is a file, the choice
+    /// is kept for the compared segment until the reference is another one.
     /// @param place index in references()
     void choose(int place);
     [[nodiscard]] int chosen() const { return m_chosen; } ///< −1: none
-    /// The voxels of the reference that belongs to the active segment if it is from a file: the one
-    /// chosen by hand for it, or that of its name, or the only one. What was imported differs where
-    /// the user has mended it, which is no doubt. Null: none.
+    /// The voxels of the reference for the active segment, if the reference is a file: the segment
+    /// chosen by hand, or the one of its name, or the only one. Null otherwise: an imported mask
+    /// differs where the user has mended it, and that is no doubt.
     [[nodiscard]] std::shared_ptr<const core::VoxelRuns> secondMask() const;
 
     struct Outcome {

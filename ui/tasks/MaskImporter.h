@@ -37,12 +37,12 @@ public:
     /// Asks for a file and imports it.
     void ask();
     void import(const QString& path);
-    /// Goes on after overlapping(). Nothing happens if nothing waits.
+    /// Continues an import that waits after overlapping(); otherwise does nothing.
     /// @param ahead ImportMask::ahead
     /// @param planes ImportMask::planes
     void import(const std::optional<std::vector<int>>& ahead,
         const std::optional<std::vector<int>>& planes);
-    /// After overlapping(): the mask is not taken in.
+    /// Gives up an import that waits after overlapping().
     void giveUp();
     [[nodiscard]] bool busy() const { return m_background.busy() || m_waiting; }
 
@@ -52,9 +52,9 @@ public:
 
 Q_SIGNALS:
     void started(const QString& path);
-    /// Segments of the file overlap. It waits for import() or giveUp().
+    /// Segments of the file overlap. The import waits for import() or giveUp().
     void overlapping(const core::ReadImport& read, const core::VolumeGeometry& geometry);
-    /// It waits no more, since the study was closed.
+    /// The import does not wait any longer, because the study was closed.
     void noLongerAsked();
     /// The import is in the history.
     /// @param notes what was resampled, left out or assumed, one sentence each
@@ -71,7 +71,7 @@ private:
 
     Workspace& m_workspace;
     QWidget* m_window;
-    std::unique_ptr<Waiting> m_waiting; ///< for a word on its overlaps; null: nothing waits
+    std::unique_ptr<Waiting> m_waiting; ///< the import that waits after overlapping(); null: none
     core::Background m_background; ///< last: it uses all of the above
 };
 

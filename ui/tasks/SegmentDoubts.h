@@ -17,9 +17,9 @@ namespace ui {
 
 class Workspace;
 
-/// Finds places of the active segment to look at first (core/doubts/PlacesToLookAt.h), on another
-/// thread. What was found of each segment, and which places the user has seen, is kept until the
-/// session closes; nothing of it is part of the session. GUI thread.
+/// Searches the active segment in the background for places to look at first
+/// (core/doubts/PlacesToLookAt.h). What was found of each segment, and which places the user has
+/// seen, is kept until the session closes; it is not saved with the session. GUI thread.
 class SegmentDoubts : public QObject {
     Q_OBJECT
 
@@ -30,26 +30,26 @@ public:
         core::DoubtfulPlace place;
         bool seen = false; ///< the user has ticked it
     };
-    /// What was found of a segment.
+    /// The result of a search of one segment.
     struct Found {
         std::vector<Entry> entries;
-        bool editedSince = false; ///< voxels of some segment were
+        bool editedSince = false; ///< labels were changed after the search
         [[nodiscard]] bool allSeen() const;
     };
     using Mask = std::shared_ptr<const core::VoxelRuns>;
 
     explicit SegmentDoubts(Workspace& workspace, QObject* parent = nullptr);
 
-    /// Starts the search. Of places that are found again, those seen stay seen.
-    /// @param second a mask of the same organ with which the segment is compared; null: none
+    /// Starts a search. A place that was ticked before stays ticked if it is found again.
+    /// @param second another mask of the same organ, with which the segment is compared; null: none
     void look(Mask second);
     void abort();
     [[nodiscard]] bool isLooking() const { return m_job != nullptr; }
-    /// Whether the search begins only when the step that stands open is finished.
+    /// Whether the search waits for the end of an open edit.
     [[nodiscard]] bool isWaiting() const { return m_waits; }
-    /// What was found of the active segment; null: it has not been searched.
+    /// The result for the active segment; null if it was not searched.
     [[nodiscard]] const Found* found() const;
-    /// Ticks a place of the active segment, or takes the tick away.
+    /// Sets whether a place of the active segment counts as seen.
     void setSeen(std::size_t entry, bool seen);
 
 Q_SIGNALS:
@@ -71,9 +71,10 @@ private:
 
     Workspace& m_workspace;
     LabelFetch m_fetch;
-    QTimer m_again; ///< a step stands open, or the labels changed while they were fetched
+    /// Tries to read again, after an open edit or a change of labels while they were read.
+    QTimer m_again;
     bool m_waits = false;
-    std::shared_ptr<Job> m_job; ///< what is under way
+    std::shared_ptr<Job> m_job; ///< null: no search is running
     std::map<int, Found> m_found; ///< by label
     core::Background m_background; ///< last: it uses all of the above
 };

@@ -14,22 +14,23 @@ namespace ui {
 
 class Workspace;
 
-/// Finds out which values were sketched (core/growth/SketchInterval.h). The voxels are read by the
-/// engine and looked at on another thread, so that the window does not wait.
+/// Finds out which values lie under and around sketches (core/growth/SketchInterval.h). The engine
+/// reads the voxels and a background thread evaluates them, so the window does not wait. GUI
+/// thread.
 class SketchLook : public QObject {
     Q_OBJECT
 
 public:
     explicit SketchLook(Workspace& workspace, QObject* parent = nullptr);
 
-    /// Drops the question before.
+    /// Asks about some sketches; the answer comes by found(). An earlier question is dropped.
     void ask(std::vector<core::SeedSketch> sketches);
-    /// Drops the question; to be called when the session is another one.
+    /// Drops the question. To be called when another session is opened.
     void drop();
 
 Q_SIGNALS:
-    /// The answer to the last question, unless it was dropped.
-    /// @param seeds codes of all sketched voxels, in their order
+    /// The answer to the last question.
+    /// @param seeds codes of all sketched voxels, in the order of the question
     void found(const core::SketchedCodes& sketched, const std::vector<int>& seeds);
 
 private:
@@ -38,7 +39,7 @@ private:
     void look(std::shared_ptr<const Question> question, std::vector<int> codes);
 
     Workspace& m_workspace;
-    std::uint64_t m_asked = 0; ///< number of questions; only the answer to the last one counts
+    std::uint64_t m_asked = 0; ///< number of questions so far; answers to earlier ones are ignored
     core::Background m_background;
 };
 

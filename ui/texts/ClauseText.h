@@ -7,8 +7,8 @@
 
 namespace ui {
 
-/// A clause with its arguments in the language of the user; a plain text, and a clause that has no
-/// translation, as it is.
+/// Returns a clause and its arguments in the user's language. Plain texts, and clauses without a
+/// translation, are returned as they are.
 [[nodiscard]] QString clauseText(const core::Clause& clause);
 
 } // namespace ui

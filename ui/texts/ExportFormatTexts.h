@@ -7,10 +7,10 @@
 
 namespace ui {
 
-/// "STL surface": the name of a format in a list and in reports.
+/// Returns the name of a format for lists and reports: "STL surface".
 [[nodiscard]] QString exportFormatTitle(core::ExportFormat format);
 
-/// What a file of the format holds, in one sentence.
+/// Returns a sentence on what a file of the format holds.
 [[nodiscard]] QString exportFormatSays(core::ExportFormat format);
 
 } // namespace ui

@@ -7,7 +7,7 @@
 
 namespace ui {
 
-/// "growth not finished": a clause beside the segment.
+/// Returns a remark that stands beside a segment in the export dialog: "growth not finished".
 [[nodiscard]] QString exportRemarkText(core::ExportRemark remark);
 
 } // namespace ui

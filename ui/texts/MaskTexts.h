@@ -7,7 +7,7 @@
 
 namespace ui {
 
-/// One sentence on what was resampled, left out or assumed when a mask was read.
+/// Returns a sentence on what was resampled, left out or assumed when a mask was read.
 [[nodiscard]] QString maskNoteText(const core::MaskNote& note);
 
 } // namespace ui

@@ -7,8 +7,8 @@
 
 namespace ui {
 
-/// What is said of a problem of a volume. A text that was read from a session file stays in the
-/// English in which it is kept there.
+/// Returns a problem of a volume in the user's language. A text that was read from a session file
+/// stays in the English in which the file stores it.
 [[nodiscard]] QString problemText(const core::ProblemSentence& sentence);
 
 } // namespace ui

@@ -7,7 +7,7 @@
 
 namespace ui {
 
-/// What work is doing: "Reading slices".
+/// Returns what work is doing at the moment: "Reading slices".
 [[nodiscard]] QString progressText(core::ProgressStep step);
 
 } // namespace ui

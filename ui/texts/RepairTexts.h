@@ -7,10 +7,11 @@
 
 namespace ui {
 
-/// "Fill the gaps"
+/// Returns the name of a repair for a button: "Fill the gaps".
 [[nodiscard]] QString repairTitle(const core::RepairOffer& offer);
 
-/// One or two sentences on what a repair does to which slices; empty for what was done on opening.
+/// Returns one or two sentences on what a repair does and to which slices. Empty for a repair that
+/// was already made when the volume was opened.
 [[nodiscard]] QString repairEffect(const core::RepairOffer& offer);
 
 } // namespace ui

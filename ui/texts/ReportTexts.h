@@ -8,12 +8,12 @@
 
 namespace ui {
 
-/// What an export did, in sentences.
+/// The report of an export in sentences of the user's language.
 struct WordedReport {
     QString file;
     QStringList written;
     QStringList checked;
-    QStringList cautions; ///< what a reader of the file must know
+    QStringList cautions; ///< what readers of the file must know
     QString sha256{}; ///< core::ExportReport::sha256
 };
 

@@ -8,15 +8,17 @@
 
 namespace ui {
 
-/// "row 17 'Drill 5 mm' and the 5 after it cannot be read: …"
+/// Describes damage of a session file as a clause: "row 17 'Drill 5 mm' and the 5 after it cannot
+/// be read: …".
 [[nodiscard]] QString damageText(const core::SessionDamage& damage);
-/// What is damaged, without the file: of SessionDamaged, with or without lost rows.
+/// Describes the damage that an error SessionDamaged reports, without the name of the file.
 [[nodiscard]] QString damageText(const core::Error& error);
 
-/// Every problem of a session file as a sentence without a full stop, lost rows first; empty: none.
+/// Returns every problem of a session file as a sentence without a full stop, lost rows first.
+/// Empty if there are none.
 [[nodiscard]] QStringList problemTexts(const core::SessionContents& contents);
 
-/// What was left out of a de-identified session and what was checked; one sentence each.
+/// Returns what was left out of a de-identified session and what was checked, one sentence each.
 [[nodiscard]] QStringList deidentifiedTexts(const core::DeidentifiedSession& session);
 
 } // namespace ui

@@ -15,21 +15,23 @@ namespace ui {
 
 class Workspace;
 
-/// The small control in a corner of the 3D view: the volume, the volume and the segments in it, or
-/// segments only. Beside it, while both are shown, stand the opacity of the volume and whether it
-/// is cut away in front of segments instead.
+/// The small control in a corner of the 3D view that chooses what is shown: the volume, the volume
+/// and the segments in it, or segments only. While both are shown it also sets the opacity of the
+/// volume and whether the volume is cut away in front of segments instead.
 ///
-/// It also steps the context back by itself: while a surface is refined the volume is not shown,
-/// unless the user wants it; what was shown before comes back with the end of refining.
+/// It also changes this by itself: when refining of a surface begins, it hides the volume; when
+/// refining ends, it restores what was shown before, unless the user has chosen something else
+/// meanwhile.
 class ContextSwitch : public QFrame {
     Q_OBJECT
 
 public:
     ContextSwitch(Workspace& workspace, QWidget* parent);
 
-    /// What was shown before it stepped back; none if it did not, or the user has chosen since.
+    /// What was shown before it hid the volume by itself; none if it did not, or if the user has
+    /// chosen since.
     [[nodiscard]] std::optional<gpu::Context> before() const;
-    /// Makes before() what it was when the session was last open.
+    /// Sets before() from a saved session.
     void setBefore(std::optional<gpu::Context> before);
 
 private:
@@ -39,13 +41,14 @@ private:
 
     Workspace& m_workspace;
     QButtonGroup* m_choices;
-    QWidget* m_ofBoth; ///< what matters while both are shown
+    QWidget* m_ofBoth; ///< controls that apply only while both are shown
     QSlider* m_opacity;
     QToolButton* m_cutAway;
     bool m_refining = false;
-    bool m_steppedBack = false; ///< the user has not chosen otherwise since
-    gpu::Context m_before = gpu::Context::Opaque; ///< when it stepped back
-    gpu::Context m_both = gpu::Context::Translucent; ///< which way both are shown
+    bool m_steppedBack = false; ///< it has hidden the volume and the user has not chosen since
+    gpu::Context m_before = gpu::Context::Opaque; ///< what was shown when it hid the volume
+    /// How both are shown: translucent or cut away.
+    gpu::Context m_both = gpu::Context::Translucent;
 };
 
 } // namespace ui

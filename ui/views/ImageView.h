@@ -59,7 +59,7 @@ public:
     void showEarlySlice(const std::shared_ptr<const core::EarlySlice>& early);
     /// Resets zoom, pan and camera to show the whole volume.
     virtual void resetView() = 0;
-    /// Has the menus of right clicks here end with what @p more adds.
+    /// Adds a function that appends entries to the end of this view's context menus.
     void addToMenus(std::function<void(QMenu&)> more) { m_menuEnds.push_back(std::move(more)); }
 
 Q_SIGNALS:
@@ -94,7 +94,7 @@ protected:
         return {};
     }
     virtual void activateSegmentAt(const QPointF& at) = 0;
-    /// Adds what a menu offers about the view itself, and what addToMenus() was given.
+    /// Adds the menu entries about the view itself, and those of addToMenus().
     void addViewEntries(QMenu& menu);
     /// Called when early() has changed.
     virtual void earlySliceChanged() { resetView(); }
@@ -145,7 +145,7 @@ private:
     gpu::Scene m_pictureScene; ///< in device pixels, as it came
     std::optional<gpu::Frame::Quality> m_pictureQuality; ///< none if the engine did not draw it
     QTimer m_rest;
-    QTimer m_penRest; ///< begins anew with each move of a pen that is down
+    QTimer m_penRest; ///< restarted by each move of a pen that is down
     bool m_penRests = false; ///< the pen is down and has not moved for a moment
 };
 

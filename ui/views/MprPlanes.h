@@ -10,8 +10,8 @@
 namespace ui {
 
 /// The planes of the three slice views, which all pass through the crosshair. At first they lie
-/// along the patient; each can be turned about the normal of another one (double oblique). It is
-/// not a step of undo.
+/// along the patient's axes; each can be rotated about the normal of another one (double oblique).
+/// Rotations are not steps of undo.
 class MprPlanes : public QObject {
     Q_OBJECT
 
@@ -22,18 +22,21 @@ public:
     explicit MprPlanes(QObject* parent = nullptr);
 
     [[nodiscard]] const SliceAxes& axes(SliceOrientation plane) const;
-    /// Whether all three lie as they did at first.
+    /// Whether all three planes lie as they did at first.
     [[nodiscard]] bool alongPatient() const;
+    /// Puts all three planes back to the patient's axes.
     void reset();
 
-    /// Turns the two planes that are seen as lines in a slice, which themselves stay perpendicular
-    /// to each other if they are so.
-    /// @param seenIn the slice, which is not turned
-    /// @param radians clockwise as the slice is seen upright
+    /// Rotates the two planes that appear as lines in a slice. Planes that are perpendicular to
+    /// each other stay so.
+    /// @param seenIn the slice, which is not rotated
+    /// @param radians clockwise in the slice when it is upright
     void turnOthers(SliceOrientation seenIn, double radians);
-    /// Turns only one of them. It does not come so near to another plane that both would be one.
+    /// Rotates only one of these planes. It does nothing if that plane would come nearer than about
+    /// 10° to another one.
     void turnOne(SliceOrientation seenIn, SliceOrientation plane, double radians);
-    /// @param rightLps, downLps unit, perpendicular to each other
+    /// Sets a plane.
+    /// @param rightLps, downLps unit vectors, perpendicular to each other
     void set(SliceOrientation plane, const glm::dvec3& rightLps, const glm::dvec3& downLps);
 
 Q_SIGNALS:

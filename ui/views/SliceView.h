@@ -25,7 +25,8 @@ class SliceView : public ImageView {
 public:
     SliceView(Workspace& workspace, gpu::ViewId view, SliceOrientation orientation,
         QWidget* parent = nullptr);
-    /// One of three whose planes are turned by handles on the crosshair's lines.
+    /// Constructs one of the three views whose planes are rotated by handles on the lines of the
+    /// crosshair.
     SliceView(Workspace& workspace, gpu::ViewId view, SliceOrientation orientation,
         MprPlanes& planes, QWidget* parent = nullptr);
 
@@ -47,21 +48,22 @@ public:
     };
     [[nodiscard]] std::optional<Place> place() const;
     void setPlace(const Place& place);
-    /// Whose lines are drawn as reference lines; without, those of the patient's planes.
+    /// Sets the planes that are drawn as reference lines; without a call they are the patient's
+    /// planes.
     void setReferencePlanes(const MprPlanes& planes);
-    /// Zooms and pans so that the same part of the patient is seen as in another view, as far as
-    /// this one's plane goes: what lies across the other one's plane stays.
+    /// Takes the zoom and centre of another view, as far as its plane determines them: the
+    /// component of the centre along the other view's normal stays.
     void lookWhereLooks(const SliceView& other);
-    /// Pans so that a place is seen in the middle, or would be, were the plane there. A hidden view
-    /// that fits the window's size goes on to do so.
+    /// Pans so that a place, or its projection onto the plane, is in the middle of the view. A
+    /// hidden view that fits the window's size keeps fitting it instead.
     void centreOn(const glm::dvec3& placeLps);
     /// How the slice is laid on the screen. A new study, and resetView(), lay it upright again.
     [[nodiscard]] const SliceTurn& turn() const { return m_turn; }
     void setTurn(const SliceTurn& turn);
-    /// How this view alone draws segments; a new study is drawn as in all views.
+    /// How this view draws segments if differently from all views; reset by a new study.
     [[nodiscard]] const Workspace::SegmentLook& segmentLook() const { return m_segmentLook; }
     void setSegmentLook(const Workspace::SegmentLook& look);
-    /// Whether the left button draws the next box, whatever the tool.
+    /// Whether the next drag of the left button draws a box, whatever the tool.
     [[nodiscard]] bool awaitsBox() const { return m_awaitsBox; }
     /// Whether the lens lies over the slice: while its key (Z) is held and the pointer is here.
     [[nodiscard]] bool showsLens() const { return m_lens.isShown(); }
@@ -70,10 +72,10 @@ public:
     void setAwaitsBox(bool awaits);
 
 Q_SIGNALS:
-    void placeChanged(); ///< the user has zoomed or panned here
-    /// The user has drawn a box from whose values the grey scale is to be set.
+    void placeChanged(); ///< the user has zoomed or panned in this view
+    /// The user has drawn a box from whose values the window is to be set.
     void boxDrawn(const core::Measurement& box);
-    void boxAbandoned(); ///< the user no longer wants to draw one
+    void boxAbandoned(); ///< the user has cancelled drawing a box
 
 protected:
     /// @param colour of the bar that names the view
@@ -83,7 +85,7 @@ protected:
     /// Turns the plane; its middle and its scale stay.
     void setAxes(const SliceAxes& axes);
     [[nodiscard]] const SliceAxes& axes() const { return m_axes; }
-    /// The axes as they lie on the screen.
+    /// The axes of the slice as it lies on the screen.
     [[nodiscard]] SliceAxes axesOnScreen() const { return m_turn.of(m_axes); }
     /// A point through which the plane passes.
     [[nodiscard]] virtual glm::dvec3 throughLps() const;
@@ -119,8 +121,8 @@ protected:
 private:
     static constexpr double leastMmPerPixel = 1e-3;
     static constexpr double greatestMmPerPixel = 100.0;
-    static constexpr int greatestSlabReach = 100; ///< slices on either side
-    /// Where the line of a plane is taken hold of.
+    static constexpr int greatestSlabReach = 100; ///< number of slices on either side
+    /// A handle on the line of a plane.
     struct Handle {
         SliceOrientation plane;
         QPointF at;
@@ -128,40 +130,40 @@ private:
     void openVolume();
     [[nodiscard]] bool turnsCrosshair() const;
     [[nodiscard]] bool isPatientPlane() const;
-    /// Of the line in which another plane is seen, on the screen.
+    /// Returns the direction on the screen of the line of another plane.
     [[nodiscard]] QPointF directionOf(SliceOrientation plane, const ViewContext& view) const;
     [[nodiscard]] std::vector<Handle> handles(const ViewContext& view) const;
     [[nodiscard]] std::optional<SliceOrientation> grabbedAt(const QPointF& at) const;
     void turnCrosshair(const QPointF& from, const QPointF& to, bool alone);
     void paintHandles(QPainter& painter, const ViewContext& shown) const;
     void zoomBy(double factor, const QPointF& at);
-    /// The slab that the user wants, its samples on the slices of the stack.
+    /// The slab of the view options, with its samples on the slices of the stack.
     [[nodiscard]] gpu::SceneSlab slab() const;
-    /// Turns the slab on, or makes it thicker by a slice on either side.
+    /// Switches the slab on, or changes its thickness by one slice on either side per step.
     void thickenSlab(double steps);
     /// Of the workspace, or of the early slice.
     [[nodiscard]] core::WindowLevel windowLevel() const;
     [[nodiscard]] double fittingMmPerPixel() const;
     [[nodiscard]] QString windowText() const;
     void holdLens(bool held);
-    /// Has the lens show what lies under the pointer now.
+    /// Moves the lens to the pointer.
     void moveLens();
     /// Adds the ways to lay the slice, its colours and how it draws segments, to the context menu.
     void listTurns(QMenu& menu);
-    /// Which colour is which value, where grey values are shown in colours.
+    /// Draws the legend of the colours if grey values are shown in colours.
     void paintColours(QPainter& painter, const gpu::SliceScene& slice) const;
-    /// Where axial, sagittal and coronal slices cut this one.
+    /// Draws the lines in which axial, sagittal and coronal slices cut this one.
     void paintOtherSlices(QPainter& painter, const ViewContext& shown) const;
 
-    SliceAxes m_axes; ///< upright
+    SliceAxes m_axes; ///< of the upright slice
     MprPlanes* m_planes = nullptr; ///< null: this plane is not one of them
     const MprPlanes* m_referencePlanes = nullptr;
-    std::optional<SliceOrientation> m_orientation; ///< which one
+    std::optional<SliceOrientation> m_orientation; ///< which of the three planes it is
     std::optional<SliceOrientation> m_grabbed; ///< the plane whose line is being turned
     SliceTurn m_turn;
     Workspace::SegmentLook m_segmentLook;
     SegmentLookButton* m_lookButton;
-    std::optional<QRectF> m_box; ///< what is being drawn, from the press to the pointer
+    std::optional<QRectF> m_box; ///< the box that is being drawn
     bool m_awaitsBox = false;
     QString m_title;
     QColor m_colour;
@@ -170,7 +172,7 @@ private:
     double m_mmPerPixel = 1.0;
     bool m_fitted = true; ///< fits the window until the user zooms or pans
     Lens m_lens;
-    bool m_lensHeld = false; ///< its key
+    bool m_lensHeld = false; ///< the lens's key is down
     double m_wheelRest = 0.0;
     double m_slabRest = 0.0;
 };

@@ -49,10 +49,10 @@ public:
     void setPenApart(bool apart);
     [[nodiscard]] bool isPenApart() const { return m_penWindow != nullptr; }
     void resetViews();
-    /// Has the menus of right clicks in all views end with what @p more adds.
+    /// Adds a function that appends entries to the end of the context menus of all views.
     void addToMenus(const std::function<void(QMenu&)>& more);
-    /// Has the next box that is drawn on a slice with the left button set the grey scale. Ctrl and
-    /// the right button draw one at any time.
+    /// Sets whether the next drag of the left button on a slice draws the box that sets the window.
+    /// With Ctrl the right button draws one at any time.
     void awaitBox(bool awaits);
     [[nodiscard]] bool awaitsBox() const { return m_axial->awaitsBox(); }
     /// Whether the values in a box are being read.

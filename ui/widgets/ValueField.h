@@ -6,11 +6,11 @@ class QWidget;
 
 namespace ui {
 
-/// Wide enough for the values of a CT.
+/// Width in pixels that is enough for the values of a CT.
 constexpr int valueFieldWidth = 96;
 
-/// A field for a number among the values of any volume, for a row of options: it has no buttons,
-/// and takes what is typed when the typing has ended.
+/// Creates a field for a value of any volume, for a row of options. It has no buttons and reports a
+/// typed number when typing has ended.
 [[nodiscard]] QDoubleSpinBox* valueField(QWidget* parent, const char* name);
 
 } // namespace ui

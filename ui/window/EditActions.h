@@ -5,8 +5,9 @@ namespace ui {
 
 class MainWindow;
 
-/// Adds undo and redo, of what is drawn step by step, of what is shown and of the history, in this
-/// order, and what the menu Edit has besides.
+/// Adds the actions of the menu Edit to the window. Undo takes back, in this order: a step of what
+/// the active tool is drawing, the last change of what is shown (ViewSteps), or the last step of
+/// the history.
 void addEditActions(MainWindow& window);
 
 } // namespace ui

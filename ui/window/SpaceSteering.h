@@ -9,19 +9,20 @@ namespace ui {
 
 class MainWindow;
 
-/// Moves the scene with a six-degrees-of-freedom device, for the hand that does not draw (seed B
-/// §3). The 3D view's object follows the cap: it is shifted, turned about any axis, and grows as
-/// the cap is pulled. While the first button is held, or the pointer is over the pen view, the
-/// cutting plane follows the cap instead. The second button shows the whole volume again.
+/// Moves the scene with a 6-DoF device, by the hand that does not draw (seed B §3). The object in
+/// the 3D view follows the cap: it is shifted, rotated about any axis, and grows as the cap is
+/// pulled. While the first button is held, or the pointer is over the pen view, the cutting plane
+/// follows the cap instead. The second button shows the whole volume again.
 ///
-/// A view rests while a stroke or a drag is going on in it; the other one can be moved meanwhile.
-/// Nothing happens while another program or a dialog has the keyboard: the driver tells every
-/// program what the device does.
+/// While a stroke or drag is going on in a view, that view does not move; the other one can be
+/// moved meanwhile. Nothing happens while another program or a dialog has the keyboard, since the
+/// driver reports the device to every program.
 class SpaceSteering : public QObject {
     Q_OBJECT
 
 public:
-    /// @p window owns it. It looks for the driver now, and whenever the window becomes active.
+    /// Looks for the driver now and whenever the window becomes active. @p window becomes the
+    /// owner.
     explicit SpaceSteering(MainWindow& window);
 
     [[nodiscard]] SpaceMouse& mouse() { return m_mouse; }
@@ -38,7 +39,7 @@ private:
 
     MainWindow& m_window;
     SpaceMouse m_mouse;
-    bool m_holdsPlane = false; ///< the button for it is down
+    bool m_holdsPlane = false; ///< the first button is held, so the plane follows
 };
 
 } // namespace ui

@@ -5,8 +5,8 @@ namespace ui {
 
 class MainWindow;
 
-/// Adds to the window's table of actions what concerns views: layouts, what is drawn over them, how
-/// they draw, and grey scales.
+/// Adds the window's actions about views: layouts, what is drawn over views, render modes and grey
+/// scales.
 void addViewActions(MainWindow& window);
 
 } // namespace ui

@@ -44,15 +44,16 @@ public:
         return m_seeds;
     }
 
-    /// Remembers of the seeds of a sketch, until another session is opened, along which direction
-    /// of the volume's index space the user looked at them on the 3D view.
-    /// @param seenAlong the directions; voxels without one were sketched on a slice
+    /// Stores, for seeds of a sketch on the 3D view, the direction in index space in which the user
+    /// looked at them. It is kept until another session is opened.
+    /// @param seenAlong voxels with their directions; a voxel without one was sketched on a slice
     void noteSketch(int label, const std::vector<glm::ivec3>& voxels,
         const std::vector<std::pair<glm::ivec3, glm::dvec3>>& seenAlong);
-    /// The direction for such a seed; none: it was sketched on a slice, or before.
+    /// The stored direction of a seed; none: it was sketched on a slice, or before the session was
+    /// opened.
     [[nodiscard]] std::optional<glm::dvec3> seenAlong(int label, const glm::ivec3& voxel) const;
 
-    /// The interval of each segment; it follows which segments there are.
+    /// The interval of each segment; it follows additions and removals of segments.
     [[nodiscard]] SegmentIntervals& intervals() { return m_intervals; }
     /// What the history of the open session says of growth.
     [[nodiscard]] GrowthPast& past() { return m_past; }

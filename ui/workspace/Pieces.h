@@ -66,17 +66,17 @@ public:
     /// Makes what a layer has carved a piece that turns about its middle, and a new layer the
     /// active one. The step is made when the engine has told the extent.
     void lift(int layer);
-    /// Lifts the last cut of a layer, or all of it if lastCut() is 0. A peel that stands open is
-    /// kept first, and counts.
+    /// Lifts the last cut of a layer, or the whole layer if lastCut() is 0. An open peel is kept
+    /// first and counts as a cut.
     void liftLast(int layer);
-    /// Makes what one cut has carved a piece, however much else its layer holds: the cut becomes
-    /// that of a new layer, which is the piece's. What is carved next goes where it went before. If
-    /// it is refused on the way, nothing is left of it.
+    /// Makes what one cut has carved a piece, even if its layer holds other cuts: the cut is moved
+    /// to a new layer, which the piece takes. The layer that tools carve stays the same. If a step
+    /// on the way is refused, everything before it is undone.
     /// @param cut a stroke that is part of the present state and carves
     void liftCut(core::RowId cut);
-    /// The last cut of a layer, if it is not all that the layer holds and can be told from the
-    /// rest: since then nothing was restored in the layer, nor written otherwise than by strokes.
-    /// Else 0.
+    /// The last cut of a layer, if the layer also holds others and the cut can be separated from
+    /// them: nothing was restored in the layer since, and only strokes have written it. Otherwise
+    /// 0.
     [[nodiscard]] core::RowId lastCut(int layer) const;
     /// Whether liftCut() is possible.
     [[nodiscard]] bool canLift(core::RowId cut) const;
@@ -95,17 +95,19 @@ Q_SIGNALS:
     void activeChanged();
 
 private:
-    /// Asks the engine for the extent.
-    /// @param unless called instead of @p then if it fails or there are no voxels, which was told
+    /// Measures an extent in the background.
+    /// @param then called with the extent
+    /// @param unless called instead if it fails or there are no voxels; the user was told the
+    /// reason
     void measure(int layer, int segment, std::function<void(const PieceExtent&)> then,
         std::function<void()> unless = {});
-    /// Makes a layer a piece that turns about its middle.
+    /// Makes a layer a piece that rotates about its centre.
     /// @param then called when the step is made
-    /// @param unless called if it cannot be made, which was told
+    /// @param unless called if it cannot be made; the user was told the reason
     void cutPiece(int layer, const QString& name, std::function<void()> then,
         std::function<void()> unless = {});
-    /// Takes back the layer that was added for a lift, and the cut that moved there, when all that
-    /// waits is done.
+    /// Takes back the layer that was added for a lift, and the cut that was moved there, once all
+    /// waiting work is done.
     void withdraw(int layer);
     void apply(const core::ChangePiece& edit);
     void follow();

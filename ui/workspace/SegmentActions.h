@@ -42,48 +42,55 @@ core::Result<int> ensureActiveSegment(Workspace& workspace);
 /// it, or else above it, becomes the active one. Failures are reported by the workspace.
 void removeSegment(Workspace& workspace, int label);
 
-/// Gives all voxels of a segment to another one, or exchanges those of two, as a step of its own,
-/// and tells the user what it did, or that there was nothing.
+/// Each of the following functions carries out one edit as a step of its own and tells the user
+/// what it did, or that there was nothing to do. Failures are reported by the workspace.
+///
+/// mergeSegments() gives all voxels of a segment to another one; swapSegments() exchanges the
+/// voxels of two segments.
 void mergeSegments(Workspace& workspace, int from, int into);
 void swapSegments(Workspace& workspace, int one, int other);
 
-/// The same for holes and islands of a segment; smallIslandMm3() tells which ones are small.
+/// Fills the holes of a segment, keeps only its largest island, or removes its small islands
+/// (smallIslandMm3()).
 void fillHoles(Workspace& workspace, int label);
 void keepLargestIsland(Workspace& workspace, int label);
 void removeSmallIslands(Workspace& workspace, int label);
 
-/// The same for a segment that becomes its mirror image, or all that no segment has.
+/// mirrorSegment() replaces a segment by its mirror image; invertSegment() replaces it by all
+/// voxels that belong to no segment.
 void mirrorSegment(Workspace& workspace, const core::MirrorSegment& edit);
 void invertSegment(Workspace& workspace, int label);
 
-/// The same for what lies behind the cutting plane, as its viewer sees it: it becomes a new
+/// Makes the part of a segment behind the cutting plane, as the plane's viewer sees it, a new
 /// segment.
 void splitByPlane(Workspace& workspace, int label);
 
-/// The same for what a ball of millimetres makes of a segment.
+/// Grows, shrinks, hollows out, smooths or wraps a segment.
 void reshapeSegment(Workspace& workspace, const core::ReshapeSegment& edit);
 
-/// The same for what lies between the slices on which a segment was drawn.
+/// Fills a segment between the slices on which it was drawn.
 void fillBetweenSlices(Workspace& workspace, const core::FillBetweenSlices& edit);
 
-/// The same for islands that become segments.
+/// Makes islands of a segment segments of their own.
 void splitIslands(Workspace& workspace, const core::SplitIslands& edit);
-/// An island is small below 100 mm³, or below a hundredth of its segment where that is less: specks
-/// of a growth or a network are, and hardly anything that is looked for.
+/// Returns the size below which an island counts as small: 100 mm³, or a hundredth of its segment
+/// where that is less. Specks of a growth or of a network are smaller, and hardly anything that
+/// users look for is.
 [[nodiscard]] double smallIslandMm3(const Workspace& workspace, const core::Segment& segment);
 
-/// The same for a region that was clicked.
+/// Fills or erases a region around a clicked voxel.
 void floodFill(Workspace& workspace, const core::FloodFill& edit);
 
-/// The same for a contour that was watched.
+/// Accepts an evolved contour.
 void evolveContour(Workspace& workspace, const core::EvolveContour& edit);
 
-/// The same for an interval of values.
-/// @param isShown it stands open (ThresholdSegment), and is taken as it is shown
+/// Applies a threshold.
+/// @param isShown whether @p edit is open in the session and shown (ThresholdSegment); it is
+/// committed then, and nothing is computed again
 void takeThreshold(Workspace& workspace, const core::ThresholdSegment& edit, bool isShown);
 
-/// The same for the island of a segment that has a voxel at a place: it goes, all others go, or it
-/// becomes another segment's.
+/// The island of a segment that contains the voxel at a place (LPS mm) is removed, is kept while
+/// all others are removed, or is given to another segment.
 void removeIsland(Workspace& workspace, int label, const glm::dvec3& placeLps);
 void keepOnlyIsland(Workspace& workspace, int label, const glm::dvec3& placeLps);
 void giveIsland(Workspace& workspace, int label, int to, const glm::dvec3& placeLps);

@@ -75,11 +75,11 @@ public:
         double lower = 0.0; ///< modality units
         double upper = 0.0;
         bool overwriteUnlocked = false;
-        bool radiusByPressure = false; ///< of a pen; else its pressure does nothing
-        bool followsEdges = false; ///< paint, on slices
+        bool radiusByPressure = false; ///< the radius follows the pressure of a pen
+        bool followsEdges = false; ///< for paint, on slices
         double edgeTolerance = 0.0; ///< modality units; 0: none was chosen yet
-        /// The pressure of a pen is a share of the tolerance while it follows edges, and the radius
-        /// is whole.
+        /// While it follows edges: a pen's pressure scales the tolerance, and the radius is
+        /// constant.
         bool toleranceByPressure = false;
         static constexpr double greatestEdgeTolerance = 1e6;
         bool operator==(const BrushSettings&) const = default;
@@ -97,7 +97,7 @@ public:
         core::WindowLevel xrayWindow; ///< the window of X-ray, whose means are lowered by air
         gpu::CutFaces cutFaces = gpu::CutFaces::Material;
         gpu::Context context = gpu::Context::Opaque;
-        double contextOpacity = 0.25; ///< where the context is translucent
+        double contextOpacity = 0.25; ///< of a translucent context
         bool operator==(const VolumeDisplay&) const = default;
     };
 
@@ -105,7 +105,7 @@ public:
     using GreyWindow = core::WindowLevel VolumeDisplay::*;
     [[nodiscard]] static GreyWindow greyWindow(gpu::RenderMode mode);
 
-    /// What of segments is drawn in slices.
+    /// Which parts of segments slices draw.
     enum class SegmentDrawing { FillAndOutline, Fill, Outline };
     /// What is drawn over the pictures, in every view.
     struct ViewOptions {
@@ -123,20 +123,23 @@ public:
         bool linkedPlaces = false; ///< slices are zoomed and panned together
         SegmentDrawing segmentDrawing = SegmentDrawing::FillAndOutline; ///< of all segments
         int segmentFillPercent = 35; ///< opacity of their fill in slices
-        bool voxelTrueSegments = false; ///< in the 3D view: not smoothed, but as their voxels are
-        /// What an interval suspends has bodies in the 3D view and stays marked after a drag.
+        /// The 3D view draws segments as cubes of voxels, without smoothing.
+        bool voxelTrueSegments = false;
+        /// The 3D view draws voxels that a change of the interval suspends; they stay marked after
+        /// the drag.
         bool suspendedBodies = false;
         bool operator==(const ViewOptions&) const = default;
     };
     static constexpr int leastSegmentFill = 5; ///< percent
-    /// How one slice view draws segments; what it does not name is as in all views (ViewOptions).
+    /// How one slice view draws segments; members without a value are as in all views
+    /// (ViewOptions).
     struct SegmentLook {
         std::optional<SegmentDrawing> drawing{};
         std::optional<int> fillPercent{};
         [[nodiscard]] bool isUsual() const { return !drawing && !fillPercent; }
         bool operator==(const SegmentLook&) const = default;
     };
-    /// What such a look comes to.
+    /// A SegmentLook with the values of ViewOptions filled in.
     struct DrawnSegments {
         SegmentDrawing drawing;
         int fillPercent;
@@ -174,21 +177,22 @@ public:
     /// shows all.
     [[nodiscard]] const core::ClipRegion& clip() const { return m_clip; }
     void setClip(const core::ClipRegion& clip);
-    /// Changes what is shown on behalf of the user, so that undo takes it back.
+    /// Changes of what is shown that the user can undo.
     [[nodiscard]] ViewSteps& viewSteps() const { return *m_viewSteps; }
     [[nodiscard]] Pieces& pieces() const { return *m_pieces; }
     [[nodiscard]] Refinement& refinement() const { return *m_refinement; }
     [[nodiscard]] CuttingPlane& plane() const { return *m_plane; }
     [[nodiscard]] Chunks& chunks() const { return *m_chunks; }
-    /// What a measurement comes to (measure/MeasuredRegions.h); null: it is not worked out yet.
-    /// After undo another one may have its number, but never what this one came to.
+    /// The size and values of a measurement (measure/MeasuredRegions.h); null: not computed yet.
+    /// Results are found by the whole measurement, so one that reuses the number of an undone
+    /// measurement never gets that one's result.
     [[nodiscard]] const core::Measured* measured(const core::Measurement& measurement) const;
     void setMeasured(const core::Measured& measured);
     [[nodiscard]] PendingSeeds& seeds() const { return *m_seeds; }
     [[nodiscard]] LayerLooks& layerLooks() const { return *m_layerLooks; }
     [[nodiscard]] DrawnSegments drawnSegments(const SegmentLook& look) const;
-    /// From the document.
-    /// @param look of the view; without, as in all views
+    /// How segments are drawn, from the document and the view options.
+    /// @param look of a view; without: as in all views
     [[nodiscard]] gpu::SegmentDisplay segmentDisplay(const SegmentLook& look) const;
     [[nodiscard]] gpu::SegmentDisplay segmentDisplay() const
     {
@@ -211,22 +215,25 @@ public:
     [[nodiscard]] const GrowSettings& growSettings() const { return m_grow; }
     void setGrowSettings(const GrowSettings& settings);
 
-    /// Which voxels tools that write labels may change at all; a new session begins without.
+    /// The user's editable range, which limits the voxels that tools may change; off in a new
+    /// session.
     [[nodiscard]] const EditableSettings& editableSettings() const { return m_editable; }
     void setEditableSettings(const EditableSettings& settings);
-    /// The box that it may be limited to: the clip box, else that of growth; none: neither is on.
+    /// The box to which editing may be limited: the clip box, or else the box of growth; none if
+    /// neither is on.
     [[nodiscard]] std::optional<EditableBox> editableBox() const;
-    /// What an edit that is made now has to keep to.
+    /// The limits that an edit made now must contain; none while the range is off.
     [[nodiscard]] std::optional<core::EditableRange> editableRange() const;
-    [[nodiscard]] QString editableText() const; ///< the same in words; empty while it is off
+    [[nodiscard]] QString editableText() const; ///< the range as a text; empty while it is off
 
     [[nodiscard]] const ViewOptions& viewOptions() const { return m_viewOptions; }
     void setViewOptions(const ViewOptions& options);
 
     static constexpr int leastSegmentOpacity = 5; ///< percent: none is lost from sight
-    /// How opaque segments are drawn in all views, in percent by label; those that are not named
-    /// are opaque. Kept with the session, and no step of undo. A new session begins without, and so
-    /// does a new segment with the number of one that was undone; one that comes back has its own.
+    /// Opacity of segments in all views, per cent by label; a segment that is not listed is opaque.
+    /// It is saved with the session and is no step of undo. A new session starts empty. A new
+    /// segment that reuses the label of an undone one is opaque; an undone segment that returns
+    /// keeps its opacity.
     [[nodiscard]] const std::map<int, int>& segmentOpacities() const { return m_opacities; }
     void setSegmentOpacities(const std::map<int, int>& percents);
     [[nodiscard]] int segmentOpacity(int label) const;
@@ -243,7 +250,7 @@ public:
     [[nodiscard]] Tool* activeTool() const { return m_tool; }
     void setActiveTool(Tool* tool);
 
-    /// Has every view show this place in its middle.
+    /// Asks every view to show a place in its middle.
     void centreViews(const glm::dvec3& placeLps) { Q_EMIT viewsCentred(placeLps); }
     /// Shows one sentence in the status line: what happened, to what, what to do.
     void say(const QString& sentence) { Q_EMIT said(sentence); }
@@ -259,13 +266,13 @@ public:
         std::function<void()> run;
     };
     void offer(const Offer& made) { Q_EMIT offered(made); }
-    /// Has the window ask how far a segment is to be reshaped.
+    /// Asks the window to open the dialog that reshapes a segment.
     void askToReshape(int label, core::ShapeOperation first) { Q_EMIT reshapeAsked(label, first); }
-    /// Has the window show what lies between the drawn slices of a segment.
+    /// Asks the window to open the dialog that fills a segment between slices.
     void askToFillBetween(int label) { Q_EMIT fillBetweenAsked(label); }
-    /// Has the window ask which islands of a segment are to become segments.
+    /// Asks the window to open the dialog that splits islands of a segment.
     void askToSplitIslands(int label) { Q_EMIT splitIslandsAsked(label); }
-    /// Has the window ask of which values a segment is to be made.
+    /// Asks the window to open the dialog for a threshold of a segment.
     void askForThreshold(int label) { Q_EMIT thresholdAsked(label); }
     /// Shows the present pen pressure, 0 … 1.
     void showPressure(double pressure) { Q_EMIT pressureChanged(pressure); }
@@ -285,9 +292,10 @@ Q_SIGNALS:
     void drillSettingsChanged();
     void brushSettingsChanged();
     void growSettingsChanged();
-    void editableChanged(); ///< the settings, or what they come to
+    /// The settings of the editable range, or the range that follows from them.
+    void editableChanged();
     void atToleranceChanged();
-    /// Or the warning of setWarnAfter(), or the opacity of a segment.
+    /// The view options, the warning of setWarnAfter(), or the opacity of a segment.
     void viewOptionsChanged();
     void cautionAcceptedChanged();
     void pointedLpsChanged();

@@ -7,7 +7,7 @@
 
 namespace gpu {
 
-/// Sets the uniforms of a program that includes protected.glsl: the labels that are protected from
+/// Sets the uniforms of a program that includes protected.glsl: which labels are protected from
 /// carving.
 void setProtected(Program& program, const core::ProtectedLabels& protectedLabels);
 

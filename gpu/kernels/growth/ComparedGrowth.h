@@ -11,20 +11,21 @@
 
 namespace gpu {
 
-/// In which voxels an open growth differs from what was there when it began (core::CompareGrowth).
+/// The voxels in which an open growth differs from the state before it began (core::CompareGrowth).
 struct ComparedGrowth {
     core::GrowthComparison counts;
-    std::vector<PreviewMarks::Brick> bricks; ///< ascending; those that differ
+    std::vector<PreviewMarks::Brick> bricks; ///< bricks with changed labels, ascending
 };
 
-/// Where the plane has another label than before, a member of the growth has claimed the voxel;
-/// what is no member has left it. The cost follows the bricks that the growth has touched since it
-/// was opened or was told another interval. Waits for the GPU.
+/// Compares the labels of an open growth with those before it. A voxel with another label is marked
+/// Reached if it is a member of the growth now, and else Suspended. Cost: proportional to the
+/// bricks that the growth has touched since it was opened or got another interval. Waits for the
+/// GPU.
 /// @param touched what the growth may have written; all of it was captured
 [[nodiscard]] ComparedGrowth compareGrowth(VoxelFields& fields, BeforeImages& before,
     std::uint8_t plane, const std::vector<core::BrickKey>& touched);
-/// The same of a growth that has ended.
-/// @param changes all that it has changed
+/// The same for a growth that has ended.
+/// @param changes all changes of the growth
 [[nodiscard]] ComparedGrowth compareGrowth(
     VoxelFields& fields, std::uint8_t plane, std::span<const core::BrickChange> changes);
 

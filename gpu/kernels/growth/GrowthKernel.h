@@ -52,7 +52,8 @@ struct GrowthPrograms {
         Program ring;
         Program severalRings;
     };
-    /// Compiled when needed (RecentPrograms), like the following.
+    /// Compiled when needed, and kept while among the last used (RecentPrograms); so are the
+    /// following.
     [[nodiscard]] std::shared_ptr<Rings> rings(const GrowthKind& kind);
 
     /// The additional kernels for narrowing a growth.
@@ -66,7 +67,8 @@ struct GrowthPrograms {
     [[nodiscard]] std::shared_ptr<Narrowing> narrowing(const GrowthKind& kind);
 
     [[nodiscard]] std::shared_ptr<FrontBitsPrograms> frontBits(const GrowthKind& kind);
-    /// Writes what an interval changes (GrowthKernel::open(IntervalOpener&)).
+    /// The kernel that writes the voxels that a change of the interval has changed
+    /// (GrowthKernel::open(IntervalOpener&)).
     [[nodiscard]] std::shared_ptr<Program> change(bool overwritten);
 
     Program placeSeeds;
@@ -89,11 +91,12 @@ private:
 std::vector<std::uint32_t> placeSeeds(GrowthPrograms& programs, VoxelFields& fields,
     BeforeImages& before, const core::SeedPlacement& placement);
 
-/// Whether a burst opens faster by what its interval changes: with a driver that computes on the
-/// processor. A GPU asks all that has grown sooner than the processor could read it.
+/// Whether a burst should be opened from what a change of its interval changes, computed on the
+/// CPU. That is faster with a software driver only; a GPU examines all grown voxels in less time
+/// than it takes to read them back.
 [[nodiscard]] bool opensByChange(const core::GrowBurst& burst);
-/// Reads the growth of a plane, for GrowthKernel::open(IntervalOpener&).
-/// @return null where it is too large, or more than one label grows
+/// Reads the growth of a plane for GrowthKernel::open(IntervalOpener&).
+/// @return null if the growth is too large or more than one label grows
 [[nodiscard]] std::unique_ptr<core::IntervalOpener> readGrowth(
     VoxelFields& fields, const core::GrowBurst& burst);
 
@@ -110,11 +113,11 @@ public:
     GrowthKernel(GrowthPrograms& programs, VoxelFields& fields, BeforeImages& before,
         const core::GrowBurst& burst);
 
-    /// Takes back what the changed criterion excludes, admits pending seeds and finds the front.
-    /// Call one of the two once, before anything else.
+    /// Removes voxels that the changed criteria exclude, admits pending seeds and finds the front.
+    /// Call one of the two open() once, before anything else.
     void open();
-    /// The same, at the cost of what the interval changes.
-    /// @param opener prepared from the fields as they are now; it serves the burst
+    /// The same from a prepared opener, at a cost proportional to what the interval changes.
+    /// @param opener prepared from the fields as they are now, for this burst
     void open(core::IntervalOpener& opener);
     /// Runs up to @p rings (at most ringsPerBatch) generations. Returns how many of them added
     /// voxels; fewer than requested means closure or a leak alarm. A growth with leak guard runs
@@ -131,11 +134,11 @@ public:
     /// Frees the pages of bricks that were prepared and not reached, except those listed
     /// (ascending).
     void releaseUnused(std::span<const std::uint32_t> reachable = {});
-    /// Whether it may change which labels are kept as overwritten (core::Field::Overwritten); if
-    /// so, in touchedKeys().
+    /// Whether it may change the kept labels of overwritten voxels (core::Field::Overwritten).
+    /// touchedKeys() includes their bricks then.
     [[nodiscard]] bool keepsOverwritten() const { return m_kind.overwritten; }
-    /// Frees the pages of Field::Overwritten that were taken for this burst and in which these
-    /// changes put nothing.
+    /// Frees pages of Field::Overwritten that were allocated for this burst and have stayed empty
+    /// in @p changes.
     void releaseOverwritten(std::span<const core::BrickChange> changes);
 
 private:
@@ -152,8 +155,8 @@ private:
 
     void bind();
     void setUniforms(Program& program) const;
-    /// Captures label plane, seed words and Field::Overwritten, and gives pages for what may be
-    /// taken from other labels.
+    /// Captures label plane, seed words and Field::Overwritten, and allocates pages for labels that
+    /// may be overwritten.
     void capture(std::span<const std::uint32_t> bricks);
     void admitSeeds(const std::vector<std::uint32_t>& held);
     // Removing voxels in open() (GrowthNarrowing.cpp).
@@ -195,8 +198,8 @@ private:
     bool m_mayTake;
     GrowthKind m_kind;
     std::shared_ptr<GrowthPrograms::Rings> m_growing;
-    GrowthPrograms::Rings* m_rings; ///< m_growing, or what floods back
-    std::shared_ptr<FrontBitsPrograms> m_bitPrograms; ///< of the front that is held as bits
+    GrowthPrograms::Rings* m_rings; ///< m_growing, or the kernels of the backward flood
+    std::shared_ptr<FrontBitsPrograms> m_bitPrograms; ///< for a front that is stored as bits
     GrowCriterion m_criterion;
     std::optional<PassageField> m_passage; ///< none without a passage width
     Buffer m_state;

@@ -8,8 +8,8 @@
 
 namespace gpu {
 
-/// What pictures mark of a moving interval: what the open growth has changed and, if it is to be
-/// kept, what is suspended from one growth to the next (core::CompareGrowth, seed A §5.3). Engine
+/// The marks that views draw while an interval is moved: what the open growth has changed and, if
+/// asked for, what was suspended by earlier growths (core::CompareGrowth, seed A §5.3). Engine
 /// thread only.
 class GrowthMarks {
 public:
@@ -21,18 +21,21 @@ public:
     {
     }
 
-    /// An edit begins. Only a growth may find what earlier ones have suspended.
+    /// Called when an edit begins. Any edit other than a growth ends the memory of what was
+    /// suspended.
     void begin(bool grows);
-    /// Shows what the open growth has changed so far.
-    /// @param keep whether what is suspended stays known once the growth is committed
+    /// Marks what the open growth has changed so far.
+    /// @param keep whether suspended voxels are remembered after the commit
     void show(VoxelFields& fields, Bricks changed, bool keep);
     void hide() { m_marks.hide(); }
-    /// Whether keep() is to be called after the commit of the open growth.
+    /// Whether keep() must be called after the commit of the open growth.
     [[nodiscard]] bool keeps() const { return m_keeps; }
-    /// Shows what a committed growth has changed in the end, until forget() or begin().
+    /// Marks what a committed growth has changed. The marks stay until forget(), or until an edit
+    /// begins that is no growth.
     void keep(VoxelFields& fields, Bricks changed);
-    /// Shows what was kept before the growth, which was taken back.
+    /// Restores the marks from before a growth that was rolled back.
     void restore(VoxelFields& fields);
+    /// Hides the marks and forgets what was suspended.
     void forget();
     [[nodiscard]] std::size_t bytes() const { return m_marks.bytes(); }
 
@@ -42,10 +45,12 @@ private:
     bool m_keeps = false;
 };
 
-/// The marks of a growth after earlier ones: what those have suspended is suspended still, unless
-/// this one has claimed it; then it is reinstated.
-/// @param kept the marks of the growth before, each brick once
-/// @return ascending; bricks with marks
+/// Returns the marks after a further growth. A voxel that was suspended by an earlier growth stays
+/// Suspended unless the further growth has changed it; if that growth has claimed it (Reached), it
+/// becomes Reinstated.
+/// @param kept the marks before the growth, each brick once
+/// @param changed the growth's own marks
+/// @return bricks with marks, ascending
 [[nodiscard]] std::vector<PreviewMarks::Brick> marksAfter(
     const std::vector<PreviewMarks::Brick>& kept, std::vector<PreviewMarks::Brick> changed);
 

@@ -9,7 +9,8 @@
 
 namespace gpu {
 
-/// The compiled kernels that shut listed voxels (barrierListed.comp), each when it is first needed.
+/// The kernels that make listed voxels barriers of growth, or remove barriers (barrierListed.comp).
+/// Each is compiled when it is first needed.
 class BarrierPrograms {
 public:
     /// @param library outlives the programs
@@ -17,7 +18,8 @@ public:
         : m_library(library)
     {
     }
-    /// @param givesBack members may have overwritten something
+    /// @param givesBack the variant for a plane in which members of a growth have overwritten other
+    /// labels: a barrier on such a member restores the overwritten label
     [[nodiscard]] Program& barrier(bool givesBack);
 
 private:
@@ -26,8 +28,8 @@ private:
     Program m_giving;
 };
 
-/// Carries out BarrierListed. Returns the keys of what changed. Cost ∝ the bricks that are listed.
-/// Engine thread only.
+/// Carries out BarrierListed and returns the keys of what has changed. Cost: proportional to the
+/// listed bricks. Engine thread only.
 std::vector<core::BrickKey> writeBarriers(BarrierPrograms& programs, VoxelFields& fields,
     BeforeImages& before, const core::BarrierListed& edit);
 

@@ -9,9 +9,9 @@
 
 namespace gpu {
 
-/// Finds which voxels of some bricks an edit of labels may change (editable.comp), for kernels that
-/// are compiled with EDITABLE. Edits without such a range neither compile nor run any of it.
-/// Engine thread only.
+/// Finds out which voxels of some bricks an edit of labels may change (editable.comp), for kernels
+/// that are compiled with EDITABLE. It is used only for edits with an editable range. Engine thread
+/// only.
 class EditableBits {
 public:
     /// @param library outlives this
@@ -20,12 +20,14 @@ public:
     {
     }
 
-    /// As labels are now. Leaves textures and buffers of its own bound, so it comes first.
-    /// @return 128 words for each brick, in their order; of offset o bit o mod 32 of word o / 32
+    /// Evaluates the range for the present labels. It changes bindings of textures and buffers, so
+    /// call it before the kernel's own are bound.
+    /// @return 128 words for each brick, in the order of @p bricks; bit o mod 32 of word o / 32
+    /// belongs to the voxel with offset o in the brick
     [[nodiscard]] Buffer find(const core::EditableVoxels& editable, VoxelFields& fields,
         const std::vector<std::uint32_t>& bricks);
 
-    /// Where kernels with EDITABLE expect that buffer.
+    /// The binding at which kernels with EDITABLE expect that buffer.
     static constexpr unsigned binding = 7;
 
 private:

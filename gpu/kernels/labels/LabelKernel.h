@@ -14,8 +14,8 @@
 
 namespace gpu {
 
-/// The compiled kernels that give a label to chosen voxels, or take it (chooseLabel.comp), each
-/// when it is first needed, and the one that casts the rays of scissors.
+/// The kernels that give a label to chosen voxels or take it away (chooseLabel.comp), and the one
+/// that casts the rays of scissors. Each is compiled when it is first needed.
 class LabelPrograms {
 public:
     /// @param library outlives the programs
@@ -24,11 +24,13 @@ public:
         , m_editable(library)
     {
     }
-    /// @param rule by which the shader goes: "SEEN"
+    /// The kernel that casts the rays of scissors (scissorsCast.comp).
     [[nodiscard]] Program& scissorsCast();
-    /// @param editable some voxels must not change
+    /// The kernel of a rule.
+    /// @param rule the macro that chooses the rule in the shader: "SEEN"
+    /// @param editable the variant that leaves voxels outside an editable range alone
     [[nodiscard]] Program& following(const char* rule, bool editable = false);
-    /// Whether following() need not compile any more.
+    /// Whether following() has compiled this kernel already.
     [[nodiscard]] bool isReady(const char* rule, bool editable) const
     {
         return m_known.count(nameOf(rule, editable)) != 0;
@@ -47,26 +49,27 @@ private:
     EditableBits m_editable;
 };
 
-/// Carries out one of LabelWrites (core/sculpt/labels/LayerWrites.h). Bricks in which something
-/// changes are looked for first; only those are captured and written. Returns the keys of what
-/// changed. Cost ∝ the bricks that it looks at: those that a layer holds or that are listed, or the
-/// volume. Engine thread only.
+/// Carries out one of LabelWrites (core/sculpt/labels/LayerWrites.h) and returns the keys of what
+/// has changed. Bricks in which something would change are found first; only those are captured and
+/// written. Cost: proportional to the bricks that are examined: those that a layer holds, those
+/// that are listed, or all of the volume. Engine thread only.
 std::vector<core::BrickKey> writeLabels(LabelPrograms& programs, VoxelFields& fields,
     BeforeImages& before, core::LabelWrites::Pointer edit);
 
-/// The bricks in which a threshold may change something, ascending. Engine thread only.
+/// Returns the bricks in which a threshold may change something, ascending. Engine thread only.
 [[nodiscard]] std::vector<std::uint32_t> bricksConcerned(
     VoxelFields& fields, const core::LabelThreshold& edit);
-/// Carries out a threshold in some bricks, as writeLabels() does its edits. Codes are read only
-/// where the macro-cells of a brick tell that it holds values inside and outside of the interval.
+/// Carries out a threshold in some bricks and returns the keys of what has changed. Codes are read
+/// only in bricks whose macro-cells hold values both inside and outside of the interval.
 std::vector<core::BrickKey> writeThreshold(LabelPrograms& programs, VoxelFields& fields,
     BeforeImages& before, const core::LabelThreshold& edit,
     const std::vector<std::uint32_t>& bricks);
 
-/// The same for scissors. Engine thread only.
+/// Returns the bricks in which scissors may change something, ascending. Engine thread only.
 [[nodiscard]] std::vector<std::uint32_t> bricksConcerned(
     VoxelFields& fields, const core::LabelScissors& edit);
-/// Carries scissors out in some bricks. @param reach core::scissorsReach() of each element
+/// Carries out scissors in some bricks and returns the keys of what has changed. @p reach is
+/// core::scissorsReach() of each element of the mask.
 std::vector<core::BrickKey> writeScissors(LabelPrograms& programs, VoxelFields& fields,
     BeforeImages& before, const core::LabelScissors& edit, const Buffer& reach,
     const std::vector<std::uint32_t>& bricks);

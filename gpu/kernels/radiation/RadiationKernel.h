@@ -39,10 +39,10 @@ public:
         std::span<const Region> regions);
     /// The label planes: dense R8UI textures, at least one.
     using Planes = std::span<const Texture3D* const>;
-    /// A voxel counts as 255 if it has a shown label in any plane.
+    /// Updates the segmentation map. A voxel counts as 255 if it has a shown label in any plane.
     void updateFromLabels(Planes planes, const std::bitset<256>& shown, const Texture3D& target,
         std::span<const Region> regions);
-    /// A segment of the first plane as it would be at a tolerance (toleranceLabel.glsl).
+    /// How a segment of the first plane would be at a tolerance (toleranceLabel.glsl).
     struct AtTolerance {
         const Texture3D& tolerances;
         BrickField& seedWords;
@@ -57,11 +57,11 @@ public:
         const Texture3D& target;
         glm::ivec3 shift{0};
     };
-    /// The footprint of what one layer covers and the layers before it do not: min(coverage, 255 −
-    /// the greatest of theirs).
+    /// Updates the footprint of what one layer covers and earlier layers do not: min(coverage, 255
+    /// − the greatest of theirs).
     void updateFootprint(BrickField& layer, std::span<BrickField* const> before,
         const Footprint& footprint, std::span<const Region> regions);
-    /// The footprint of the voxels with one label, in whatever plane.
+    /// Updates the footprint of the voxels with a label in any plane.
     void updateFootprint(
         Planes planes, int label, const Footprint& footprint, std::span<const Region> regions);
 
@@ -75,7 +75,7 @@ private:
 
     RadiationPrograms& m_programs;
     core::BrickGrid m_grid;
-    std::size_t m_bricksPerPass; ///< what the buffers hold
+    std::size_t m_bricksPerPass; ///< capacity of the buffers
     Buffer m_regions;
     Buffer m_field;
     Buffer m_summaries;

@@ -15,16 +15,18 @@
 
 namespace gpu {
 
-/// An open cut of a growth that goes backwards from a sketch (core/growth/cut/GrowthCut.h, rule
-/// 12). As in CutGrown.h the seed words are read back, once, and the processor decides; of each
-/// further step only the bricks that it changes are written. Engine thread only.
+/// An open cut that takes a growth back from a sketch, generation by generation
+/// (core/growth/cut/GrowthCut.h, rule 12). As in CutGrown.h the seed words are read back once and
+/// the CPU computes the result. After each further step only the bricks that it changes are
+/// written. Engine thread only.
 class CutBackwards {
 public:
-    /// Does the steps of the command. Errors: those of core::BackwardCut::begin(), with nothing
-    /// changed.
+    /// Reads the growth and carries out the first steps of the command. Errors: those of
+    /// core::BackwardCut::begin(); nothing is changed then.
     static core::Result<std::unique_ptr<CutBackwards>> begin(
         VoxelFields& fields, BeforeImages& before, const core::CutGrowth& command);
 
+    /// Carries out further steps, up to this number in all.
     void advanceTo(std::uint32_t steps);
 
     [[nodiscard]] std::vector<core::BrickKey> touchedKeys() const
@@ -41,9 +43,9 @@ private:
     VoxelFields& m_fields;
     BeforeImages& m_before;
     std::uint8_t m_plane;
-    core::WordBricks m_words; ///< of the growth before the cut
+    core::WordBricks m_words; ///< seed words from before the cut
     std::unique_ptr<core::BackwardCut> m_cut;
-    std::map<std::uint32_t, core::CutBrick> m_written; ///< by number: as it stands now
+    std::map<std::uint32_t, core::CutBrick> m_written; ///< bricks as written last, by number
     std::set<core::BrickKey> m_touched;
     std::uint32_t m_generation = 0;
 };

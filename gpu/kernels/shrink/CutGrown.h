@@ -23,12 +23,13 @@ struct CutOutcome {
 core::Result<CutOutcome> cutGrown(
     VoxelFields& fields, BeforeImages& before, const core::CutGrowth& command);
 
-// Its parts, for cuts that go on while they are open (CutBackwards.h).
+// The parts of cutGrown(), for cuts that continue while they are open (CutBackwards.h).
 
-/// All seed words of a plane, linked.
+/// Reads all seed words of a plane, with links between neighbouring bricks.
 [[nodiscard]] core::WordBricks readWords(VoxelFields& fields, std::uint8_t plane);
-/// Captures and writes bricks of a cut, also over what an earlier state of the same cut has written
-/// there. @return the bricks that were written
+/// Captures and writes bricks of a cut, which may replace those of an earlier state of the same
+/// cut.
+/// @return the keys of the bricks that were written
 std::vector<core::BrickKey> writeCut(VoxelFields& fields, BeforeImages& before, std::uint8_t plane,
     const std::vector<core::CutBrick>& bricks);
 

@@ -11,37 +11,38 @@ namespace gpu {
 class VolumeTextures;
 class VoxelFields;
 
-/// Marks on voxels of plane 0 that pictures draw: what a cut would remove, and what a moving
-/// interval has changed (render/parts/cutPreview.glsl). Pictures show one set at a time, the one
-/// that was set last. Engine thread only.
+/// Marks on voxels of label plane 0 that views draw: what a cut would remove, and what a moving
+/// interval has changed (render/parts/cutPreview.glsl). There may be several sets of marks; views
+/// draw the one that was shown last. Engine thread only.
 class PreviewMarks {
 public:
-    /// The values of the marks, as the shaders read them.
+    /// The values of marks in shaders.
     enum Mark : std::uint8_t {
         None,
-        Goes, ///< a cut would remove it
-        Suspended, ///< it has left an open growth
-        Reached, ///< an open growth has claimed it
-        Reinstated, ///< the same, after an earlier one had suspended it
+        Goes, ///< would be removed by a cut
+        Suspended, ///< has left an open growth
+        Reached, ///< was claimed by an open growth
+        Reinstated, ///< was claimed after an earlier growth had suspended it
     };
     struct Brick {
         std::uint32_t brick = 0;
-        std::vector<std::uint8_t> marks; ///< 4096
+        std::vector<std::uint8_t> marks; ///< one Mark for each of 4096 voxels
         bool operator==(const Brick&) const = default;
     };
 
     /// @param textures outlive this
     explicit PreviewMarks(VolumeTextures& textures);
 
-    /// Only what differs from what is shown already is written.
-    /// @param bricks those with marks, each once
+    /// Shows marks in the views. Only bricks that differ from those shown already are written.
+    /// @param bricks the bricks with marks, each once
     void show(VoxelFields& fields, std::vector<Brick> bricks);
+    /// Removes the marks from the views and frees their memory.
     void hide();
     [[nodiscard]] std::size_t bytes() const;
 
 private:
     VolumeTextures& m_textures;
-    std::vector<Brick> m_shown; ///< what m_marks holds
+    std::vector<Brick> m_shown; ///< the content of m_marks
     BrickField m_marks; ///< R8UI
 };
 

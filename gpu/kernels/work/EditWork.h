@@ -16,9 +16,9 @@ struct EngineResult;
 
 namespace gpu {
 
-/// A kernel at work on the open edit. It writes voxels, each brick captured before it is written,
-/// and knows which; what was there before, and what becomes of the changes, is the transaction's
-/// (EditTransaction). Engine thread only.
+/// The kernel work on the open edit. It writes voxels, after capturing each brick that it writes,
+/// and knows which it has written. The transaction (EditTransaction) keeps what was there before
+/// and decides what becomes of the changes. Engine thread only.
 class EditWork {
 public:
     EditWork() = default;
@@ -26,34 +26,38 @@ public:
     EditWork& operator=(const EditWork&) = delete;
     virtual ~EditWork() = default;
 
-    /// Errors: InvalidField where the extension is of another kind of edit, or not sound.
+    /// Continues the edit with an extension. Errors: InvalidField if the extension belongs to
+    /// another kind of edit or is invalid.
     virtual core::Result<void> extend(const core::EngineExtension& extension);
-    /// Puts @p next behind @p earlier, which are of one kind, where extending by both at once comes
-    /// to the same. @return whether it did
+    /// Joins two extensions of one kind: appends @p next to @p earlier, if extending by both at
+    /// once gives the same result.
+    /// @return whether it did
     [[nodiscard]] virtual bool join(
         core::EngineExtension& earlier, core::EngineExtension& next) const;
 
-    /// Whether there is more to do that was asked for; done by advance().
+    /// Whether requested steps are left; advance() does them.
     [[nodiscard]] virtual bool hasStepsLeft() const { return false; }
-    /// At which pace; 0: as fast as it goes.
+    /// The pace of these steps; 0: as fast as possible.
     [[nodiscard]] virtual double generationsPerSecond() const { return 0.0; }
-    /// Does up to @p rings of a growth, or so much of other work.
+    /// Does up to @p rings generations of a growth, or a similar amount of other work.
     virtual void advance(int rings);
 
-    /// What it may have written so far, each once.
+    /// The keys of all bricks that it may have written so far, each once.
     [[nodiscard]] virtual std::vector<core::BrickKey> touchedKeys() const = 0;
-    /// The changes stand, and are in the result: fills in what it alone knows.
+    /// Called after the commit, with the changes already in @p result. Adds what only this work
+    /// knows.
     virtual void finish(core::EngineResult& result);
-    /// Everything was put back.
+    /// Called after a rollback, when all voxels are restored.
     virtual void rollBack(core::EngineResult& result);
-    /// Something failed, and it is given up: it puts nothing back, but memory that it shares.
+    /// Called when the edit has failed and is given up. Restores no voxels, and only releases
+    /// memory that it shares with other edits.
     virtual void abandon() { }
     [[nodiscard]] virtual core::GrowthProgress progress() const { return {}; }
-    /// The plane in which it grows; none if it is no GrowBurst.
+    /// The label plane in which it grows; none if it is no GrowBurst.
     [[nodiscard]] virtual std::optional<std::uint8_t> growingPlane() const { return {}; }
 };
 
-/// These bricks of one field and plane.
+/// Returns the keys of some bricks of one field and plane.
 [[nodiscard]] std::vector<core::BrickKey> keysOf(
     core::Field field, std::uint8_t plane, const std::vector<std::uint32_t>& bricks);
 

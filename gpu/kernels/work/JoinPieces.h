@@ -7,13 +7,14 @@
 
 namespace gpu {
 
-/// Puts the second path behind the first.
+/// Appends the second path to the first.
 template <class Path> void append(Path& path, const Path& more)
 {
     path.insert(path.end(), more.begin(), more.end());
 }
-/// Puts the next piece of a path behind an earlier one, extensions of one kind.
-/// @return whether that is a kind of such pieces
+/// Appends the path of the next extension to that of an earlier one of the same kind, if their kind
+/// is Piece.
+/// @return whether it did
 template <class Piece, class Path>
 [[nodiscard]] bool joinPieces(
     core::EngineExtension& earlier, core::EngineExtension& next, Path Piece::*path)

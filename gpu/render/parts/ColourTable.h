@@ -7,17 +7,19 @@
 
 namespace gpu {
 
-/// The colours of grey values as a texture of 256 × 1 texels, RGBA8 (render/parts/colourMap.glsl).
+/// The colours of grey values as an RGBA8 texture of 256 × 1 texels (render/parts/colourMap.glsl).
 class ColourTable {
 public:
     ColourTable();
 
-    /// Binds the texture and has a program show a map. Grey costs no look-up, and changes no pixel.
+    /// Binds the texture and sets which colour map a program shows. For Grey the shader skips the
+    /// look-up, so pixels stay exactly as they are.
     void bind(Program& program, ColourMap map);
 
 private:
     Texture2D m_texture;
-    ColourMap m_current = ColourMap::Grey; ///< which the texture holds; of Grey it need not
+    /// The map that the texture holds; Grey is never uploaded.
+    ColourMap m_current = ColourMap::Grey;
 };
 
 } // namespace gpu

@@ -22,15 +22,16 @@ public:
     }
     [[nodiscard]] bool showsBarriers() const { return m_current.showBarriers; }
     [[nodiscard]] bool showsSuspended() const { return m_current.suspendedBodies; }
-    /// Bodies are not smoothed; but a segment at a tolerance has no voxels of its own.
+    /// Whether bodies of segments are drawn voxel by voxel. A segment at a tolerance never is,
+    /// since it has no voxels of its own.
     [[nodiscard]] bool voxelTrue() const { return m_current.voxelTrue && !m_current.atTolerance; }
-    /// Whether bodies of segments look otherwise than opaque and smooth.
+    /// Whether some body of a segment is drawn other than opaque and smooth.
     [[nodiscard]] bool changesBodies() const { return m_translucent || voxelTrue(); }
 
 private:
     Texture2D m_texture;
     SegmentDisplay m_current;
-    bool m_translucent = false; ///< a segment that is shown is
+    bool m_translucent = false; ///< whether some shown segment is translucent
 };
 
 } // namespace gpu

@@ -9,17 +9,18 @@ namespace gpu {
 
 class VolumeTextures;
 
-/// The macro-cells as a ray sees them that looks for shown segments alone: how far the nearest one
-/// with a part of a segment is, whatever else is visible. Engine thread.
+/// The distances by which a ray that looks for shown segments alone may skip macro-cells. Engine
+/// thread only.
 class SegmentCells {
 public:
-    /// R8UI: the Chebyshev distance in cells. Computed again, in time linear in the cells, only
-    /// when voxels have changed.
+    /// The Chebyshev distance of each cell, in cells, to the nearest cell with a part of a segment
+    /// (R8UI). Computed again only after a change of the volume, in time linear in the number of
+    /// cells.
     [[nodiscard]] const Texture3D& distances(VolumeTextures& volume);
 
 private:
     Texture3D m_distances;
-    std::uint64_t m_revision = 0; ///< of the volume for which they were computed
+    std::uint64_t m_revision = 0; ///< revision of the volume for which they were computed
 };
 
 } // namespace gpu

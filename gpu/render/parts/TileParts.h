@@ -7,15 +7,15 @@
 
 namespace gpu {
 
-/// The pixels that two rectangles share; of size 0 if they share none.
+/// Returns the intersection of two rectangles; of size 0 if it is empty.
 [[nodiscard]] Tile commonPart(const Tile& a, const Tile& b);
 
-/// The smallest rectangle that holds two others.
+/// Returns the smallest rectangle that contains two others.
 [[nodiscard]] Tile unionOf(const Tile& a, const Tile& b);
 
-/// What is left of a tile without a rectangle that lies within it: at most four rectangles, of
-/// which none overlap.
-/// @param hole of size 0: none, and the tile is left whole
+/// Returns what is left of a tile without a rectangle inside it: at most four rectangles that do
+/// not overlap.
+/// @param hole of size 0: nothing is taken out
 [[nodiscard]] std::vector<Tile> partsAround(const Tile& tile, const Tile& hole);
 
 } // namespace gpu

@@ -10,7 +10,7 @@
 
 namespace test {
 
-/// The voxels of a box in a volume of this size.
+/// Returns the voxels of a box in a volume of a given size, as runs of voxel numbers.
 [[nodiscard]] inline core::VoxelRuns runsOfBox(const core::VoxelBox& box, const glm::ivec3& size)
 {
     core::VoxelRuns runs;
@@ -22,7 +22,7 @@ namespace test {
     return runs;
 }
 
-/// An import of boxes, named S1, S2 …, as if they had been read from a file.
+/// Returns an import as if it had been read from a file: one segment for each box, named S1, S2 ….
 [[nodiscard]] inline core::ImportMask importOfBoxes(
     const std::vector<core::VoxelBox>& boxes, const glm::ivec3& size)
 {

@@ -9,23 +9,23 @@
 
 namespace test {
 
-/// Steps for a growth of so many steps in one go.
+/// Appends the steps of a growth of @p count generations in one go.
 void appendBurst(std::vector<EngineStep>& steps, const core::GrowBurst& burst, int count,
     core::Ending ending = core::Ending::Commit);
 
-/// Steps for seeds at so many random places more.
+/// Appends a placement of the given seeds and of seeds at @p count random voxels.
 void appendSeeds(std::vector<EngineStep>& steps, core::SeedPlacement seeds, int count,
     const glm::ivec3& size, Random& random);
 
-/// Steps that come between edits of labels: 0 seeds, 1 a growth, 2 undo or redo.
-/// @return whether it is one of these
+/// Appends something between edits of labels: seeds (0), a growth (1), undo or redo (2).
+/// @return whether @p what is one of these
 bool appendBetween(std::vector<EngineStep>& steps, int what, std::uint8_t plane,
     const glm::ivec3& size, Random& random);
 
 // The cases of the conformance suite: first named and adversarial ones, then random ones.
 [[nodiscard]] std::vector<EngineCase> growthCases(int randomCount);
 [[nodiscard]] std::vector<EngineCase> growLimitCases(int randomCount);
-/// Statistics of each stroke.
+/// Growths whose criteria follow the statistics of each stroke.
 [[nodiscard]] std::vector<EngineCase> seedGroupCases(int randomCount);
 [[nodiscard]] std::vector<EngineCase> wideGrowthCases(int randomCount); ///< of a single label
 [[nodiscard]] std::vector<EngineCase> intervalCases(int randomCount); ///< with barriers in between
@@ -48,13 +48,13 @@ bool appendBetween(std::vector<EngineStep>& steps, int what, std::uint8_t plane,
 [[nodiscard]] std::vector<EngineCase> layerWriteCases(int randomCount);
 /// Labels given and taken by voxel.
 [[nodiscard]] std::vector<EngineCase> relabelCases(int randomCount);
-/// What lies inside an outline in a slice, given and taken.
+/// Labels given and taken inside an outline in a slice.
 [[nodiscard]] std::vector<EngineCase> outlineCases(int randomCount);
 /// Labels given and taken by values.
 [[nodiscard]] std::vector<EngineCase> thresholdCases(int randomCount);
 /// Labels given and taken under a curve on a view.
 [[nodiscard]] std::vector<EngineCase> segmentScissorsCases(int randomCount);
-/// Edits of labels that may change only some voxels.
+/// Edits of labels within an editable range.
 [[nodiscard]] std::vector<EngineCase> editableCases(int randomCount);
 [[nodiscard]] std::vector<EngineCase> mapCases(int randomCount); ///< whole labels for others
 [[nodiscard]] std::vector<EngineCase> barrierCases(int randomCount); ///< voxels closed to growth

@@ -83,7 +83,7 @@ private:
     [[nodiscard]] Bricks grown(const Bricks& before, const core::Edit& edit, core::RowId parent,
         std::uint32_t* generation) const;
     [[nodiscard]] std::vector<std::uint8_t> labelsOf(const Bricks& bricks, int plane) const;
-    /// In the plane in which a segment of the document lies.
+    /// The labels of the plane in which a segment of the document lies.
     [[nodiscard]] std::vector<std::uint8_t> labelsBeside(
         int segment, const Bricks& bricks, const core::Document& document) const;
     [[nodiscard]] Bricks cleaned(
@@ -98,14 +98,16 @@ private:
         const Bricks& before, const core::SplitSegment& edit, const core::Document& document) const;
     [[nodiscard]] Bricks evolved(const Bricks& before, const core::EvolveContour& edit,
         const core::Document& document) const;
-    /// Gives a label to voxels of the whole volume, or takes it from them.
-    /// @param like without bricks: whom it gives to, and what it may change
+    /// Returns the bricks after a label was given to voxels of the whole volume, or taken from
+    /// them.
+    /// @param like an edit without bricks, which tells the target and which labels may change
+    /// @param meant the voxels, x fastest
     /// @param asked RelabelListed::give or take
     [[nodiscard]] Bricks relabelled(const Bricks& before, core::RelabelListed like,
         const std::vector<bool>& meant, std::uint8_t asked) const;
 
     core::LoadedVolume m_study;
-    int m_planes = 1; ///< of labels, that any row has used
+    int m_planes = 1; ///< number of label planes that any row has used
     std::map<core::RowId, core::HistoryRow> m_rows;
     std::map<core::RowId, State> m_states;
     std::map<QByteArray, Cut> m_cuts; ///< by row and form

@@ -7,17 +7,18 @@
 
 namespace test {
 
-/// A volume in which lengths are known.
+/// A volume in which true lengths are known.
 struct MeasurePhantom {
     const char* name = "";
     core::Volume volume;
 
-    /// Where a view shows a place of the patient: elsewhere only between uneven slices.
+    /// Returns the place at which a view shows a true place (both LPS mm). They differ only in a
+    /// volume with uneven distances between slices.
     [[nodiscard]] glm::dvec3 shown(const glm::dvec3& trueLps) const;
 };
 
-/// Isotropic, slices eight times as far apart as pixels, tilted, uneven, oblique. Around the origin
-/// each reaches 30 mm in all directions.
+/// Returns five phantoms: isotropic, slices eight times as far apart as pixels, tilted, unevenly
+/// spaced, oblique. Each reaches at least 30 mm from the origin in all directions.
 [[nodiscard]] std::vector<MeasurePhantom> measurePhantoms();
 
 } // namespace test

@@ -10,16 +10,17 @@
 
 namespace test {
 
-/// The result of repairing a ball at random: surface, chunks, paint, with undo, redo, jumps,
-/// strokes that are given up, templates that are aborted, and closing and opening the file. A place
-/// of the history always holds the same, however it was reached; and the newest branches hold the
-/// same when the oracle carries them out from the beginning.
+/// The result of a random sequence of repairs of a ball: surface, chunks and paint, with undo,
+/// redo, jumps in the history, strokes that are rolled back, templates that are aborted, and
+/// closing and opening of the file. A position of the history must always have the same state,
+/// however it was reached; and the newest branches must give the same states when the oracle
+/// carries them out from the beginning.
 struct RandomRepair {
-    QString failure; ///< of the first step that went wrong; empty if none did
-    std::map<QString, int> done; ///< how often, by name
+    QString failure; ///< what was wrong after the first step that failed; empty: nothing
+    std::map<QString, int> done; ///< how often each kind of step was done, by name
 };
 
-/// @param engine used by nobody else meanwhile
+/// Carries out @p commands random steps. @p engine must not be used by others meanwhile.
 [[nodiscard]] RandomRepair runRandomRepair(
     core::EditEngine& engine, int commands, std::uint32_t seed);
 

@@ -8,15 +8,15 @@
 
 namespace test {
 
-/// The driver's own function; only in a call that the program makes of it, so that there is a
-/// driver.
+/// Returns the driver's own function. Call it only inside a GL call of the program, since a driver
+/// must be loaded.
 template <class Function> Function driversOwn(const char* name)
 {
     return reinterpret_cast<Function>(eglGetProcAddress(name));
 }
 
-/// Functions of GL that lead to others while it lives: the loader's pointers are put back as they
-/// were. It has no place in a global, which may exist too late.
+/// Redirects GL functions to others during its lifetime; the destructor restores the loader's
+/// pointers. Do not make it a global object, which may be created after the first use.
 class RedirectedGl {
 public:
     RedirectedGl() = default;
@@ -28,7 +28,7 @@ public:
     RedirectedGl(const RedirectedGl&) = delete;
     RedirectedGl& operator=(const RedirectedGl&) = delete;
 
-    /// @param loaders epoxy_gl…
+    /// Redirects a function. @p loaders is the loader's pointer, epoxy_gl…
     template <class Function> void lead(Function& loaders, Function ours)
     {
         auto** place = reinterpret_cast<void**>(&loaders);

@@ -7,32 +7,33 @@
 
 namespace test {
 
-/// What a process asks of the graphics driver. Counts say what a path costs on every machine alike,
-/// as times do not.
+/// Counts of what a process has asked of the graphics driver. Unlike times, they are the same on
+/// every machine.
 struct GlWork {
     int dispatches = 0; ///< of compute shaders
-    /// Work groups of the dispatches that say how many; those that read it from a buffer
-    /// (indirect ones) are not among them.
+    /// Work groups of direct dispatches; indirect ones, whose number is in a buffer, are not
+    /// counted.
     std::int64_t groups = 0;
-    std::int64_t bytesUp = 0; ///< written to buffers and textures from the program's memory
-    std::int64_t bytesDown = 0; ///< read into it
-    /// Copied or cleared within the driver; texels of textures count as one byte each.
+    std::int64_t bytesUp = 0; ///< written from the program's memory to buffers and textures
+    std::int64_t bytesDown = 0; ///< read into the program's memory
+    /// Bytes copied or cleared within the driver; a texel counts as one byte.
     std::int64_t bytesWithin = 0;
     std::int64_t bytesMade = 0; ///< of new buffers
     int draws = 0;
-    /// Of draws of triangles that fill their place: as many as the scissors, or the whole target.
+    /// Pixels of array draws, each counted as its scissor box or, without one, as the whole
+    /// viewport.
     std::int64_t pixels = 0;
     bool operator==(const GlWork&) const = default;
 };
 
-/// Counts it while the object lives, on all threads. One at a time.
+/// Counts during its lifetime, on all threads. Only one may exist at a time.
 class WorkOfGl {
 public:
     WorkOfGl();
     WorkOfGl(const WorkOfGl&) = delete;
     WorkOfGl& operator=(const WorkOfGl&) = delete;
 
-    /// Since the last call. @pre nothing is being done meanwhile
+    /// Returns the counts since the last call. @pre no GL work is under way
     [[nodiscard]] GlWork take();
 
 private:

@@ -5,7 +5,7 @@
 
 namespace test {
 
-/// Whether BURIN_LONG=1 is set: then tests use the counts that the issues name instead of moderate
+/// Whether BURIN_LONG is set to 1. Tests then use the counts that issues demand instead of moderate
 /// ones.
 [[nodiscard]] inline bool longRun()
 {

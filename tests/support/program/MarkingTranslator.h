@@ -6,8 +6,8 @@
 
 namespace test {
 
-/// While it lives every text that goes through tr() stands in angle brackets; that for many tells
-/// before it how many they were.
+/// Puts every text that goes through tr() into angle brackets during its lifetime. Texts with a
+/// count are preceded by that count.
 class MarkingTranslator : public QTranslator {
 public:
     MarkingTranslator() { QCoreApplication::installTranslator(this); }

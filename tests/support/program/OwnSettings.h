@@ -7,7 +7,7 @@
 
 namespace test {
 
-/// Settings that a class of tests has to itself, in a folder that goes with it.
+/// Gives a test class settings of its own, in a folder that is removed with this object.
 class OwnSettings {
 public:
     OwnSettings()
@@ -15,7 +15,7 @@ public:
         QCoreApplication::setOrganizationName(QStringLiteral("burin-test"));
         QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, m_folder.path());
     }
-    /// As where the program was never used.
+    /// Empties the settings, as if the program had never been used.
     static void clear() { QSettings().clear(); }
 
 private:

@@ -10,23 +10,23 @@
 
 namespace test {
 
-/// What a step costs in things that are counted (calls, bytes), and so costs on every machine.
+/// The cost of a step in counted things (calls, bytes), which is the same on every machine.
 struct CountedStep {
     QByteArray name; ///< unique among the steps of a record
     std::vector<std::pair<QByteArray, std::int64_t>> counts; ///< each with its name
 };
 
-/// A record of steps, one line each.
+/// Returns a record of steps, one line for each.
 [[nodiscard]] QByteArray recordOf(const std::vector<CountedStep>& steps);
 /// Compares steps with a record.
 /// @return a sentence for each count that has grown, and for each step that only one of the two has
 [[nodiscard]] QStringList grownSince(
     const QByteArray& record, const std::vector<CountedStep>& steps);
 
-/// Compares steps with what they cost when that was recorded, in tests/data/work. If
-/// BURIN_RECORD_WORK is set they replace the record instead.
+/// Compares steps with a record in tests/data/work. If BURIN_RECORD_WORK is set, it overwrites the
+/// record with them instead.
 /// @param file name of the record
-/// @return as above
+/// @return as for grownSince()
 [[nodiscard]] QStringList grownSinceRecorded(
     const QString& file, const std::vector<CountedStep>& steps);
 

@@ -7,12 +7,12 @@
 
 namespace test {
 
-/// Whether this was built with the thread sanitizer (packaging/tsan.sh), which takes terabytes of
-/// addresses for itself and ends a program that asks for more memory than there is.
+/// Whether the program was built with the thread sanitizer (packaging/tsan.sh). It reserves
+/// terabytes of addresses, and ends a program that asks for more memory than there is.
 inline constexpr bool underThreadSanitizer = __has_feature(thread_sanitizer);
 
-/// The same for the address sanitizer (packaging/asan.sh). It has an allocation of its own, which
-/// none can be preloaded before, and reads files when something is thrown.
+/// The same for the address sanitizer (packaging/asan.sh). It has its own allocator, before which
+/// no library can be preloaded, and it reads files when an exception is thrown.
 inline constexpr bool underAddressSanitizer = __has_feature(address_sanitizer);
 
 inline constexpr bool underSanitizer = underThreadSanitizer || underAddressSanitizer;

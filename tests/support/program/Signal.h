@@ -7,17 +7,19 @@
 
 namespace test {
 
-/// A semaphore for threads. Unlike Qt's, the thread sanitizer sees what it orders
-/// (packaging/tsan.sh).
+/// A semaphore between threads. Unlike with Qt's, the thread sanitizer understands which order it
+/// enforces (packaging/tsan.sh).
 class Signal {
 public:
+    /// Raises the count by one.
     void release()
     {
         const std::lock_guard lock(m_mutex);
         ++m_count;
         m_changed.notify_one();
     }
-    /// For a minute at most, so that a test that has failed ends.
+    /// Waits until the count is above 0 and lowers it by one. It waits at most a minute, so that a
+    /// failed test ends.
     void acquire()
     {
         std::unique_lock lock(m_mutex);

@@ -8,7 +8,7 @@
 
 namespace test {
 
-/// A complete event of a trace (core/base/trace/Trace.h).
+/// A complete event in a trace (core/base/trace/Trace.h).
 struct TraceEvent {
     QString category;
     QString name;
@@ -19,15 +19,16 @@ struct TraceEvent {
     qint64 waitedMicroseconds = -1;
 };
 
-/// The events of a trace by lanes, those that begin first before others, and what holds another
-/// before that; none if it is no trace.
+/// Returns the events of a trace by lane, sorted by their beginning; an event comes before those
+/// that it contains. Empty if @p json is no trace.
 [[nodiscard]] std::vector<TraceEvent> traceEvents(const QByteArray& json);
 
-/// Two events of one lane of which neither holds the other, but which overlap; empty if there are
-/// none.
+/// Returns two events of one lane that overlap although neither contains the other; empty if there
+/// are none.
 [[nodiscard]] QString overlapIn(const std::vector<TraceEvent>& events);
 
-/// Nanoseconds of all events of a category whose name begins so.
+/// Returns the total time in nanoseconds of the events of a category whose names begin with @p
+/// name.
 [[nodiscard]] qint64 timeIn(
     const std::vector<TraceEvent>& events, const char* category, const char* name = "");
 

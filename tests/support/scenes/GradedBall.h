@@ -11,15 +11,16 @@
 
 namespace test {
 
-/// A ball of tissue in the corner of an empty volume of voxels of 1 mm; values rise towards its
-/// middle. What is done to it must cost the same in a large volume as in a small one.
+/// A ball of tissue in the corner of an otherwise empty volume of 1 mm voxels; values rise towards
+/// its centre. Work on it must cost the same in a large volume as in a small one.
 struct GradedBall {
     static constexpr glm::dvec3 middle{48.0}; ///< voxels and mm
     static constexpr double radius = 24.0;
-    static constexpr double risePerMm = 20.0; ///< from tissueCode at the surface
-    static constexpr double threshold = 500.0; ///< that shows the ball, and nothing else
+    static constexpr double risePerMm = 20.0; ///< starting from tissueCode at the surface
+    /// Of a surface that shows the ball and nothing else.
+    static constexpr double threshold = 500.0;
 
-    /// @param side of the volume, at least 96
+    /// Returns the study. @p side of the volume in voxels; at least 96
     [[nodiscard]] static core::LoadedVolume in(int side)
     {
         core::LoadedVolume study;
@@ -42,7 +43,7 @@ struct GradedBall {
         study.volume.voxelsSha256 = "not looked at here";
         return study;
     }
-    /// The least value in a smaller ball about its middle.
+    /// Returns the lowest value within a concentric ball of this radius.
     [[nodiscard]] static double valueAt(double radiusMm)
     {
         return tissueCode + risePerMm * (radius - radiusMm);

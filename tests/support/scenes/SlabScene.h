@@ -7,14 +7,14 @@
 
 namespace test {
 
-// What is looked at along +y, through or past a slab.
+// Scenes with a slab of matter, seen along +y.
 
 [[nodiscard]] inline double noMatter(const glm::dvec3&)
 {
     return 0.0;
 }
 
-/// Matter of code 2000 between two coordinates along y.
+/// Returns a volume's code by place: 2000 between two y coordinates (LPS mm), 0 elsewhere.
 [[nodiscard]] inline auto slabBetween(double fromY, double toY)
 {
     return [=](const glm::dvec3& lps) { return lps.y >= fromY && lps.y <= toY ? 2000.0 : 0.0; };
@@ -33,7 +33,7 @@ namespace test {
     return result;
 }
 
-/// Of a surface that looks the same wherever it is, but for its light.
+/// Returns the look of a surface whose appearance depends on light only, not on its place.
 [[nodiscard]] inline gpu::SceneSurface plainLook()
 {
     gpu::SceneSurface look;

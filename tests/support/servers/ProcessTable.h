@@ -8,16 +8,17 @@
 
 namespace test {
 
-/// A process of this machine.
+/// A running process of this machine.
 struct RunningProcess {
     qint64 pid = 0;
     qint64 parent = 0;
     QStringList words; ///< its command line
 };
 
-/// All whose command line can be read; none that has ended and waits for its parent.
+/// Returns all processes whose command line can be read. Those that have ended and wait for their
+/// parent are not among them.
 [[nodiscard]] std::vector<RunningProcess> runningProcesses();
-/// SIGSTOP. @return whether it stands still now, and has not ended before
+/// Stops a process by SIGSTOP. @return whether it stands still now and had not ended before
 [[nodiscard]] bool holdProcess(qint64 pid);
 
 } // namespace test

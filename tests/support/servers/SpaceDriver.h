@@ -9,8 +9,8 @@
 
 namespace test {
 
-/// Stands for spacenavd, the driver of six-degrees-of-freedom devices: listens at a local socket
-/// and says what the test wants, in version 0 of the driver's protocol.
+/// Stands in for spacenavd, the driver of 6-DoF devices: it listens at a local socket and sends
+/// what the test says, by version 0 of the driver's protocol.
 class SpaceDriver {
 public:
     using Record = std::array<std::int32_t, 8>;
@@ -24,14 +24,14 @@ public:
     {
         return m_folder.filePath(QStringLiteral("spnav.sock"));
     }
-    /// Waits for a program that connects. @return whether one did
+    /// Waits for a program to connect. @return whether one did
     bool accept();
     void say(const Record& record);
     void sayBytes(const void* bytes, std::size_t count);
     void hangUp();
 
-    /// The cap is held out: x to the right, y up, z away from the user; and its rotations about
-    /// these. 350 is as far as it goes.
+    /// Returns a record of a deflected cap: x to the right, y up, z away from the user, then the
+    /// rotations about these axes. Full deflection is 350.
     [[nodiscard]] static Record motion(
         const std::array<std::int32_t, 6>& axes, int milliseconds = 10);
     [[nodiscard]] static Record button(int number, bool pressed);

@@ -17,33 +17,36 @@ namespace ui {
 class FittingLabel;
 class SegmentWorkRow;
 
-/// Shows which slices of a segment count as drawn and how much lies between them, and fills it. It
-/// follows the segment, so that one draws another slice where the result is not good enough.
+/// Fills the empty slices between the drawn slices of a segment by interpolation. Before that it
+/// shows which slices count as drawn and how many voxels would be filled. It looks again whenever
+/// the segment changes, so the user can draw one more slice where the result would not be good
+/// enough.
 class BetweenSlicesDialog : public LabelLookDialog {
     Q_OBJECT
 
 public:
     explicit BetweenSlicesDialog(Workspace& workspace, QWidget* parent = nullptr);
 
-    /// Shows it about a segment.
+    /// Opens the dialog for a segment.
     void ask(int label);
 
 private:
     struct Found {
         std::array<core::DrawnSlices, 3> drawn;
-        std::optional<core::SliceAxis> axis{}; ///< none: no slice between drawn ones is empty
-        std::int64_t voxels = 0; ///< that would be given
+        std::optional<core::SliceAxis> axis{}; ///< none: between the drawn slices none is empty
+        std::int64_t voxels = 0; ///< how many voxels would be filled
     };
     void count(const LabelFetch::Planes& planes) override;
     void forgetFound() override;
     void showState() override;
     void showFound();
     void carryOut();
-    [[nodiscard]] std::optional<core::SliceAxis> chosenAxis() const; ///< none: found by itself
+    /// None: the axis is found automatically.
+    [[nodiscard]] std::optional<core::SliceAxis> chosenAxis() const;
     [[nodiscard]] QString drawnText(const core::DrawnSlices& drawn) const;
 
-    std::optional<Found> m_found; ///< none: it is being looked for, or could not be
-    LabelFetch::Planes m_planes; ///< null: they are being read, or nobody looks at it
+    std::optional<Found> m_found; ///< none: not known yet, or it could not be found out
+    LabelFetch::Planes m_planes; ///< the labels that were read; null: not read
     QComboBox* m_axis;
     FittingLabel* m_drawn;
     QLabel* m_result;

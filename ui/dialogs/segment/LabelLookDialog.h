@@ -13,9 +13,10 @@
 
 namespace ui {
 
-/// A dialog that looks through the labels of its segment: the engine reads them while the window
-/// goes on, and another thread looks through them, anew after each step of the history. They are as
-/// large as the volume: nobody keeps them who does not look at them.
+/// Base of dialogs that show something computed from all labels of their segment's plane. The
+/// engine reads the labels while the window goes on, a background thread computes, and both are
+/// repeated after each step of the history. The labels take one byte per voxel of the volume, so
+/// they are dropped when the dialog is hidden.
 class LabelLookDialog : public SegmentDialog {
     Q_OBJECT
 
@@ -26,16 +27,18 @@ public:
 protected:
     void hideEvent(QHideEvent* event) override;
 
-    /// Looks anew.
+    /// Drops what is known, then reads and computes again. While an edit is open nothing is read;
+    /// the step with which it ends starts the next look.
     void look();
-    /// Whether something of the present state is still to come.
+    /// Whether labels are being read or computed on.
     [[nodiscard]] bool isLooking() const { return m_isLooking; }
-    /// Has the labels of the segment's plane looked through, by lookThrough().
+    /// Called with the labels once they are read. Implementations start their computation with
+    /// lookThrough().
     virtual void count(const LabelFetch::Planes& planes) = 0;
-    /// Drops what was read and found.
+    /// Called when the labels and what was found from them are to be dropped.
     virtual void forgetFound() = 0;
-    /// Has another thread look through what count() was given, and shows the state after @p take
-    /// was given what it found.
+    /// Runs @p look on a background thread. When it has succeeded, calls @p take with its result;
+    /// in any case calls showState() afterwards. A computation that still runs is replaced.
     template <class Look, class Take> void lookThrough(Look look, Take take)
     {
         m_isLooking = true;
@@ -53,8 +56,8 @@ private:
     void follow(const core::DocumentChange& change);
 
     bool m_isLooking = false;
-    std::optional<core::RowId> m_position; ///< of the history, at which it was looked
-    QTimer m_lookSoon; ///< after several changes once
+    std::optional<core::RowId> m_position; ///< position of the history of the last look
+    QTimer m_lookSoon; ///< joins several changes into one look
     LabelFetch m_fetch;
     core::Background m_counting; ///< last: its results are delivered to all of the above
 };

@@ -15,18 +15,18 @@ namespace ui {
 
 class SegmentWorkRow;
 
-/// Asks how far a segment is grown, shrunk, hollowed out or smoothed, and has it done. It stays
-/// open beside the window, so that one looks at the result, takes it back and tries another size.
-/// Of each operation the last size is remembered. Margins may be others on each of the patient's
-/// sides; these begin with the one margin and are not remembered.
+/// Grows, shrinks, hollows out, smooths or wraps a segment by a size in millimetres. It stays open
+/// beside the window, so the user can look at the result, undo it and try another size. The last
+/// size of each operation is remembered. Growing and shrinking may have a different margin on each
+/// of the patient's six sides; these start with the common margin and are not remembered.
 class ReshapeDialog : public SegmentDialog {
     Q_OBJECT
 
 public:
     explicit ReshapeDialog(Workspace& workspace, QWidget* parent = nullptr);
 
-    /// Shows it about a segment.
-    /// @param first the operation that it begins with
+    /// Opens the dialog for a segment.
+    /// @param first the operation that is selected at first
     void ask(int label, core::ShapeOperation first);
 
 private:

@@ -14,27 +14,29 @@ namespace ui {
 class FittingLabel;
 class Workspace;
 
-/// A dialog about a segment, whose name stands at the top. It stays open beside the window, whose
-/// keys work in it, too, and is closed when another study is there.
+/// Base of the dialogs about one segment, with its name at the top. Such a dialog stays open beside
+/// the window, and the window's keyboard shortcuts, undo above all, work in it, too. It closes when
+/// another study is opened.
 class SegmentDialog : public QDialog {
     Q_OBJECT
 
 public:
-    /// @param name with which its widgets are found: "split" for "splitWhose", the segment's name
+    /// @param name prefix of the object names of its widgets: "split" gives "splitWhose" for the
+    /// label with the segment's name
     SegmentDialog(Workspace& workspace, const QString& title, const QString& name, QWidget* parent);
 
 protected:
     [[nodiscard]] Workspace& workspace() const { return m_workspace; }
-    /// What it is about; ask() of a dialog sets it.
+    /// Label of the segment that the dialog is about. Derived dialogs set it when they are opened.
     [[nodiscard]] int label() const { return m_label; }
     void setLabel(int label) { m_label = label; }
-    /// Null: there is none, or not any more.
+    /// The segment; null if it does not exist or no session is open.
     [[nodiscard]] const core::Segment* segment() const;
-    /// Below the name, from above.
+    /// The layout below the segment's name, to which derived dialogs add their widgets.
     [[nodiscard]] QVBoxLayout& column() const { return *m_column; }
-    /// Shows it in front of the window, ready for keys.
+    /// Shows the dialog in front of the window and gives it the keyboard.
     void bringUp();
-    /// Shows how the segment is now; at first, its name.
+    /// Updates what is shown of the segment; the base shows its name.
     virtual void showState();
 
 private:

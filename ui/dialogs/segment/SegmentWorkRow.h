@@ -13,37 +13,40 @@ namespace ui {
 
 class Workspace;
 
-/// The last row of a dialog that has an edit of a whole segment worked out and stays open meanwhile
-/// (core/session/SegmentWork.h): how far it is, aborting it, having it done, closing the dialog.
+/// The last row of a dialog that starts an edit of a whole segment and stays open while that is
+/// computed (core/session/SegmentWork.h): a progress bar and the buttons Abort, Apply and Close.
 class SegmentWorkRow : public QWidget {
     Q_OBJECT
 
 public:
-    /// @param name with which its widgets are found: "Reshape" for "reshapeProgress",
+    /// @param name part of the object names of its widgets: "Reshape" gives "reshapeProgress",
     /// "abortReshape" and "applyReshape"
-    /// @param text of the button that has it done, which is the dialog's default
+    /// @param text of the apply button, which is the dialog's default button
     SegmentWorkRow(Workspace& workspace, const QString& name, const QString& text, QWidget* dialog);
 
-    /// @param why it cannot be done; empty: it can, unless something is being worked out
+    /// Enables the apply button if @p why is empty and nothing is being computed; otherwise shows
+    /// @p why as its tool tip.
     void showWhyNot(const QString& why);
-    /// Watches what has just been begun.
+    /// Starts to show the progress. Call it right after the edit was started.
     void follow();
+    /// Gives the apply button the keyboard focus.
     void focusApply();
 
 Q_SIGNALS:
-    void asked(); ///< to have it done
+    void asked(); ///< the apply button was pressed
+    /// The close button was pressed.
     void closed();
-    void looked(); ///< again and again, while something is being worked out, and when it ended
+    void looked(); ///< several times a second while an edit is computed, and once when it has ended
 
 private:
     void look();
-    [[nodiscard]] std::optional<int> percentDone() const; ///< none: nothing is being worked out
+    [[nodiscard]] std::optional<int> percentDone() const; ///< none: nothing is being computed
 
     Workspace& m_workspace;
     QProgressBar* m_progress;
     QPushButton* m_abort;
     QPushButton* m_apply;
-    QTimer m_watching; ///< while it is being worked out
+    QTimer m_watching; ///< runs while an edit is computed
 };
 
 } // namespace ui

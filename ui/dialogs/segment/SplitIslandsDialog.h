@@ -14,15 +14,15 @@ class QPushButton;
 
 namespace ui {
 
-/// Asks from which size on the islands of a segment become segments of their own, and says how many
-/// these are.
+/// Splits the islands of a segment that have at least a chosen size into segments of their own, and
+/// says before how many that would be. The largest island always stays with the segment.
 class SplitIslandsDialog : public LabelLookDialog {
     Q_OBJECT
 
 public:
     explicit SplitIslandsDialog(Workspace& workspace, QWidget* parent = nullptr);
 
-    /// Shows it about a segment.
+    /// Opens the dialog for a segment.
     void ask(int label);
 
 private:
@@ -32,7 +32,8 @@ private:
     void carryOut();
     [[nodiscard]] core::SplitIslands chosen() const;
 
-    /// Voxels of each island, from the largest down; none: they are being counted, or cannot be.
+    /// Number of voxels of each island, largest first; none while they are being counted, or if
+    /// that failed.
     std::optional<std::vector<std::int64_t>> m_sizes;
     QDoubleSpinBox* m_mm3;
     QLabel* m_result;

@@ -17,17 +17,17 @@ class HistogramRange;
 class IntervalSuggestions;
 class ThresholdTrial;
 
-/// Asks for the interval of values that a segment is made of, and shows in all views what becomes
-/// of it meanwhile. It stays open beside the window, so that one looks at the result and tries
-/// another interval.
+/// Sets a segment to the voxels whose values lie in an interval, or adds or removes these voxels.
+/// While it is open, all views preview the result (ThresholdTrial). It stays open beside the
+/// window, so the user can look at the result and try another interval.
 class ThresholdDialog : public SegmentDialog {
     Q_OBJECT
 
 public:
     explicit ThresholdDialog(Workspace& workspace, QWidget* parent = nullptr);
 
-    /// Shows it about a segment: with the interval that the segment follows and its limits, else
-    /// with the interval of the last time in this study.
+    /// Opens the dialog for a segment. If the segment follows an interval, the dialog starts with
+    /// that interval and its limits; otherwise with the interval that was used last in this study.
     void ask(int label);
 
     void setVisible(bool visible) override;
@@ -35,18 +35,19 @@ public:
 private:
     void build();
     void showState() override;
-    void takeFollowed(); ///< what the segment follows, if it does
-    void follow(); ///< the trial shows what is chosen
+    void takeFollowed(); ///< shows the interval that the segment follows, if any
+    void follow(); ///< updates the preview to what is chosen
     void carryOut();
-    void limitEditing(); ///< to the values of the interval
+    void limitEditing(); ///< makes the interval the editable range of all tools
     [[nodiscard]] std::optional<core::ThresholdSegment> followed() const;
     [[nodiscard]] core::ThresholdSegment chosen() const;
 
     ThresholdTrial* m_trial;
-    bool m_isFresh = true; ///< no interval was chosen in this study
-    /// That of the interval which is followed; none: the clip box.
+    bool m_isFresh = true; ///< no interval was chosen in this study yet
+    /// The box of the interval that the segment follows; none: limiting to a box means the clip
+    /// box.
     std::optional<core::GrowBox> m_itsBox;
-    QLabel* m_follows = nullptr; ///< says that it does
+    QLabel* m_follows = nullptr; ///< says that the segment follows its interval
     HistogramRange* m_range = nullptr;
     IntervalSuggestions* m_suggestions = nullptr;
     QComboBox* m_mode = nullptr;
@@ -54,7 +55,7 @@ private:
     QCheckBox* m_onlyVisible = nullptr;
     QCheckBox* m_boxed = nullptr;
     QCheckBox* m_preview = nullptr;
-    QLabel* m_now = nullptr; ///< how much the segment is
+    QLabel* m_now = nullptr; ///< the segment's present size
     QPushButton* m_limit = nullptr;
     QPushButton* m_apply = nullptr;
 };

@@ -12,21 +12,23 @@ namespace ui {
 
 class Workspace;
 
-/// Shows in all views what a threshold would make of its segment, before it is a step: the edit
-/// stands open, and is begun anew when another one is wanted. If wishes arrive faster than that,
-/// only the latest one is followed. Whatever else is done takes the trial back.
+/// Previews a threshold in all views before it becomes a step of the history. The preview is an
+/// open edit of the session; for another interval it is rolled back and begun again. If requests
+/// arrive faster than that, only the latest one is shown. Any other edit takes the preview back.
 class ThresholdTrial : public QObject {
     Q_OBJECT
 
 public:
     explicit ThresholdTrial(Workspace& workspace, QObject* parent = nullptr);
 
-    /// Follows soon. An edit that is refused is not shown.
+    /// Requests the preview of @p edit; it appears a moment later. Nothing is shown for an edit
+    /// that the session refuses.
     void show(const core::ThresholdSegment& edit);
-    /// Everything is as it was.
+    /// Ends the preview; all voxels are as before.
     void drop();
-    /// Makes it a step; what is shown already is not worked out again. The workspace tells what it
-    /// did, or why it cannot be.
+    /// Carries @p edit out as a step. If it is the one that is previewed, the open edit is
+    /// committed and nothing is computed again. The workspace tells the user the result or the
+    /// reason of a refusal.
     void take(const core::ThresholdSegment& edit);
 
 private:
@@ -35,7 +37,8 @@ private:
 
     Workspace& m_workspace;
     std::optional<core::ThresholdSegment> m_wanted;
-    std::optional<core::ThresholdSegment> m_shown; ///< if it is open still
+    /// The edit that was begun; it may have been ended by another one since.
+    std::optional<core::ThresholdSegment> m_shown;
     QTimer m_soon;
 };
 

@@ -16,8 +16,8 @@ class ContourTool;
 class StepSlider;
 class Workspace;
 
-/// How the contour of the contour tool evolves, and a bar of its generations with buttons like
-/// those of a media player. It takes no room while another tool is in hand.
+/// The settings by which the contour of the contour tool evolves, and a slider over its generations
+/// with buttons like those of a media player. Shown only while the contour tool is active.
 class ContourPanel : public Panel {
     Q_OBJECT
 
@@ -53,7 +53,7 @@ private:
     QPushButton* m_play = nullptr;
     QPushButton* m_accept = nullptr;
     QPushButton* m_abort = nullptr;
-    bool m_showing = false; ///< no user moves the sliders
+    bool m_showing = false; ///< the sliders are being set by showSettings(), not by the user
     bool m_hadSomething = false;
 };
 

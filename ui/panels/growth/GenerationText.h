@@ -14,13 +14,17 @@ class EditSession;
 
 namespace ui {
 
-/// Where a growth stands, and what its last row did: "Generation 12 · added 3.4 ml".
-/// @param row the last one; null: a growth is under way, or nothing was done
+/// Returns a line about the state of a growth: its generation and what its last step did:
+/// "Generation 12 · added 3.4 mL".
+/// @param row the last step; null: none is to be told, since a growth is under way or nothing was
+/// done
+/// @param voxelMm3 volume of a voxel
 [[nodiscard]] QString generationText(
     std::uint32_t generation, const core::HistoryRow* row, double voxelMm3);
 
-/// The same for the growth of a session; while it goes on also the size of its front.
-/// @param fronts sizes of its fronts, by generation
+/// The same for the growth of a session. While it runs, the line tells the size of its front
+/// instead.
+/// @param fronts sizes of its fronts in voxels, by generation
 [[nodiscard]] QString generationText(
     const core::EditSession& session, const std::vector<std::uint32_t>& fronts);
 

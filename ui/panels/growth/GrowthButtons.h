@@ -8,10 +8,10 @@ class QWidget;
 
 namespace ui {
 
-/// A button like those of a media player, with a picture and a word.
+/// A button with an icon and a word, like those of a media player.
 [[nodiscard]] QPushButton* transportButton(
     QWidget* parent, const QString& name, const QString& icon, const QString& text);
-/// A button with a word only, where there is little room.
+/// A button with a word only, for narrow rows.
 [[nodiscard]] QPushButton* narrowButton(QWidget* parent, const QString& name, const QString& text);
 
 } // namespace ui

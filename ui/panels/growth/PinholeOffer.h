@@ -13,22 +13,23 @@ namespace ui {
 
 class Workspace;
 
-/// After a growth: a line that offers to fill the pinholes that noise has left in a segment, which
-/// are holes of a few voxels that it surrounds on all sides. Without any the line is hidden, and so
-/// it is after the next step. Filling them is one step of undo. The labels are read by the engine
-/// and looked through on another thread, so that the window does not wait.
+/// A line that appears after a growth and offers to fill the pinholes that noise has left in a
+/// segment: holes of at most mostVoxels voxels, surrounded by the segment on all sides. It is
+/// hidden if there are none, and after the next step. Filling is one step of undo. The engine reads
+/// the labels and a background thread searches them, so the window does not wait.
 class PinholeOffer : public QLabel {
     Q_OBJECT
 
 public:
-    /// The largest hole that is offered to be filled; what is larger may well be another tissue.
+    /// Voxels of the largest hole that is offered. A larger one may well be another tissue.
     static constexpr std::int64_t mostVoxels = 8;
 
     explicit PinholeOffer(Workspace& workspace, QWidget* parent = nullptr);
 
-    /// Looks for pinholes of a segment when everything that waits is done.
+    /// Starts a search for pinholes of a segment; it begins when all waiting work of the session is
+    /// done.
     void lookInto(int label);
-    /// Hides the line, and drops what is being looked for.
+    /// Hides the line and drops a search.
     void forget();
 
 private:
@@ -40,7 +41,7 @@ private:
     void fill();
 
     Workspace& m_workspace;
-    std::shared_ptr<Look> m_look; ///< null: nothing is looked for or offered
+    std::shared_ptr<Look> m_look; ///< null: nothing is searched or offered
     core::Background m_background; ///< last: its results are delivered to all of the above
 };
 

@@ -17,18 +17,19 @@ namespace ui {
 
 class Workspace;
 
-/// The names of these two limits, wherever the panel speaks of them.
+/// The names of the two limits of PlainLimits, for every text that speaks of them.
 [[nodiscard]] QString smoothName();
 [[nodiscard]] QString necksName();
 
-/// Gives a field for the width of a passage the widths that are possible in a volume: a narrower
-/// one would have no effect, a wider one is refused. The field says nothing of it.
+/// Sets range, step and unit of a field for the width of a passage (mm) to what is possible in a
+/// volume: a narrower width would have no effect, and a wider one is refused. The field emits no
+/// signal.
 void showPassageWidths(QDoubleSpinBox& field, const core::VolumeGeometry& geometry);
 
-/// The two limits of growth that every user wants, in plain words, below its tolerance: how smooth
-/// a segment grows (GrowSettings::majority in few steps), and how narrow a neck stops it
-/// (GrowSettings::passage), with presets for kinds of structures. GrowCriteriaSection has the same
-/// limits as numbers; both show what the settings say, whoever changes them.
+/// The two limits of growth that most users need, in plain words: how smoothly a segment grows
+/// (GrowSettings::majority in a few steps), and how narrow a neck stops it (GrowSettings::passage);
+/// besides presets for kinds of structures. GrowCriteriaSection shows the same limits as numbers.
+/// Both always show the workspace's settings.
 class PlainLimits : public QWidget {
     Q_OBJECT
 
@@ -46,8 +47,8 @@ private:
     void takeNecks();
 
     Workspace& m_workspace;
-    /// Its data are the numbers of 27 voxels; 0: off. A number that is none of the steps is one
-    /// more line while it is set.
+    /// Item data: how many of 27 voxels must lie in the interval; 0: off. A number that is none of
+    /// the steps has an item of its own while it is set.
     QComboBox* m_smooth = nullptr;
     QToolButton* m_presets = nullptr;
     QCheckBox* m_necks = nullptr;

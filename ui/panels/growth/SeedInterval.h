@@ -22,7 +22,7 @@ class SegmentIntervals;
 class SketchLook;
 class Workspace;
 
-/// The values that the 3D view shows: the interval where no other is known.
+/// Returns the interval of values that the 3D view shows; used where no other interval is known.
 [[nodiscard]] std::pair<double, double> shownValues(const Workspace& workspace);
 
 /// The tolerance of a growth, from tight to loose: it sets the interval around what was sketched
@@ -43,20 +43,22 @@ public:
     void ask();
     /// Shows the interval of the active segment if undo or redo has brought back another one.
     void followHistory();
-    /// Forgets everything, because another study was opened.
+    /// To be called when another session is opened.
     void forget();
     /// The values under the seeds, in modality units.
     [[nodiscard]] const std::vector<double>& values() const { return m_values; }
     /// "12 seed voxels · 41.0 ± 3.2 HU" for the active segment. If it has no seeds the text tells
     /// that there are @p seeds of others.
     [[nodiscard]] QString text(int seeds) const;
-    /// The line that tells, with a link, that most seeds lie outside the interval; for a layout.
+    /// The label that says, with a link, that most seeds lie outside the interval. The caller puts
+    /// it into a layout.
     [[nodiscard]] QLabel* note() const { return m_note; }
-    /// @param wanted false: it is hidden in any case
+    /// Shows or hides the label. @p wanted false: hidden in any case; true: shown while it has
+    /// something to say.
     void showNote(bool wanted);
     /// Sets the interval in the growth's settings, not as one that the user has chosen.
     void show(std::pair<double, double> interval);
-    /// Whether the active segment has voxels, so that a change of the interval is one of a growth.
+    /// Whether the active segment has voxels, so that a new interval changes a growth.
     [[nodiscard]] bool hasGrown() const;
 
 public Q_SLOTS:
@@ -88,10 +90,10 @@ private:
     QLabel* m_text = nullptr;
     QLabel* m_note = nullptr;
     SketchLook* m_look = nullptr;
-    QTimer m_taken; ///< one change after several steps in quick succession
-    std::vector<glm::ivec3> m_voxels; ///< the seeds asked about last
-    int m_asked = 0; ///< the segment whose seeds they are; 0: nobody was asked about
-    bool m_sketchedAnew = false; ///< they are of the segment that was asked about before, too
+    QTimer m_taken; ///< joins several quick steps into one change
+    std::vector<glm::ivec3> m_voxels; ///< the seeds about whose values was asked last
+    int m_asked = 0; ///< label of the segment of these seeds; 0: nothing was asked
+    bool m_sketchedAnew = false; ///< the question before was about the same segment
     std::vector<double> m_values; ///< the values at m_voxels
     std::optional<core::SketchedCodes> m_sketched;
     int m_segment = 0; ///< the active segment's label

@@ -12,9 +12,9 @@ namespace ui {
 class Workspace;
 struct SegmentAction;
 
-/// What tidies the active segment as a whole, as buttons: holes, islands, splitting, smoothing,
-/// margin. They do what the entries of the menu Segments do, and say as these do why they cannot.
-/// Without a segment the panel takes no room.
+/// Buttons that clean up the active segment as a whole: holes, islands, splitting, smoothing,
+/// margin. They do the same as entries of the menu Segments, and tell in the same words why they
+/// cannot. Hidden without a segment.
 class CleanUpPanel : public Panel {
     Q_OBJECT
 
@@ -22,17 +22,18 @@ public:
     explicit CleanUpPanel(Workspace& workspace, QWidget* parent = nullptr);
 
     [[nodiscard]] QString title() const override;
-    /// Whose voxels it is about.
+    /// The active segment's name.
     [[nodiscard]] QString summary() const override;
     [[nodiscard]] bool hasSomething() const override;
 
 private:
     struct Button {
         QPushButton* button;
-        const SegmentAction* action; ///< of segmentActions(), which stand as long as the program
+        const SegmentAction* action; ///< one of segmentActions(), which live as long as the program
     };
     void refresh();
-    void showPossible(); ///< which buttons can be pressed, and why others cannot
+    /// Enables the possible buttons; tool tips of the others say why they are disabled.
+    void showPossible();
 
     Workspace& m_workspace;
     std::vector<Button> m_buttons;

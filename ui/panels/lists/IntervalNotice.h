@@ -11,8 +11,8 @@ namespace ui {
 
 class Workspace;
 
-/// Says once, in the status line, when a step ends that a segment follows its interval of values.
-/// Undo and redo of such a step say nothing: the list of segments shows it.
+/// Tells the user in the status line when a step has ended that a segment follows its interval of
+/// values. Undo and redo of such a step tell nothing, because the list of segments shows it.
 class IntervalNotice : public QObject {
     Q_OBJECT
 
@@ -20,12 +20,12 @@ public:
     explicit IntervalNotice(Workspace& workspace, QObject* parent = nullptr);
 
 private:
-    void begin(); ///< with the history as it is
-    void look(); ///< at what has come to it
+    void begin(); ///< takes the rows of the history so far as told
+    void look(); ///< tells of rows that are new
     [[nodiscard]] QString sentenceOf(const core::HistoryRow& row) const;
 
     Workspace& m_workspace;
-    std::size_t m_known = 0; ///< rows that were looked at
+    std::size_t m_known = 0; ///< number of the history's rows that were looked at
 };
 
 } // namespace ui

@@ -12,8 +12,8 @@ namespace ui {
 
 class Workspace;
 
-/// The list of what was measured and noted. A click leads the crosshair there; Del removes what is
-/// selected, as a step of undo. All of it can be saved as a table.
+/// The list of measurements and notes. A click puts the crosshair on one; Del removes the selected
+/// ones, each as a step that can be undone. All of them can be saved as a table.
 class MeasurementsPanel : public Panel {
     Q_OBJECT
 
@@ -23,7 +23,7 @@ public:
     [[nodiscard]] QString title() const override;
     [[nodiscard]] QString summary() const override;
     [[nodiscard]] bool hasSomething() const override;
-    /// Writes all that is worked out as a table, and replaces a file of that name.
+    /// Writes all measurements whose values are known as a CSV table. An existing file is replaced.
     void saveAs(const QString& file);
 
 protected:

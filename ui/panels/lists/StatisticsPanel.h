@@ -17,9 +17,10 @@ namespace ui {
 class StatisticsModel;
 class Workspace;
 
-/// The statistics of all segments as a table: what an export writes, worked out beside the window
-/// whenever a segment has changed. Only a panel that is seen works anything out. A click on a
-/// column's header sorts, a right click chooses the columns; rows are copied as text.
+/// A table of the statistics of all segments: the numbers that an export writes, measured in the
+/// background after each change. Nothing is measured while the panel is hidden. A click on a
+/// column's header sorts; a right click on it chooses the columns; selected rows can be copied as
+/// text.
 class StatisticsPanel : public Panel {
     Q_OBJECT
 
@@ -30,12 +31,13 @@ public:
     [[nodiscard]] QString summary() const override;
     [[nodiscard]] bool foldedAtFirst() const override { return true; }
     [[nodiscard]] const LiveStatistics& statistics() const { return m_statistics; }
-    /// The selected rows, or all if none is, with a line of headings: what is shown, in the order
-    /// in which it is shown, parted by tabs. Numbers are as long as in an exported table.
+    /// The selected rows, or all rows if none is selected, below a line of headings. Columns and
+    /// rows are those shown, in their order, separated by tabs. Numbers have as many digits as in
+    /// an exported table.
     [[nodiscard]] QString asText() const;
 
 Q_SIGNALS:
-    /// The user wants to write the statistics into a file.
+    /// The user asks for an export of the statistics.
     void exportRequested();
 
 protected:

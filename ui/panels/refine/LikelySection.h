@@ -11,9 +11,9 @@ namespace ui {
 
 class Workspace;
 
-/// What the panel of chunks offers to begin with: the suggested number of chunks, and the few that
-/// the user will most likely click on. A click on one leads the crosshair there and changes
-/// nothing. Hides itself while there is neither.
+/// The suggestions of the panel of chunks: a button with the suggested number of chunks, and a list
+/// of the few chunks that are most likely wrong. A click on a chunk puts the crosshair there and
+/// changes nothing. Hidden while there are no suggestions.
 class LikelySection : public QWidget {
     Q_OBJECT
 

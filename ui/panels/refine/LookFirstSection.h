@@ -15,18 +15,20 @@ namespace ui {
 
 class Workspace;
 
-/// Lists, on demand, the places of the active segment to look at first. A click on one leads the
-/// crosshair there; its tick says that the user has seen it. Neither changes anything.
+/// Lists, when the user asks for it, the places of the active segment that should be looked at
+/// first. A click on a place puts the crosshair there; ticking it notes that the user has seen it.
+/// Neither changes the segment.
 class LookFirstSection : public QWidget {
     Q_OBJECT
 
 public:
-    /// @param second the mask with which the segment is compared when a search begins, if any
+    /// @param second returns the mask with which the segment is compared; asked when a search
+    /// begins; null: none
     LookFirstSection(Workspace& workspace, std::function<SegmentDoubts::Mask()> second,
         QWidget* parent = nullptr);
 
     [[nodiscard]] SegmentDoubts& doubts() { return m_doubts; }
-    /// Starts a search, unless one is under way or the present state has been searched.
+    /// Starts a search unless one is running or the present state was searched already.
     void lookOnce();
 
 private:
@@ -41,7 +43,7 @@ private:
     QPushButton* m_look = nullptr;
     QLabel* m_state = nullptr;
     QListWidget* m_list = nullptr;
-    bool m_ticked = false; ///< the click that comes is on a tick, which leads nowhere
+    bool m_ticked = false; ///< the next click only ends ticking, so it moves no crosshair
 };
 
 } // namespace ui

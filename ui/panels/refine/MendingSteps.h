@@ -10,15 +10,17 @@ namespace ui {
 class ComparePanel;
 class Workspace;
 
-/// Tells which steps of mending an imported mask are done, and shows them in a strip: it is shown
-/// while an imported mask is among the steps that led to the present state, unless the user has
-/// closed it, which the program remembers. Pictures do not move under the pen: it neither comes nor
-/// goes while a stroke is open, unless its own cross is pressed.
+/// Finds out which steps of mending an imported mask are done, and shows them in a strip. The strip
+/// is shown while an import of a mask is among the steps that led to the present state, unless the
+/// user has closed it; that choice is saved. While a stroke is open the strip neither appears nor
+/// disappears, since that would move the views under the pen; only its own close button takes
+/// effect at once.
 ///
-/// A step is done: to look, when the active segment was searched for places to look at; to mend,
-/// when voxels of segments were edited after the import, or when all places are ticked (there may
-/// be none); to compare, when there is a comparison with what was imported; to export, when that
-/// was done since the last edit.
+/// When a step counts as done:
+/// - Look: the active segment was searched for places to look at.
+/// - Mend: labels were edited after the last import, or all places are ticked (there may be none).
+/// - Compare: there is a comparison with what was imported.
+/// - Export: segments were exported since the last change of labels.
 class MendingSteps : public QObject {
     Q_OBJECT
 
@@ -28,17 +30,18 @@ public:
     MendingSteps(Workspace& workspace, ComparePanel& panel, MendingStrip& strip);
 
     [[nodiscard]] bool isDone(Step step) const { return m_done[std::size_t(step)]; }
-    /// The first that is not done; none: all are.
+    /// The first step that is not done; none: all are done.
     [[nodiscard]] std::optional<Step> next() const;
-    /// Whether the strip is shown when there is a mask to be mended.
+    /// Whether the user wants the strip; it is then shown whenever there is an imported mask.
     [[nodiscard]] bool isWanted() const { return m_wanted; }
     void setWanted(bool wanted);
-    /// Whether there is a mask that was imported.
+    /// Whether the present state contains an imported mask.
     [[nodiscard]] bool hasMask() const { return m_hasMask; }
+    /// To be called after each export of segments.
     void noteExported();
 
 Q_SIGNALS:
-    void changed(); ///< isWanted() or hasMask()
+    void changed(); ///< isWanted() or hasMask() has changed
 
 private:
     [[nodiscard]] bool isMended() const;

@@ -10,10 +10,11 @@
 
 namespace ui {
 
-/// Along which direction of the volume's index space the user looks at a voxel that is seen on the
-/// 3D view; its length means nothing. None where the voxels that are picked are inside what is
-/// seen: on brightest voxels.
-/// @param piece on which it is seen: the direction is turned back by its pose; 0: on the rest
+/// Returns the direction in which the user looks at a voxel in the 3D view, in the volume's index
+/// space; its length has no meaning. None in modes that show projections (MIP, X-ray), because the
+/// picked voxels then lie inside of what is seen.
+/// @param piece on which the voxel is seen; the direction is rotated back by its pose; 0: on no
+/// piece
 [[nodiscard]] std::optional<glm::dvec3> lookingDirection(
     const gpu::VolumeScene& scene, int piece, const core::VolumeGeometry& geometry);
 

@@ -28,14 +28,14 @@ class Workspace;
 [[nodiscard]] std::vector<glm::ivec3> voxelsUnder(
     const std::vector<glm::dvec2>& path, const ViewContext& slice, const core::Volume& volume);
 
-/// The points that a path covers which is as wide as the pen was pressed: along it, and beside it
-/// on a grid, each once.
-/// @param radiiPixels how far to each side, for each point of the path; between them it changes
-/// evenly
+/// Returns the points covered by a path whose width follows the pen's pressure: points along it
+/// and, on a grid, beside it, each once. In logical pixels.
+/// @param radiiPixels half of the width at each point of the path, interpolated linearly between
+/// them
 [[nodiscard]] std::vector<glm::dvec2> pointsCovered(
     const std::vector<glm::dvec2>& path, const std::vector<double>& radiiPixels, double stepPixels);
 
-/// The voxels of a slice at these points, each once, without those outside the volume.
+/// Returns the voxels of a slice at these points, each once, without those outside the volume.
 [[nodiscard]] std::vector<glm::ivec3> voxelsAt(
     const std::vector<glm::dvec2>& pixels, const ViewContext& slice, const core::Volume& volume);
 
@@ -57,7 +57,7 @@ public:
     /// Ends the sketch; answers that are still under way are dropped.
     void end();
     [[nodiscard]] const std::vector<glm::ivec3>& voxels() const { return m_voxels; }
-    /// Whether they are those of the whole path so far.
+    /// Whether voxels() covers the whole path so far.
     [[nodiscard]] bool isComplete() const { return !m_asking && m_looked >= m_path.size(); }
 
 Q_SIGNALS:

@@ -9,7 +9,7 @@
 
 namespace ui {
 
-/// A tool that draws at the cursor, in the view under the pointer.
+/// Base of tools that draw at the pointer. It keeps the pointer's position and view.
 class CursorTool : public Tool {
     Q_OBJECT
 
@@ -20,9 +20,9 @@ public:
     void leave() override;
 
 protected:
-    /// From now on it is drawn there.
+    /// Sets the pointer's position (logical pixels of its view) and has the overlays drawn again.
     void showCursor(const QPointF& at, gpu::ViewId view);
-    /// In pixels of its view.
+    /// The pointer's last position, in logical pixels of its view.
     [[nodiscard]] const QPointF& cursor() const { return m_cursor; }
     [[nodiscard]] bool isUnderPointer(const ViewContext& view) const;
 

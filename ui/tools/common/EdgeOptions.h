@@ -10,11 +10,12 @@ class QDoubleSpinBox;
 
 namespace ui {
 
-/// "follows edges within ±40 HU": how *Paint* follows edges on slices; empty if it does not.
+/// Returns how the paint brush follows edges in slices: "follows edges within ±40 HU". Empty if it
+/// does not.
 [[nodiscard]] QString edgesText(const Workspace& workspace);
 
-/// Whether *Paint* follows edges on slices, and by how much values may differ: a button of the
-/// option bar with a small window, pressed while it does; always in step with
+/// A button of the option bar whose menu sets whether the paint brush follows edges in slices, and
+/// by how much values may differ. It is checked while the brush does, and always shows
 /// Workspace::brushSettings().
 class EdgeOptions : public QToolButton {
     Q_OBJECT

@@ -7,9 +7,9 @@
 
 namespace ui {
 
-/// The corners of a polygon that stands for an ellipse along the axes, in any unit: so many that it
-/// looks round at any size.
-/// @param half its extent from the centre along each axis
+/// Returns a polygon of 256 corners that stands for an ellipse along the axes, in any unit. It
+/// looks round at any usual size.
+/// @param half semi-axes of the ellipse along x and y
 [[nodiscard]] std::vector<glm::dvec2> ellipseCorners(
     const glm::dvec2& centre, const glm::dvec2& half);
 

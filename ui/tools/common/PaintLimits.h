@@ -10,14 +10,15 @@ class QDoubleSpinBox;
 
 namespace ui {
 
-/// "only 20 … 80 HU": the range of values to which painting is limited; empty if it is not.
+/// Returns the range of values to which painting is limited: "only 20 … 80 HU". Empty if there is
+/// none.
 [[nodiscard]] QString intervalText(const Workspace& workspace);
 
-/// The same with the editable range, which limits all tools.
+/// The same together with the editable range, which limits all tools.
 [[nodiscard]] QString limitsText(const Workspace& workspace);
 
-/// Which voxels may change when a segment is painted or an outline is filled: a button of the
-/// option bar, which has no room for more, with a small window; always in step with
+/// A button of the option bar whose menu sets which voxels painting and filling of outlines may
+/// change. (The bar has no room for these controls themselves.) It always shows
 /// Workspace::brushSettings().
 class PaintLimits : public QToolButton {
     Q_OBJECT

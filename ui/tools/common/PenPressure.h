@@ -8,15 +8,16 @@ class QWidget;
 
 namespace ui {
 
-/// The share of a tool's radius at a report of the pen. What only touches still has a tenth of it,
-/// since a tool of no size would do nothing and tell nobody why; a mouse has all of it.
+/// Returns the share of a tool's radius for a pointer sample, 0.1 … 1: the pen's pressure, but at
+/// least a tenth, because a tool of no size would do nothing and the user would not see why. A
+/// mouse always gives 1.
 [[nodiscard]] double pressedShare(const PointerSample& sample);
 
-/// Whether a pen that rests is pressed so much harder that its tool has to cover more.
+/// Whether a pen at rest is pressed so much harder than before that its tool has to cover more.
 [[nodiscard]] bool pressesHarder(double share, double before);
 
-/// The switch "p" in a tool's options, as the drill has one for its depth: the radius follows the
-/// pressure of the pen, or nothing does.
+/// Creates the switch "p" of a tool's options. On: the radius follows the pressure of the pen. Off:
+/// pressure has no effect.
 [[nodiscard]] QToolButton* pressureButton(QWidget* parent);
 
 } // namespace ui

@@ -34,11 +34,10 @@ public:
     void paintOverlay(QPainter& painter, const ViewContext& view) const override;
 
 protected:
-    /// How far to each side of its path a pen that is fully pressed reaches, mm; 0: pressure does
-    /// nothing. Asked at pen-down; a mouse draws a line.
+    /// Half of the width in mm of the sketch of a fully pressed pen; 0: pressure has no effect.
+    /// Asked at pen-down. A mouse always draws a line.
     [[nodiscard]] virtual double pressedMm() const { return 0.0; }
-    /// How far to each side the sketch that is drawn reaches where it is widest, pixels; 0: it is a
-    /// line.
+    /// Half of the width of the present sketch at its widest point, pixels; 0: it is a line.
     [[nodiscard]] double widestPixels() const;
     /// Whether the pen's eraser end has a meaning for the tool.
     [[nodiscard]] virtual bool takesEraser() const { return false; }
@@ -84,7 +83,7 @@ private:
     Workspace& m_workspace;
     std::optional<ViewContext> m_strokeView; ///< the view at pen-down, used for the whole sketch
     std::vector<glm::dvec2> m_path; ///< logical pixels
-    double m_pressedPixels = 0.0; ///< of the sketch: pressedMm() at pen-down
+    double m_pressedPixels = 0.0; ///< pressedMm() at pen-down, in pixels
     std::vector<double> m_radii; ///< for each point of the path, pixels; empty: it is a line
     Qt::KeyboardModifiers m_modifiers;
     bool m_withEraser = false;

@@ -11,51 +11,56 @@
 
 namespace ui {
 
-/// A closed outline that is being drawn on a slice. It lies in the plane that the slice had when it
-/// was begun, so the picture may be moved and zoomed while a polygon is open.
+/// A closed outline that the user draws on a slice. It stays in the plane of the slice in which it
+/// was begun, so the view may be panned and zoomed while a polygon is open.
 class SliceOutline {
 public:
     enum class Shape {
         Lasso, ///< a freehand curve
         Polygon, ///< corner by corner
-        Rectangle, ///< of a drag from corner to corner
-        Ellipse, ///< the one within that rectangle
-        Livewire, ///< along edges of the picture, from anchor to anchor
-        Level, ///< the contour of a value
+        Rectangle, ///< from a drag between two corners
+        Ellipse, ///< inscribed in that rectangle
+        Livewire, ///< follows edges of the picture from anchor to anchor (LiveWire)
+        Level, ///< the contour of a value (LevelTrace)
     };
 
-    /// @param view a slice
+    /// Starts an outline.
+    /// @param at logical pixels of the view
+    /// @param view shows a slice
     void begin(Shape shape, const QPointF& at, const ViewContext& view);
-    /// One whose corners were found in the picture of a view.
+    /// Replaces it by an outline whose corners were computed from the picture of a view.
     void lay(Shape shape, const std::vector<glm::dvec3>& cornersLps, const ViewContext& view);
-    /// Other corners in the plane that it has.
+    /// Replaces the corners; the plane stays.
     void setCorners(const std::vector<glm::dvec3>& cornersLps);
+    /// Removes the outline.
     void drop() { m_points.clear(); }
     [[nodiscard]] bool drawing() const { return !m_points.empty(); }
     [[nodiscard]] Shape shape() const { return m_shape; }
-    /// Whether the view shows the plane of the outline.
+    /// Whether the view shows the plane in which the outline lies.
     [[nodiscard]] bool liesIn(const ViewContext& view) const;
 
-    /// The pen went on while it was down: a curve gets longer, the last corner moves.
+    /// Follows the pen while it is down: a curve gets longer; of other shapes the last corner
+    /// moves.
     void extend(const QPointF& at, const ViewContext& view);
-    // Of a polygon; a click ends a wire at the same places.
+    // For polygons. A livewire is closed by clicks at the same places.
     void addCorner(const QPointF& at, const ViewContext& view);
-    /// Takes the last corner back; without corners it is no longer drawn.
+    /// Removes the last corner. Without corners there is no outline any more.
     void removeCorner() { m_points.pop_back(); }
-    /// Whether a click there ends the polygon instead of adding a corner: on the first corner, or
-    /// on the last one for a second time.
+    /// Whether a click at this position closes the polygon instead of adding a corner: it is on the
+    /// first corner, or again on the last one.
     [[nodiscard]] bool endsAt(const QPointF& at, const ViewContext& view) const;
 
-    // The plane: edits have it in this form (core/edits/kinds/segments/FillOutline.h).
+    // The plane, in the form in which edits have it (core/edits/kinds/segments/FillOutline.h).
     [[nodiscard]] const glm::dvec3& originLps() const { return m_originLps; }
     [[nodiscard]] const glm::dvec3& rightLps() const { return m_rightLps; }
     [[nodiscard]] const glm::dvec3& upLps() const { return m_upLps; }
-    /// What is drawn so far, closed from the last corner to the first.
+    /// What is drawn so far, in mm to the right of and above originLps(); the last corner is joined
+    /// to the first.
     [[nodiscard]] std::vector<glm::dvec2> polygonMm() const;
-    /// Whether that is large enough on the screen to be intended.
+    /// Whether the outline is large enough on the screen to be intentional.
     [[nodiscard]] bool isMeant(const ViewContext& view) const;
 
-    /// In logical pixels of a view that shows its plane.
+    /// The outline in logical pixels of a view that shows its plane.
     [[nodiscard]] QPolygonF pixels(const ViewContext& view) const;
     [[nodiscard]] QPointF firstPixel(const ViewContext& view) const;
 
@@ -69,7 +74,8 @@ private:
     glm::dvec3 m_originLps{0.0};
     glm::dvec3 m_rightLps{1.0, 0.0, 0.0};
     glm::dvec3 m_upLps{0.0, 1.0, 0.0};
-    /// mm, right of and above the origin: all of a curve, corners of a polygon, both ends of a drag
+    /// In mm right of and above the origin: all points of a curve, the corners of a polygon, or
+    /// both ends of a drag.
     std::vector<glm::dvec2> m_points;
 };
 

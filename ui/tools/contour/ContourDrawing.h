@@ -22,11 +22,11 @@ struct VolumeGeometry;
 
 namespace ui {
 
-/// Draws in slices what a contour has come to: its outline, what the segment would gain in its
-/// colour, and what it would lose in red. Each pixel shows the nearest voxel, along the grid and in
-/// oblique slices alike. Each picture is worked out on another thread, one at a time for each view;
-/// while the contour moves, the last one stays until the next is there. One of another slice is not
-/// shown. GUI thread.
+/// Draws an evolving contour in slices: its outline in the tool's colour, voxels that the segment
+/// would gain in the segment's colour, voxels that it would lose in red. Each pixel shows the voxel
+/// nearest to it, also in oblique slices. Pictures are computed on a background thread, at most one
+/// at a time for each view. While the contour moves, the previous picture stays until the next is
+/// ready; a picture of another slice is not shown. GUI thread.
 class ContourDrawing : public QObject {
     Q_OBJECT
 
@@ -34,38 +34,40 @@ public:
     using QObject::QObject;
     using State = std::shared_ptr<const core::ContourState>;
 
-    /// There is no contour any more.
+    /// Drops all pictures, when there is no contour any more.
     void forget()
     {
         m_background.cancel();
         m_drawn.clear();
     }
-    /// Draws the picture that there is and, where it is not the right one, has another one made.
-    /// @param view a slice
+    /// Draws the latest picture. If that belongs to another state or view, requests a new one;
+    /// drawn() tells when it is ready.
+    /// @param view shows a slice
     void paint(QPainter& painter, const ViewContext& view, const State& state,
         const core::VolumeGeometry& geometry, const QColor& segment);
 
-    /// The picture, whose pixels are transparent where nothing is drawn. Any thread.
-    /// @param area of the view, logical pixels
-    /// @param ratio device pixels of a logical one
+    /// Computes a picture; pixels where nothing is drawn are transparent. Any thread.
+    /// @param area part of the view, logical pixels
+    /// @param ratio device pixels per logical pixel
     [[nodiscard]] static QImage picture(const QRect& area, double ratio, const ViewContext& view,
         const core::ContourState& state, const core::VolumeGeometry& geometry,
         const QColor& segment);
 
 Q_SIGNALS:
-    void drawn(); ///< another picture is there
+    void drawn(); ///< a new picture is ready
 
 private:
-    /// What a picture shows.
+    /// What a picture is to show.
     struct Wish {
         ViewContext view;
         double ratio = 1.0;
         QColor segment;
-        std::weak_ptr<const core::ContourState> state; ///< a picture does not keep it
+        /// Weak, so that a picture keeps no state in memory.
+        std::weak_ptr<const core::ContourState> state;
     };
     struct Drawn {
-        std::optional<Wish> wish; ///< none: there is no picture yet
-        QPoint corner;
+        std::optional<Wish> wish; ///< what the picture shows; none: there is no picture yet
+        QPoint corner; ///< top left corner of the picture in the view, logical pixels
         QImage image; ///< null: the slice misses the contour
         core::Background::Task making;
     };

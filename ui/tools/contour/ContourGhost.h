@@ -21,40 +21,42 @@ class ContourState;
 
 namespace ui {
 
-/// Shows in the 3D view what a contour has come to: its voxels as a shaded, translucent surface,
-/// drawn through whatever would hide it. Each picture is worked out on another thread, one at a
-/// time; while the contour moves, the last one stays until the next is there. GUI thread.
+/// Draws the voxels of an evolving contour in the 3D view as a shaded, translucent surface that
+/// nothing hides. Pictures are computed on a background thread, one at a time; while the contour
+/// moves, the previous picture stays until the next is ready. GUI thread.
 class ContourGhost : public QObject {
     Q_OBJECT
 
 public:
-    /// Larger boxes are not shown.
+    /// Contours whose box has more voxels are not drawn.
     static constexpr std::size_t mostVoxels = std::size_t(1) << 26;
 
     using QObject::QObject;
     using State = std::shared_ptr<const core::ContourState>;
 
-    /// There is no contour any more.
+    /// Drops all pictures, when there is no contour any more.
     void forget()
     {
         m_background.cancel();
         m_drawn.clear();
     }
-    /// Draws the picture that there is and, where it is not the right one, has another one made.
-    /// @param view of a VolumeScene
+    /// Draws the latest picture. If that belongs to another state or view, requests a new one;
+    /// drawn() tells when it is ready.
+    /// @param view shows a VolumeScene
     void paint(QPainter& painter, const ViewContext& view, const State& state,
         const core::VolumeGeometry& geometry, const QColor& segment);
 
-    /// The picture of a view, in its logical pixels. Any thread.
+    /// Computes the picture of a whole view, one pixel for each of its logical pixels. Any thread.
     [[nodiscard]] static QImage picture(const ViewContext& view, const core::ContourState& state,
         const core::VolumeGeometry& geometry, const QColor& segment);
 
 Q_SIGNALS:
-    void drawn(); ///< another picture is there
+    void drawn(); ///< a new picture is ready
 
 private:
     struct Drawn {
-        std::weak_ptr<const core::ContourState> state; ///< a picture does not keep it
+        /// Weak, so that a picture keeps no state in memory.
+        std::weak_ptr<const core::ContourState> state;
         ViewContext view;
         QColor segment;
         QImage image; ///< null: none yet

@@ -12,8 +12,8 @@ namespace ui {
 class ContourTool;
 class Workspace;
 
-/// The options of the contour tool in the option bar: whose contour evolves, and from what. How it
-/// evolves is set in ContourPanel.
+/// The options of the contour tool in the option bar: which segment evolves, and from which start.
+/// ContourPanel has the settings of the evolution.
 class ContourOptions : public QWidget {
     Q_OBJECT
 

@@ -18,61 +18,64 @@ namespace ui {
 
 class Workspace;
 
-/// A contour that evolves before it is an edit: labels and values around it are read from the
-/// engine, and another thread works out its generations, ahead of the one that is shown. So it runs
-/// forwards and backwards like a growth that is played, and nothing of the session changes. When
-/// labels change meanwhile it is worked out anew. GUI thread; never waits, and reads no voxels: a
-/// state of what is shown is worked out beside it, too, one at a time.
+/// Evolves a contour for viewing, before it becomes an edit. The engine reads the labels and values
+/// around it, and a background thread computes its generations ahead of the one that is shown. So
+/// it can be played forwards and backwards while nothing in the session changes. If labels or locks
+/// of segments change meanwhile, it is read and computed anew. The state of the shown generation is
+/// computed in the background, too, one at a time. GUI thread; no call waits or reads voxels.
 class ContourRun : public QObject {
     Q_OBJECT
 
 public:
     explicit ContourRun(Workspace& workspace, QObject* parent = nullptr);
 
-    /// Begins at generation 0 and plays; a growth that stands open is committed first. While one is
-    /// open it is worked out anew with this edit and comes to the generation that was shown, which
-    /// stays in sight until then; only what has changed is read again.
-    /// @param edit with the greatest number of generations. Segment 0: a new one, which nobody has
-    /// made yet
+    /// Starts at generation 0 and plays; an open growth is committed first. If a contour is open
+    /// already, it is computed anew for @p edit and goes to the generation that was shown; the old
+    /// one stays visible until then. Voxels are read again only if the edits differ in more than
+    /// their rule.
+    /// @param edit with the greatest number of generations; segment 0: a new segment, which is not
+    /// added before the contour is accepted
     void begin(const core::EvolveContour& edit);
-    /// Leaves nothing.
+    /// Ends the contour; nothing of it is left.
     void drop();
     [[nodiscard]] bool isOpen() const { return m_edit.has_value(); }
-    /// Whether generations are being worked out, or what they need is read.
+    /// Whether voxels are being read or generations computed.
     [[nodiscard]] bool isWorking() const { return m_isWorking; }
-    /// Whether nothing changes any more after the last generation that is known.
+    /// Whether the evolution has ended because nothing changes after the last known generation.
     [[nodiscard]] bool rests() const { return m_end == core::ContourEnd::Rests; }
-    /// Whether it does not go on because that would take more memory than is allowed.
+    /// Whether the evolution has ended because it would take more memory than is allowed.
     [[nodiscard]] bool isOutOfMemory() const { return m_end == core::ContourEnd::OutOfMemory; }
 
-    /// The generations, and which one is shown; null before the first is known.
+    /// The known generations and which one is shown; null before the first is known.
     [[nodiscard]] const core::ContourTrack* track() const { return m_track.get(); }
-    /// What is in sight; null without a track. While it moves, this is a moment behind the
-    /// generation that is shown (isInSight()).
+    /// The state that views draw; null without a track. While the contour moves it lags a moment
+    /// behind the generation that is shown (isInSight()).
     [[nodiscard]] const std::shared_ptr<const core::ContourState>& state() const { return m_state; }
+    /// Whether state() is that of the shown generation.
     [[nodiscard]] bool isInSight() const { return m_track && m_stateAt == m_track->shown(); }
-    /// The edit that makes what is shown; none: there is nothing yet, it is at generation 0, or
-    /// labels have changed since. Its segment is that of begin().
+    /// The edit that leads to the shown generation, with the segment of begin(). None at generation
+    /// 0, before anything is known, or if labels have changed since.
     [[nodiscard]] std::optional<core::EvolveContour> shownEdit() const;
 
-    /// Goes there, as soon as it is known, and does not play on.
+    /// Stops playing and shows a generation, as soon as it is known.
     void goTo(int generation);
-    /// Plays from the generation that is shown; at the end, from the beginning.
+    /// Plays from the shown generation; from the beginning if the end is shown.
     void setPlaying(bool playing);
     [[nodiscard]] bool isPlaying() const { return m_playing.isActive(); }
-    /// Milliseconds of a generation that is played; 60 at first.
+    /// Sets how long each generation is shown while playing; 60 ms at first.
     void setPace(int milliseconds) { m_playing.setInterval(milliseconds); }
-    /// Of what is watched (watchedContourBytes()); at first what the machine allows.
+    /// Sets the memory limit of the evolution (watchedContourBytes()); at first what the machine
+    /// allows.
     void setMostBytes(double bytes) { m_mostBytes = bytes; }
 
 Q_SIGNALS:
-    void changed(); ///< what is open, shown or known
-    void stateChanged(); ///< another one is in sight
-    /// It evolves no further, since memory does not allow it; what is known stays.
+    void changed(); ///< a contour was opened or ended, or more is known, or another is shown
+    void stateChanged(); ///< state() is another one
+    /// The evolution has ended at the memory limit; the known generations stay.
     void ranOutOfMemory();
-    /// There is nothing from which it could begin; it is dropped.
+    /// The contour was ended because there are no voxels to start from.
     void foundNothing();
-    void failed(const core::Error& error); ///< it is dropped
+    void failed(const core::Error& error); ///< the contour was ended
 
 private:
     struct Reading;
@@ -96,24 +99,24 @@ private:
     void fail(const core::Error& error);
 
     Workspace& m_workspace;
-    std::optional<core::EvolveContour> m_edit; ///< the latest that is wanted
-    Locks m_locks; ///< under which it was read
+    std::optional<core::EvolveContour> m_edit; ///< the latest one requested
+    Locks m_locks; ///< at the time of reading
     std::shared_ptr<Reading> m_reading;
-    std::shared_ptr<const core::ContourGround> m_ground; ///< with codes; null: not read
+    std::shared_ptr<const core::ContourGround> m_ground; ///< what was read; null: nothing
     std::shared_ptr<core::ContourTrack> m_track;
-    std::shared_ptr<const core::ContourState> m_state; ///< at one of its generations
+    std::shared_ptr<const core::ContourState> m_state; ///< the state of generation m_stateAt
     int m_stateAt = 0;
-    core::EvolveContour m_trackEdit; ///< to which they belong
-    bool m_trackStands = false; ///< it begins with the labels that there are
-    int m_wanted = 0; ///< the generation that is to be shown
+    core::EvolveContour m_trackEdit; ///< the edit of m_track
+    bool m_trackStands = false; ///< m_track starts from the present labels
+    int m_wanted = 0; ///< the generation to be shown
     bool m_isWorking = false;
-    std::optional<core::ContourEnd> m_end; ///< of what is known; none: not yet
+    std::optional<core::ContourEnd> m_end; ///< how the evolution ended; none: it has not
     double m_mostBytes;
     QTimer m_playing;
-    QTimer m_again; ///< reads when the session is at rest
+    QTimer m_again; ///< tries to read until the session is idle
     LabelFetch m_fetch;
-    core::Background m_background; ///< evolves; it uses all of the above
-    core::Background m_showing; ///< works out states; likewise
+    core::Background m_background; ///< evolves; declared late, since it uses all of the above
+    core::Background m_showing; ///< computes states; likewise
 };
 
 } // namespace ui

@@ -13,24 +13,25 @@ namespace ui {
 
 class Workspace;
 
-/// A contour that evolves live, from a bubble that is clicked on a slice or from the active segment
-/// as it stands. It is watched (ContourRun), played forwards and backwards and changed by its
-/// settings, until it is accepted, as one step at the generation that is shown, or aborted, which
-/// leaves nothing. The interval is that of growth, which a bubble may set like a sketch does; which
-/// voxels may change is set as for painting. ContourPanel has its controls.
+/// Evolves a contour live, from a ball ("bubble") at a clicked place of a slice or from the active
+/// segment. The user watches it (ContourRun), plays it forwards and backwards and changes its
+/// settings. Accepting it makes one step that ends at the shown generation; aborting it leaves
+/// nothing. The interval is that of growth, which a bubble may set as a sketch does; which voxels
+/// may change is set as for painting. ContourPanel has the controls.
 class ContourTool : public CursorTool {
     Q_OBJECT
 
 public:
     struct Settings {
-        bool fromSegment = false; ///< from the active segment; else from a bubble
-        double bubbleMm = 4.0;
-        bool valuesOfBubble = true; ///< the interval is what is offered around the click
-        int softness = 25; ///< of half the interval's width, per cent
-        int smoothness = 50; ///< 0 … 100, as the next
+        bool fromSegment = false; ///< start from the active segment; false: from a bubble
+        double bubbleMm = 4.0; ///< radius of the bubble
+        /// A bubble sets the interval to the one suggested for its centre.
+        bool valuesOfBubble = true;
+        int softness = 25; ///< per cent of half the interval's width, 0 … 100
+        int smoothness = 50; ///< 0 … 100; so is edge
         int edge = 0;
-        double edgeGradient = 0.0; ///< modality units per mm; 0: none was chosen yet
-        int generations = 100; ///< at most
+        double edgeGradient = 0.0; ///< modality units per mm; 0: not chosen, see edgeGradient()
+        int generations = 100; ///< greatest number
         bool operator==(const Settings&) const = default;
     };
     static constexpr double minimumBubbleMm = 0.5;
@@ -47,7 +48,7 @@ public:
     [[nodiscard]] QWidget* createOptions(QWidget* parent) override;
     [[nodiscard]] QJsonObject settingsJson() const override;
     void applySettings(const QJsonObject& settings) override;
-    /// In the 3D view a contour is only seen.
+    /// Slices, and the 3D view while there is a contour, which can only be looked at there.
     [[nodiscard]] bool worksIn(const ViewContext& view) const override
     {
         return view.isSlice() || m_run.track();
@@ -58,35 +59,39 @@ public:
     }
 
     void press(const PointerSample& sample, const ViewContext& view) override;
-    /// Drops what is watched; else abandons one that was accepted and takes long.
+    /// Ends an open contour. Without one, aborts an accepted contour that is still being computed.
     void cancel() override;
-    /// What is watched is dropped, and the user hears of it. What was accepted goes on.
+    /// Ends an open contour and tells the user. An accepted contour goes on.
     void putAway() override;
-    /// Undo drops what is watched.
+    /// Undo ends an open contour.
     [[nodiscard]] bool canTakeStepBack() const override { return m_run.isOpen(); }
     void takeStepBack() override { drop(); }
     [[nodiscard]] QString stepText() const override { return tr("the contour that is watched"); }
-    /// Enter accepts; the arrow keys go to the generation before and after.
+    /// While a contour is open: Enter accepts it, the left and right arrow keys go to the previous
+    /// and next generation.
     bool pressKey(int key) override;
-    /// The bubble's.
+    /// Changes the radius of the bubble.
     void changeRadius(int steps) override;
     void paintOverlay(QPainter& painter, const ViewContext& view) const override;
 
-    /// Begins as the settings say; a bubble at this place.
+    /// Starts a contour by the settings.
+    /// @param placeLps centre of a bubble, LPS mm
     void start(const glm::dvec3& placeLps);
-    /// Makes a step of what is shown, after one that makes a segment for it where there is none.
+    /// Makes the shown generation a step. If there is no segment, one is added before, as a step of
+    /// its own.
     void accept();
-    /// Leaves nothing of what is watched.
+    /// Ends an open contour; nothing of it is left.
     void drop();
     [[nodiscard]] const ContourRun& run() const { return m_run; }
     [[nodiscard]] ContourRun& run() { return m_run; }
 
     [[nodiscard]] const Settings& settings() const { return m_settings; }
-    /// What is watched follows them.
+    /// Changes the settings; an open contour follows them.
     void setSettings(const Settings& settings);
-    /// The gradient that is chosen, or one that suits the volume.
+    /// The chosen gradient of an edge, or else one that suits the volume; modality units per mm.
     [[nodiscard]] double edgeGradient() const;
-    /// Of the one that is shown: "generation 12 · +3.2 mL, −0.1 mL"; empty without one.
+    /// A text about the shown generation: "generation 12 · +3.2 mL, −0.1 mL". Empty without a
+    /// contour.
     [[nodiscard]] QString shownText() const;
 
 Q_SIGNALS:
@@ -103,11 +108,13 @@ private:
     Settings m_settings;
     ContourRun m_run;
     SketchLook m_look;
-    bool m_awaitsValues = false; ///< it begins when they are known
+    bool m_awaitsValues = false; ///< the contour starts when the values around the bubble are known
     mutable ContourDrawing m_drawing; ///< in slices
     mutable ContourGhost m_ghost; ///< in the 3D view
-    int m_segment = 0; ///< label, of what is watched; 0: it has none before it is accepted
-    std::optional<glm::dvec3> m_bubbleLps; ///< of the same
+    /// Label of the open contour's segment; 0: a segment that is added when it is accepted.
+    int m_segment = 0;
+    /// Centre of its bubble; none: it starts from the segment.
+    std::optional<glm::dvec3> m_bubbleLps;
     bool m_wasOpen = false;
 };
 

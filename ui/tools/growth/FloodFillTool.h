@@ -7,18 +7,18 @@ namespace ui {
 
 class Workspace;
 
-/// Gives the active segment what hangs together with the voxel that is clicked and has about its
-/// value; with Ctrl or the pen's eraser end it takes away what hangs together of the segment there.
-/// In the slice alone or in all directions. Each click is one step. The first one of a session
-/// makes a segment, as a step of its own.
+/// Adds to the active segment the connected voxels whose values differ little from that of the
+/// clicked voxel. With Ctrl or the pen's eraser end it removes the connected part of the segment
+/// instead. It works within the slice or in 3D. Each click is one step. If there is no segment, the
+/// first click adds one, as a step of its own.
 class FloodFillTool : public CursorTool {
     Q_OBJECT
 
 public:
     struct Settings {
         bool in3D = false;
-        bool corners = false; ///< voxels also hang together at an edge or a corner
-        double tolerance = 50.0; ///< modality units
+        bool corners = false; ///< voxels also count as connected at an edge or a corner
+        double tolerance = 50.0; ///< greatest difference of values, modality units
         bool operator==(const Settings&) const = default;
     };
 
@@ -32,16 +32,16 @@ public:
     [[nodiscard]] QWidget* createOptions(QWidget* parent) override;
     [[nodiscard]] QJsonObject settingsJson() const override;
     void applySettings(const QJsonObject& settings) override;
-    /// Axial, coronal and sagittal slices: an oblique one has no voxels of its own.
+    /// Works in slices along the patient's axes. An oblique slice has no voxels of its own.
     [[nodiscard]] bool worksIn(const ViewContext& view) const override;
 
     void press(const PointerSample& sample, const ViewContext& view) override;
-    /// Abandons a fill that takes long.
+    /// Aborts a fill that is still being computed.
     void cancel() override;
-    /// A fill goes on when another tool is chosen.
+    /// Does nothing: a fill goes on when another tool is chosen.
     void putAway() override { }
     void hover(const PointerSample& sample, const ViewContext& view) override;
-    /// The tolerance.
+    /// Changes the tolerance.
     void changeRadius(int steps) override;
 
     void paintOverlay(QPainter& painter, const ViewContext& view) const override;

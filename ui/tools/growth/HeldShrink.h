@@ -17,25 +17,30 @@ namespace ui {
 
 class Workspace;
 
-/// Takes a growth back from a sketch, generation by generation, as long as the pen is held
-/// (core::ShrinkAt with steps): one open edit, which goes a step further whenever the engine has
-/// done the one before, and becomes one row when it ends.
+/// Takes a growth back from a sketch, one generation after the other, as long as the pen is held
+/// (core::ShrinkAt with steps). It is one open edit of the session. The next generation is asked
+/// for when the engine has done the one before, so it stops at once when the pen is lifted; the
+/// edit then becomes one row. GUI thread.
 class HeldShrink : public QObject {
     Q_OBJECT
 
 public:
     explicit HeldShrink(Workspace& workspace, QObject* parent = nullptr);
 
-    /// Takes the sketch and what descends from it. @param voxels at least one
-    /// @return whether it has begun; if not, the workspace has been told why
+    /// Begins with the sketched voxels and the voxels that descend from them.
+    /// @param voxels index space; at least one
+    /// @return whether it has begun; if not, the workspace has told the user why
     bool begin(const std::vector<glm::ivec3>& voxels);
-    /// Ends it. @param kept whether what is taken stays so
+    /// Ends it.
+    /// @param kept true: what was taken back stays so; false: everything is restored
     void end(bool kept);
+    /// Whether it has begun and end() was not called yet.
     [[nodiscard]] bool on() const { return m_on; }
-    /// Whether it is on, but was refused: it takes nothing.
+    /// Whether the session has refused the edit after it began, so that nothing is taken back.
     [[nodiscard]] bool refused() const;
 
-    /// "3 generations back: takes 12.4 mL", and why it goes no further; empty while it is not on.
+    /// A text on how far it has come, and why it goes no further: "3 generations back: takes 12.4
+    /// mL". Empty while it is not on.
     [[nodiscard]] QString words() const;
 
 Q_SIGNALS:
@@ -43,13 +48,14 @@ Q_SIGNALS:
 
 private:
     void goOn();
-    /// Its session, while the edit that is open there is its own: another edit, or undo, ends it.
+    /// The session, if the edit that is open there is still this one; another edit or undo may have
+    /// ended it.
     [[nodiscard]] core::EditSession* open() const;
 
     Workspace& m_workspace;
     QTimer m_pace;
     bool m_on = false;
-    int m_steps = 0; ///< that were asked for
+    int m_steps = 0; ///< generations asked for so far
 };
 
 } // namespace ui

@@ -33,11 +33,11 @@ public:
     [[nodiscard]] QString keys() const override;
 
     [[nodiscard]] const ShrinkPreview& preview() const { return *m_preview; }
-    /// Whether the preview is that of the whole sketch so far: in the 3D view, what is seen under it
-    /// is learnt piece by piece.
+    /// Whether the preview covers the whole sketch so far. In the 3D view the voxels under a sketch
+    /// are found out piece by piece.
     [[nodiscard]] bool previewIsWhole() const;
     [[nodiscard]] const HeldShrink& held() const { return *m_held; }
-    /// How long the pen rests before the growth goes back; 700 at first.
+    /// Sets how long the pen must rest before the growth goes back; 700 ms at first.
     void setRest(int milliseconds) { m_rest.setInterval(milliseconds); }
 
 private:
@@ -57,7 +57,7 @@ private:
     SketchedVoxels* m_sketched;
     ShrinkPreview* m_preview;
     HeldShrink* m_held;
-    QTimer m_rest; ///< since the pen moved last, or since it is told what it takes
+    QTimer m_rest; ///< runs from the pen's last move, or from the moment when the preview is known
     std::optional<glm::dvec2> m_restsAt; ///< pixel
 };
 

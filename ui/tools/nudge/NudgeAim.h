@@ -18,9 +18,9 @@ namespace ui {
 
 class Workspace;
 
-/// Finds out where a nudge begins: on which side of the border of a segment, and how near it is
-/// (core/sculpt/labels/NudgeStart.h). The engine reads the labels around the disc, another thread
-/// looks at them, and the window waits for neither.
+/// Finds out how a nudge begins: on which side of a segment's border, and how far from it
+/// (core/sculpt/labels/NudgeStart.h). The engine reads the labels around the disc and a background
+/// thread evaluates them, so the window does not wait. GUI thread.
 class NudgeAim : public QObject {
     Q_OBJECT
 
@@ -29,13 +29,15 @@ public:
 
     explicit NudgeAim(Workspace& workspace, QObject* parent = nullptr);
 
-    /// As it is after everything that the session was asked to do before. What was asked here
-    /// before is dropped. Errors: those of core::nudgeDisc(), and UnknownSegment; then nothing is
+    /// Asks for the state after all edits that were given to the session before. An earlier
+    /// question is dropped. Errors: those of core::nudgeDisc(), and UnknownSegment; then nothing is
     /// asked.
-    /// @param path of the disc, with its first point, rounded as edits are
-    /// @param answer called later, when busy() is false again; not after drop(), nor when the
+    /// @param path of the disc, with its first point, quantised as edits are
+    /// @param segment label
+    /// @param answer is called later, when busy() is false again; not after drop() or when the
     /// session was closed meanwhile
     [[nodiscard]] core::Result<void> ask(const core::BrushPath& path, int segment, Answer answer);
+    /// Drops the question; its answer is not called.
     void drop();
     [[nodiscard]] bool busy() const { return m_job != nullptr; }
 
@@ -45,7 +47,7 @@ private:
     void finish(const core::Result<core::NudgeStart>& start);
 
     Workspace& m_workspace;
-    std::shared_ptr<Job> m_job; ///< what is under way; null: nothing
+    std::shared_ptr<Job> m_job; ///< null: no question is open
     core::Background m_background; ///< last: it uses all of the above
 };
 

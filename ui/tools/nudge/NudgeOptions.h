@@ -11,7 +11,7 @@ namespace ui {
 class NudgeTool;
 class Workspace;
 
-/// The options of the nudge in the option bar; always in step with the tool.
+/// The options of the nudge tool in the option bar. They always show the tool's settings.
 class NudgeOptions : public QWidget {
     Q_OBJECT
 

@@ -21,13 +21,14 @@ namespace ui {
 class Workspace;
 
 /// Pushes the border of the active segment in a slice with a disc: outwards if it is pressed inside
-/// of the segment, inwards beside it; with Ctrl or the pen's eraser end the other way round. The
-/// voxel under the centre decides when the pen goes down, and the cursor says it before. The disc
-/// has one radius however firmly a pen is pressed; by default it is made so small that it begins
-/// wholly on one side of the border (core/sculpt/labels/NudgeStart.h). Each stroke is one step,
-/// shown while the pen is down. Which voxels may change is set as for painting.
+/// the segment, inwards if outside; with Ctrl or the pen's eraser end the other way round. The
+/// voxel under the centre at pen-down decides, and the cursor shows it before. Pressure does not
+/// change the disc's radius. By default the disc is made so small that it begins wholly on one side
+/// of the border (core/sculpt/labels/NudgeStart.h). Each stroke is one step, which is shown while
+/// the pen is down. Which voxels may change is set as for painting.
 ///
-/// Where a stroke begins is found out beside the window; until then it keeps where the pen goes.
+/// The start of a stroke is worked out in the background (NudgeAim); until that is known the tool
+/// stores the path of the pen.
 class NudgeTool : public Tool {
     Q_OBJECT
 
@@ -63,12 +64,12 @@ public:
 
     [[nodiscard]] const Settings& settings() const { return m_settings; }
     void setSettings(const Settings& settings);
-    /// Whether a stroke was begun that the session has not been told to the end.
+    /// Whether there is a stroke that was not passed to the session completely yet.
     [[nodiscard]] bool isPushing() const { return m_stroke != nullptr; }
-    /// Of the disc under the pointer, as far as that is known yet; none beside the slices, and
-    /// before the first answer.
+    /// How a stroke under the pointer would begin, as far as known; none outside slices and before
+    /// the first answer.
     [[nodiscard]] const std::optional<core::NudgeStart>& start() const { return m_start; }
-    /// Of the stroke, or of one that would begin under the pointer.
+    /// The radius of the present stroke, or of one that would begin under the pointer.
     [[nodiscard]] double radiusMm() const;
 
 Q_SIGNALS:
@@ -77,16 +78,17 @@ Q_SIGNALS:
 private:
     struct Stroke;
 
-    /// The active segment, or else the first; null: there is none.
+    /// The active segment, or the first one if none is active; null: there is no segment.
     [[nodiscard]] const core::Segment* nudged() const;
-    /// A stroke that begins here, as an edit rounds it; which way it pushes is still open.
+    /// A stroke that begins at a pixel, quantised as an edit is. Its direction of push is not set
+    /// yet.
     [[nodiscard]] core::PaintStroke strokeAt(
         const QPointF& pixel, const ViewContext& view, int segment) const;
     void begin(const core::Result<core::NudgeStart>& start);
     void finish();
-    /// Finds out where a stroke would begin that is pressed under the pointer.
+    /// Works out how a stroke under the pointer would begin.
     void lookAhead();
-    /// Which way it pushes; none: that is not known yet.
+    /// Whether it pushes outwards; none: that is not known yet.
     [[nodiscard]] std::optional<bool> pushesOutwards() const;
     void showCursor(const PointerSample& sample, const ViewContext& view);
 
@@ -94,10 +96,11 @@ private:
     Settings m_settings;
     std::unique_ptr<Stroke> m_stroke; ///< null: none
     std::optional<core::NudgeStart> m_start;
-    std::optional<ViewContext> m_view; ///< under the pointer
+    std::optional<ViewContext> m_view; ///< the view under the pointer
     QPointF m_cursor;
     bool m_isInverse = false;
-    bool m_looksAgain = false; ///< the pointer went on while that was found out
+    /// The pointer has moved since the question, so it is asked again after the answer.
+    bool m_looksAgain = false;
     NudgeAim m_aim; ///< last: its answers use all of the above
 };
 

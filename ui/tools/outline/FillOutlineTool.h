@@ -15,14 +15,14 @@ namespace ui {
 
 class Workspace;
 
-/// Gives the active segment what lies inside an outline in one slice, along the grid or oblique;
-/// with Ctrl or the pen's eraser end it takes it away. Each outline is one step. Which voxels may
-/// change is set as for painting. The first outline of a session makes a segment, as a step of its
-/// own.
+/// Fills an outline in one slice, also in an oblique one: the active segment gets the voxels inside
+/// it, or loses them with Ctrl or the pen's eraser end. Each outline is one step. Which voxels may
+/// change is set as for painting. If there is no segment, the first outline adds one, as a step of
+/// its own.
 ///
-/// Two shapes follow the picture: the livewire and the contour of a level. What they need is worked
-/// out beside the window; one that is closed or clicked before that is filled as soon as it is
-/// known, at the place that was meant.
+/// Two shapes follow the picture: the livewire and the contour of a value. They are computed in the
+/// background. An outline that is closed or clicked before its computation has ended is filled as
+/// soon as it has, at the place that was meant.
 class FillOutlineTool : public CursorTool {
     Q_OBJECT
 
@@ -45,7 +45,7 @@ public:
     void drag(const PointerSample& sample, const ViewContext& view) override;
     void release(const PointerSample& sample, const ViewContext& view) override;
     void cancel() override;
-    /// A corner of a polygon that is open, or an anchor of a wire.
+    /// Undo takes back the last corner of an open polygon or the last anchor of a livewire.
     [[nodiscard]] bool canTakeStepBack() const override;
     void takeStepBack() override;
     void hover(const PointerSample& sample, const ViewContext& view) override;
@@ -54,7 +54,7 @@ public:
     void paintOverlay(QPainter& painter, const ViewContext& view) const override;
 
     [[nodiscard]] Shape shape() const { return m_shape; }
-    /// An outline that is open is dropped.
+    /// Chooses the shape. An open outline is dropped.
     void setShape(Shape shape);
 
 Q_SIGNALS:
@@ -62,24 +62,26 @@ Q_SIGNALS:
 
 private:
     void drop();
-    /// Whether it is clicked together, and stays open after the button or pen is lifted.
+    /// Whether the shape is made of clicks, so that it stays open after the button or pen is
+    /// lifted.
     [[nodiscard]] bool isClicked() const;
     void pressCorner(const PointerSample& sample, const ViewContext& view);
-    /// What follows the picture is told where the pointer is.
+    /// Tells the livewire or the contour of a value where the pointer is.
     void follow(const PointerSample& sample, const ViewContext& view);
     void showWire();
     void showLevel();
-    /// Whether what is drawn can have been intended.
+    /// Whether what is drawn is large enough to be intentional.
     [[nodiscard]] bool isMeant() const;
     [[nodiscard]] QString howToDraw() const;
-    /// Fills what is drawn and ends the drawing. What is clicked together and cannot be filled
-    /// stays open: it is more work than another stroke.
+    /// Fills the outline and ends the drawing. An outline made of clicks that cannot be filled
+    /// stays open, since drawing it was more work than another stroke.
     void close();
-    /// The same once the picture has been followed.
+    /// The same, if the computation that follows the picture has ended.
     void closeIfKnown();
-    /// What was closed is not filled any more: it would be another's, or under other limits.
+    /// Gives up filling a closed outline that still waits, since the segment or the limits have
+    /// changed or the computation has failed.
     void stopClosing();
-    /// Whether the contour of the level has more corners than an edit takes. It is not drawn then.
+    /// Whether the contour of the value has more corners than an edit takes. It is not drawn then.
     [[nodiscard]] bool isRagged() const;
     [[nodiscard]] QString levelText() const;
     [[nodiscard]] static bool isInverse(const PointerSample& sample);
@@ -87,15 +89,15 @@ private:
     Workspace& m_workspace;
     Shape m_shape = Shape::Lasso;
     SliceOutline m_outline;
-    std::optional<ViewContext> m_view; ///< in which the open outline was pressed last
-    bool m_pressed = false; ///< the button or pen that draws is down
-    bool m_closes = false; ///< it is filled as soon as the picture has been followed
+    std::optional<ViewContext> m_view; ///< the view of the last press in the open outline
+    bool m_pressed = false; ///< the button or pen is down
+    bool m_closes = false; ///< the outline is filled as soon as its computation has ended
     bool m_erases = false;
-    ReadSlice m_slice; ///< in which the picture is followed
+    ReadSlice m_slice; ///< the slice whose picture is followed
     LiveWire m_wire;
     LevelTrace m_level;
-    std::optional<ViewContext> m_levelView; ///< in which the level was pointed at
-    SliceOutline m_levelOutline; ///< the contour as it is shown
+    std::optional<ViewContext> m_levelView; ///< the view in which the value was pointed at
+    SliceOutline m_levelOutline; ///< the contour as it is drawn
 };
 
 } // namespace ui

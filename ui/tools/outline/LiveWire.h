@@ -18,41 +18,43 @@ namespace ui {
 class ReadSlice;
 class Workspace;
 
-/// A wire that follows edges of a slice from anchor to anchor (core/outline/CheapestWays.h). Costs
-/// and ways are worked out on another thread, in the window of values in which the slice is shown
-/// when the first anchor is set; until a way is known the wire runs straight there. Anchors may be
-/// set meanwhile: what becomes of them does not depend on how fast that goes.
+/// A wire that follows the edges of a slice from anchor to anchor (core/outline/CheapestWays.h).
+/// Costs and paths are computed on a background thread, for the window of grey values at the first
+/// anchor. Until a path is known the wire is straight there. Anchors may be set meanwhile; the
+/// result does not depend on how fast the computation is. GUI thread.
 class LiveWire : public QObject {
     Q_OBJECT
 
 public:
-    /// @param slice in which it lies; must outlive this, and show the same slice while there are
-    /// anchors
+    /// @param slice holds the values that the wire follows; must outlive this, and show the same
+    /// slice while there are anchors
     LiveWire(Workspace& workspace, ReadSlice& slice, QObject* parent = nullptr);
 
+    /// Removes all anchors.
     void drop();
-    /// At the corner of pixels that is nearest to the place.
+    /// Sets an anchor at the pixel corner nearest to a place (LPS mm).
     void addAnchor(const glm::dvec3& placeLps);
-    /// The last one. @pre there is one
+    /// Removes the last anchor. @pre there is one
     void removeAnchor();
-    /// How many places are anchors.
+    /// The number of different places with anchors.
     [[nodiscard]] std::size_t anchorCount() const;
-    /// Whether a click there would set the first or the last anchor again.
+    /// Whether a click at a place would set the first or the last anchor again.
     [[nodiscard]] bool endsAt(const glm::dvec3& placeLps) const;
 
-    /// Whether the ways between anchors are known, and those from the last one onwards.
+    /// Whether all paths between anchors are known, and those that start at the last anchor.
     [[nodiscard]] bool isKnown() const;
-    /// From the first anchor to the last.
+    /// The pixel corners of the wire from the first anchor to the last, LPS mm.
     [[nodiscard]] std::vector<glm::dvec3> wireLps() const;
-    /// From the last anchor, which is left out, to the corner of pixels nearest to a place. Empty
+    /// The pixel corners from the last anchor (not included) to the one nearest to a place; empty
     /// if there is no anchor.
     [[nodiscard]] std::vector<glm::dvec3> onwardsLps(const glm::dvec3& placeLps) const;
-    /// From the last anchor back to the first, both left out. @pre there is an anchor
+    /// The pixel corners from the last anchor back to the first, both not included. @pre there is
+    /// an anchor
     [[nodiscard]] std::vector<glm::dvec3> closingLps() const;
 
 Q_SIGNALS:
-    void changed(); ///< a way became known
-    void failed(); ///< one could not be found, as the workspace says
+    void changed(); ///< another path is known
+    void failed(); ///< a computation failed; the workspace has told the user why
 
 private:
     void proceed();
@@ -65,11 +67,11 @@ private:
     Workspace& m_workspace;
     ReadSlice& m_slice;
     std::vector<glm::ivec2> m_anchors;
-    /// The known ones, from anchor to anchor: one less than anchors if all are.
+    /// The known paths, from anchor to anchor: one less than anchors if all are known.
     std::vector<std::vector<glm::ivec2>> m_ways;
-    core::WindowLevel m_window; ///< of the costs
-    std::shared_ptr<const core::SideCosts> m_costs; ///< null: not known
-    /// From the anchor at the end of the known ways; null: not known.
+    core::WindowLevel m_window; ///< the window for which the costs are computed
+    std::shared_ptr<const core::SideCosts> m_costs; ///< null: not known yet
+    /// Paths from the anchor at the end of the known paths; null: not known yet.
     std::shared_ptr<const core::CheapestWays> m_onwards;
     core::Background m_background;
 };

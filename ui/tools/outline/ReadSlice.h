@@ -17,48 +17,49 @@ namespace ui {
 
 class Workspace;
 
-/// The values of the slice in which an outline follows the picture. The engine reads them, voxels
-/// of an oblique slice are chosen and put in order on another thread, and the window waits for
-/// neither.
+/// Reads the values of the slice in which an outline follows the picture. The engine reads them;
+/// for an oblique slice a background thread chooses the voxels and puts the values in order. The
+/// window waits for neither. GUI thread.
 class ReadSlice : public QObject {
     Q_OBJECT
 
 public:
     explicit ReadSlice(Workspace& workspace, QObject* parent = nullptr);
 
-    /// Has the slice that a view shows read, unless it is the one that it has. What is known of
-    /// another one is dropped.
+    /// Starts to read the slice that a view shows, unless it is the present one. Another slice is
+    /// dropped.
     void look(const ViewContext& view);
-    /// To be called when the session is another one.
+    /// Drops the slice. To be called when another session is opened.
     void drop();
 
-    /// Of the slice that was looked at last; empty if none was, or if it misses the volume.
+    /// The pixels of the present slice in space. Empty if there is none or if it misses the volume.
     [[nodiscard]] const core::SliceLattice& lattice() const { return m_lattice; }
-    /// Its values; null until they are read.
+    /// The values of its pixels; null until they are read.
     [[nodiscard]] const std::shared_ptr<const core::SlicePixels>& pixels() const
     {
         return m_pixels;
     }
 
 Q_SIGNALS:
-    void dropped(); ///< the slice is another one
-    void arrived(); ///< its values are read
+    void dropped(); ///< the slice was dropped, or is about to be another one
+    void arrived(); ///< its values have been read
 
 private:
     struct Portions;
     void readBox();
     void chooseVoxels();
-    /// The next portion. No more than one waits in the engine for a slice that may be left by then.
+    /// Asks for the next portion. Only one portion at a time waits in the engine, since the slice
+    /// may be left at any moment.
     void readOn(const std::shared_ptr<Portions>& portions);
     void putInOrder(const std::shared_ptr<Portions>& portions);
     void take(std::shared_ptr<const core::SlicePixels> pixels);
-    /// Drops the slice, so that it is read again when it is looked at next.
+    /// Drops the slice, so that the next look() reads it again.
     void fail(const core::Error& error);
 
     Workspace& m_workspace;
     core::SliceLattice m_lattice;
     std::shared_ptr<const core::SlicePixels> m_pixels;
-    std::uint64_t m_asked = 0; ///< number of slices; only answers about the last one count
+    std::uint64_t m_asked = 0; ///< number of slices so far; answers about earlier ones are ignored
     core::Background m_background;
 };
 

@@ -9,9 +9,11 @@
 
 namespace ui {
 
-/// What of a path over the 3D view an edit with such a range may change, as far as a view through
-/// all of the depth can tell: what lies over its box. Values and segments lie somewhere on each
-/// line of sight; inside of no segment there is nothing.
+/// Returns the part of a path over the 3D view in which an edit through all of the depth may change
+/// voxels, as far as the view can tell: the part over the range's box. Limits of values and
+/// segments cannot be shown, since some voxel on each line of sight may lie within them; but if the
+/// range is inside of no segment, the result is empty.
+/// @param path logical pixels of the view
 [[nodiscard]] QPainterPath editablePart(const core::EditableRange& range, const QPainterPath& path,
     const core::VolumeGeometry& geometry, const ViewContext& view);
 

@@ -13,7 +13,7 @@ class SeedOptions;
 class SegmentScissorsTool;
 class Workspace;
 
-/// The options of the segment scissors in the option bar; always in step with the tool.
+/// The options of the segment scissors in the option bar. They always show the tool's settings.
 class SegmentScissorsOptions : public QWidget {
     Q_OBJECT
 
@@ -28,7 +28,7 @@ private:
     void takeSettings();
 
     SegmentScissorsTool& m_tool;
-    SeedOptions* m_seeds; ///< here, as the tab key goes from one to the next
+    SeedOptions* m_seeds; ///< declared first, so that the tab key visits it first
     QComboBox* m_does;
     QComboBox* m_shape;
     QDoubleSpinBox* m_depth;

@@ -10,10 +10,10 @@ namespace ui {
 
 class Workspace;
 
-/// Erases the active segment inside or outside of a curve that is drawn on the 3D view, along the
-/// view direction, or fills it there; with Ctrl or the pen's eraser end the other of both. Inside
-/// it may stop at a depth behind what is seen first. Which voxels may change is set as for
-/// painting. Each curve is one step.
+/// Erases or fills the active segment inside or outside of a curve drawn on the 3D view, along the
+/// view direction. With Ctrl or the pen's eraser end it fills instead of erasing and the reverse.
+/// Inside the curve it may stop at a depth behind the first surface. Which voxels may change is set
+/// as for painting. Each curve is one step.
 class SegmentScissorsTool : public CursorTool {
     Q_OBJECT
 
@@ -54,17 +54,17 @@ public:
     void paintOverlay(QPainter& painter, const ViewContext& view) const override;
 
     [[nodiscard]] const Settings& settings() const { return m_settings; }
-    /// A curve that is being drawn is dropped.
+    /// Changes the settings. A curve that is being drawn is dropped.
     void setSettings(const Settings& settings);
 
 Q_SIGNALS:
     void settingsChanged();
 
 private:
-    /// The segments that it would change, the first one before the others; none: there is none
+    /// The labels of the segments that it would change, the active one first; empty: there is none
     /// that it may change.
     [[nodiscard]] std::vector<int> targets() const;
-    /// As set, or with Ctrl the other of both.
+    /// The setting, or its opposite while Ctrl or the eraser end is used.
     [[nodiscard]] Does doesNow() const;
     void cut(const ViewContext& view, const std::vector<glm::dvec2>& curve);
     void paintCut(QPainter& painter, const ViewContext& view) const;

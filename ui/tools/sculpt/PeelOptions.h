@@ -12,8 +12,8 @@ namespace ui {
 
 class PeelTool;
 
-/// The options of the peel tool: its depth, what counts as a gap, and the button that keeps an open
-/// peel.
+/// The options of the peel tool in the option bar: depth, what counts as a gap, and the button that
+/// keeps an open peel.
 class PeelOptions : public QWidget {
     Q_OBJECT
 

@@ -7,9 +7,9 @@
 
 namespace ui {
 
-/// Handles of the clip box and of the cutting plane look and are hit alike; in pixels.
+/// Radius in pixels with which handles of the clip box and of the cutting plane are drawn.
 constexpr double handleRadius = 6.0;
-/// How far from its middle a handle is still taken.
+/// Distance in pixels from its centre up to which a press takes hold of a handle.
 constexpr double handleReach = 14.0;
 
 [[nodiscard]] inline double distance(const QPointF& a, const QPointF& b)

@@ -12,8 +12,8 @@ namespace ui {
 class MeasureTool;
 class Workspace;
 
-/// The options of the measuring tool: which shape it draws, what an arrow or a text says, and the
-/// measurements, each of which can be removed.
+/// The options of the measuring tool in the option bar: the kind of measurement, the text of an
+/// arrow or note, and a menu that removes measurements.
 class MeasureOptions : public QWidget {
     Q_OBJECT
 
@@ -32,7 +32,7 @@ private:
     QToolButton* m_list = nullptr;
 };
 
-/// Removes a measurement as a step of undo.
+/// Removes a measurement, as a step that can be undone.
 void removeMeasurement(Workspace& workspace, int measurement);
 
 } // namespace ui

@@ -12,18 +12,18 @@ namespace ui {
 
 class Workspace;
 
-/// Measures and notes: a distance, an angle, a region with the values in it, a value, an arrow or a
-/// text, on any slice, and what needs no plane also on what the 3D view shows. Points on a piece
-/// are taken at their true place, so that a length is true however the piece was moved or zoomed.
-/// Each is one AddMeasurement or Annotate, drawn in every view (overlays/MeasurementLines.h).
+/// Measures and annotates: distances, angles, regions with the values in them, single values,
+/// arrows and texts, in any slice. Kinds that need no plane also work on what the 3D view shows.
+/// There, points on a piece are taken at their true place, so a length is true however the piece
+/// was moved or scaled. Each result is one AddMeasurement or Annotate and is drawn in every view
+/// (overlays/MeasurementLines.h).
 ///
-/// All are one drag; an angle is a drag along its first side, then a click or drag at the end of
-/// the other one; a probe or a text is a click, and so is the suggestion of a segment's axes, which
-/// are two distances (measure/AxesOfSegment.h).
+/// Most kinds are one drag. An angle is a drag along its first side, then a click or drag to the
+/// end of the second. A probe and a text are a click; so is the suggestion of a segment's axes,
+/// which gives two distances (measure/AxesOfSegment.h).
 ///
-/// What is drawn by a drag can also be moved by one: a press near a point of a measurement that the
-/// slice shows takes hold of it (core/measure/MeasureHandles.h), and the drag is one
-/// MoveMeasurement.
+/// Points of a measurement in the slice can be moved: a press near one takes hold of it
+/// (core/measure/MeasureHandles.h), and the drag is one MoveMeasurement.
 class MeasureTool : public CursorTool {
     Q_OBJECT
 
@@ -36,7 +36,7 @@ public:
     [[nodiscard]] QString iconName() const override;
     [[nodiscard]] QString hint() const override;
     [[nodiscard]] QString keys() const override;
-    /// The shape, what an arrow or text says, and the list from which measurements can be removed.
+    /// The kind, the text of an arrow or note, and the list from which measurements can be removed.
     [[nodiscard]] QWidget* createOptions(QWidget* parent) override;
     [[nodiscard]] QJsonObject settingsJson() const override;
     void applySettings(const QJsonObject& settings) override;
@@ -44,10 +44,10 @@ public:
 
     [[nodiscard]] Kind kind() const { return m_kind; }
     void setKind(Kind kind);
-    /// Whether a click suggests the axes of the segment there, whatever the kind.
+    /// Whether a click measures the axes of the segment there.
     [[nodiscard]] bool suggestsAxes() const { return m_suggestsAxes; }
     void suggestAxes();
-    /// What the next arrow or text says.
+    /// The text of the next arrow or note.
     [[nodiscard]] const QString& text() const { return m_text; }
     void setText(const QString& text);
 
@@ -72,19 +72,19 @@ private:
     [[nodiscard]] bool isNote() const { return m_kind == Kind::Arrow || m_kind == Kind::Text; }
     /// Whether the view still shows what it showed at the first press.
     [[nodiscard]] bool isSameView(const ViewContext& view) const;
-    /// A point of a measurement under the pointer, in a slice.
+    /// A point of a measurement in a slice that the pointer holds.
     struct Held {
-        core::Measurement measured; ///< as it was
+        core::Measurement measured; ///< the measurement before the drag
         std::size_t point = 0;
-        glm::dvec3 pressedLps{0.0}; ///< where the pointer was
-        core::Measurement moved; ///< as it is dragged
+        glm::dvec3 pressedLps{0.0}; ///< place of the press
+        core::Measurement moved; ///< the measurement as dragged so far
     };
     [[nodiscard]] std::optional<Held> heldAt(const QPointF& at, const ViewContext& view) const;
     void dragHeld(const QPointF& to);
     void letGo();
     void moveLast(const PointerSample& sample);
     [[nodiscard]] bool isMeant() const;
-    /// What the points that were drawn mean.
+    /// The measurement that the drawn points give.
     [[nodiscard]] core::Measurement drawn() const;
     void finish();
     void measureWhatIsSeen(const core::Measurement& drawn, const ViewContext& view);
@@ -93,13 +93,14 @@ private:
 
     Workspace& m_workspace;
     Kind m_kind = Kind::Distance;
-    bool m_suggestsAxes = false; ///< the kind is then a distance
+    bool m_suggestsAxes = false; ///< m_kind is Distance then
     AxesOfSegment m_axes;
     QString m_text;
-    std::optional<ViewContext> m_view; ///< that of the first press, until it is finished
+    /// The view of the first press, until the measurement is finished.
+    std::optional<ViewContext> m_view;
     bool m_pressed = false;
     std::optional<Held> m_held;
-    std::vector<glm::dvec3> m_points; ///< as they were drawn, on the plane of the view
+    std::vector<glm::dvec3> m_points; ///< the drawn points, on the plane of the view
 };
 
 } // namespace ui

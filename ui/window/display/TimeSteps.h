@@ -14,27 +14,30 @@ class DisplayState;
 class StudyOpener;
 class Workspace;
 
-/// Leads from one point of a series in time to another. Each point is a study with a session of its
-/// own and is opened as any other study is: what was drawn stays with its point, and comes back
-/// with it. What is looked at is taken along: crosshair, grey scale, and places and zoom of the
-/// views; to a point that was never looked at before, the look of the 3D view, too.
+/// Goes from one point in time of a series to another. Each point is a study with a session of its
+/// own and is opened as any other study, so what was drawn stays with its point. What the user
+/// looks at is carried over: crosshair, grey scale, position and zoom of the views and, to a point
+/// that was never opened before, also the look of the 3D view. GUI thread.
 class TimeSteps : public QObject {
     Q_OBJECT
 
 public:
-    /// Construct it after @p display, which is to hear of a session first. All outlive this.
+    /// Construct it after @p display, which must hear of a new session first. All must outlive
+    /// this.
     TimeSteps(Workspace& workspace, StudyOpener& opener, DisplayState& display,
         QObject* parent = nullptr);
 
-    /// Whether the open volume has a point that many later; negative: earlier.
+    /// Whether there is a point this many points later; negative: earlier.
     [[nodiscard]] bool hasPoint(int later) const;
-    /// Opens it. Does nothing while something is being opened.
+    /// Opens that point. Does nothing while a study is being opened.
     void go(int later);
-    /// @param time 0-based
+    /// Opens a point.
+    /// @param time counted from 0
     void openPoint(int time);
-    /// Opens one point after the other, and after the last the first, each for as long or for as
-    /// long as it takes to open it. It ends with pause(), with another study, with a point that
-    /// cannot be opened, and with the first row that is made: what was begun is not taken away.
+    /// Opens one point after the other, and the first after the last. Each stays open for 1 / @p
+    /// pointsPerSecond, or longer if the session is not idle or a mouse button is down. Playing
+    /// ends with pause(), another study, a point that cannot be opened, or a new row of the
+    /// history: what the user has begun is not taken away.
     void play(double pointsPerSecond);
     void pause();
     [[nodiscard]] bool isPlaying() const { return m_isPlaying; }
@@ -51,10 +54,10 @@ private:
     Workspace& m_workspace;
     StudyOpener& m_opener;
     DisplayState& m_display;
-    QString m_awaited; ///< key of the point that is being opened; empty: none
-    QJsonObject m_look; ///< of the point before it
+    QString m_awaited; ///< series key of the point that is being opened; empty: none
+    QJsonObject m_look; ///< what the user looked at in the point before
     bool m_isPlaying = false;
-    std::size_t m_rowsAtFirst = 0; ///< of the point that is being played
+    std::size_t m_rowsAtFirst = 0; ///< number of the history's rows when the point was opened
     QTimer m_next;
 };
 

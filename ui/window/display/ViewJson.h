@@ -13,15 +13,15 @@ namespace ui {
 class VolumeView;
 } // namespace ui
 
-/// Where views look and how slices are drawn, as a session keeps it (DisplayState). Reading leaves
-/// the target alone where there is nothing sensible.
+/// Position of views and drawing of slices as JSON, as DisplayState saves it in a session. Reading
+/// leaves a target unchanged where the JSON has no valid value.
 namespace ui::displayJson {
 
 [[nodiscard]] QString nameOf(gpu::SlabMode mode);
-/// Off if no mode is called so.
+/// The mode with a name; Off if there is none.
 [[nodiscard]] gpu::SlabMode slabNamed(const QString& name);
 [[nodiscard]] QString nameOf(gpu::ColourMap map);
-/// Grey if no map is called so.
+/// The colour map with a name; Grey if there is none.
 [[nodiscard]] gpu::ColourMap coloursNamed(const QString& name);
 
 [[nodiscard]] QJsonObject toJson(const SliceView::Place& place);
@@ -29,7 +29,7 @@ void apply(const QJsonValue& json, SliceView& view);
 [[nodiscard]] QJsonObject toJson(const SliceTurn& turn);
 void read(const QJsonValue& json, SliceTurn& turn);
 [[nodiscard]] QJsonObject toJson(const Workspace::SegmentLook& look);
-/// As in all views, but for what is named.
+/// The look that the JSON names; what it does not name is as in all views.
 [[nodiscard]] Workspace::SegmentLook segmentLookFrom(const QJsonValue& json);
 [[nodiscard]] QJsonObject toJson(const MprPlanes& planes);
 void apply(const QJsonValue& json, MprPlanes& planes);

@@ -9,7 +9,8 @@
 
 namespace test {
 
-/// A growth to closure, through all that has tissueCode, that is to be taken back from a sketch.
+/// A volume with a growth that has filled all voxels of tissueCode, and a sketch from which it is
+/// to be taken back.
 struct BackwardScene {
     QByteArray name;
     Codes codes;
@@ -18,15 +19,15 @@ struct BackwardScene {
     std::vector<glm::ivec3> sketch; ///< over label 1
 };
 
-/// Shapes in which "what descends" and "what is nearer" are not plain: a ring whose fronts meet, a
-/// fork, a line between two seeds, a hall behind a hole, a block without any neck, and one that two
-/// labels share.
+/// Returns scenes in which "descends from" and "is nearer to" are not obvious: a ring whose fronts
+/// meet, a fork, a line between two seeds, a hall behind a hole, a block without any neck, and a
+/// block shared by two labels.
 [[nodiscard]] std::vector<BackwardScene> backwardScenes();
 
-/// The scenes by name, of which the places are known: all of them one voxel thick.
+/// Single scenes whose voxels are known to tests; all are one voxel thick.
 [[nodiscard]] BackwardScene lineScene(); ///< x = 0 … 15 at y = z = 0, seeds at 0
 [[nodiscard]] BackwardScene ringScene(); ///< the rim of 9 × 9 voxels in z = 0, seed at (4, 0)
-/// A stem x = 0 … 7 at y = 7, from whose end arms go to y = 0 and y = 14; seed at x = 0.
+/// A stem x = 0 … 7 at y = 7, at whose end arms go to y = 0 and y = 14; seed at x = 0.
 [[nodiscard]] BackwardScene forkScene();
 [[nodiscard]] BackwardScene twoSeedsScene(); ///< the line with seeds at both ends
 

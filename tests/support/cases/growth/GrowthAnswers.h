@@ -10,8 +10,8 @@
 
 namespace test {
 
-/// What a growth is asked before its kernels are chosen; each set of answers has kernels of its own
-/// (gpu/kernels/growth/GrowthPrograms.h), which a software driver compiles for seconds.
+/// The yes/no questions that choose the kernels of a growth. Each set of answers has kernels of its
+/// own (gpu/kernels/growth/GrowthPrograms.h), and a software driver compiles them for seconds.
 enum class GrowthQuestion {
     Difference,
     Gradient,
@@ -21,11 +21,11 @@ enum class GrowthQuestion {
     Boxed,
     Sigmas,
     Passage,
-    Overwritten, ///< labels that it takes from others are kept
+    Overwritten, ///< labels that it takes from other segments are kept
 };
 constexpr std::size_t growthQuestions = 9;
 
-/// The answers of a growth.
+/// The answers that choose the kernels of a growth.
 struct GrowthAnswers {
     int connectivity = 6;
     std::bitset<growthQuestions> yes{}; ///< by GrowthQuestion
@@ -33,21 +33,24 @@ struct GrowthAnswers {
     bool operator==(const GrowthAnswers&) const = default;
 };
 
+/// Returns the answers of a growth.
 [[nodiscard]] GrowthAnswers answersOf(const core::GrowBurst& burst);
-/// Of every growth of a case, in order. Once one keeps what it takes, those after it do so too.
+/// Returns the answers of every growth of a case, in order. After a growth that keeps what it
+/// overwrites, all later ones of that plane do so, too.
 [[nodiscard]] std::vector<GrowthAnswers> answersOf(const EngineCase& engineCase);
 
-/// The answers that random growths give in a daily run: few. For any two questions, every pair of
-/// answers is among the first (pairedAnswers) and those without any criterion.
+/// The few sets of answers that random growths give in a daily run. For any two questions, every
+/// pair of answers occurs among the first pairedAnswers sets and those without any criterion.
 [[nodiscard]] const std::vector<GrowthAnswers>& dailyAnswers();
 constexpr std::size_t pairedAnswers = 8;
 
-/// A case whose growths give daily answers, each those that are nearest to its own; in a long run
-/// the case as it is.
-/// @param first which of the paired answers its first growth gives instead, counted around
+/// Returns a case whose growths are changed to daily answers: each to those nearest to its own. In
+/// a long run the case stays as it is.
+/// @param first index, modulo pairedAnswers, of the answers that its first growth gets instead
 [[nodiscard]] EngineCase daily(EngineCase engineCase, std::optional<std::size_t> first = {});
 /// The same for the criteria of an edit.
-/// @param boxIfAsked, spacingMm from which a box and a passage are made where they need one
+/// @param boxIfAsked the box, if the answers need one that the criteria do not have
+/// @param spacingMm from which the width of a passage is computed, if the answers need one
 void answerAsDaily(core::GrowCriteria& criteria, const core::GrowBox& boxIfAsked, double spacingMm);
 
 } // namespace test

@@ -17,10 +17,10 @@
 
 namespace test {
 
-/// A session with the oracle as engine, for tests of one edit.
+/// A session with the oracle as its engine, for tests of one kind of edit.
 class SessionBench {
 public:
-    /// @param delayed the engine delivers late
+    /// @param delayed whether the engine delivers its results late
     explicit SessionBench(
         bool delayed, const core::LoadedVolume& volume = smallStudy(), const QString& file = {})
         : late(inner, 11)
@@ -29,19 +29,20 @@ public:
     {
     }
 
-    /// Carries an edit out and waits for it; one that is refused fails the test.
+    /// Carries out an edit and waits for its end. A refusal fails the test.
     void run(const core::Edit& edit) const
     {
         const core::Result<void> done = carriedOut(edit);
         QVERIFY2(done, qPrintable(done ? QString() : done.error().arguments.join(u' ')));
     }
-    /// The same. @return why it is refused; empty: it is not
+    /// The same, but returns why it is refused; empty if it is not.
     [[nodiscard]] QString tried(const core::Edit& edit) const
     {
         const core::Result<void> done = carriedOut(edit);
         return done ? QString() : done.error().arguments.join(QStringLiteral(": "));
     }
-    /// At the door. @return Internal: it is not refused
+    /// Returns the error with which the session refuses an edit at once, before it is carried out;
+    /// Internal if it does not.
     [[nodiscard]] core::ErrorCode refusal(const core::Edit& edit) const
     {
         const core::Result<void> applied = session->apply(edit);
