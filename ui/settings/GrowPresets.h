@@ -22,14 +22,15 @@ struct GrowPreset {
     QString name;
     QString tip;
     int smooth = 0; ///< 0: off
+    bool smoothing = false; ///< GrowSettings::smoothing
     int connectivity = 6; ///< GrowSettings::connectivity
 };
 
 /// From thick to thin. None of them stops at necks: which width does depends on the leak.
 [[nodiscard]] const std::vector<GrowPreset>& growPresets();
 
-/// Sets what a preset is of: *Smooth*, necks and connectivity. All else stays, also the width of
-/// necks, which are switched off.
+/// Sets what a preset is of: *Smooth*, *Smooth noise*, necks and connectivity. All else stays, also
+/// the width of necks, which are switched off.
 void takePreset(const GrowPreset& preset, GrowSettings& settings);
 /// Whether the settings are those of a preset.
 [[nodiscard]] bool areOf(const GrowSettings& settings, const GrowPreset& preset);
