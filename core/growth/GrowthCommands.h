@@ -45,8 +45,8 @@ struct SeedPlacement {
 /// Conditions of growth beyond its interval of codes and the label plane; all that are set must
 /// hold. Where a rule reads a voxel outside the volume, the nearest voxel inside is read instead.
 ///
-/// within(label, q) holds if lowCode ≤ code(q) ≤ highCode and, with sigmas256 > 0, code(q) also
-///   lies in seedInterval(sums, sigmas256) (SeedStatistics.h) of a group of the label's seeds:
+/// suits(label, c) holds for a code if lowCode ≤ c ≤ highCode and, with sigmas256 > 0, c also lies
+///   in seedInterval(sums, sigmas256) (SeedStatistics.h) of a group of the label's seeds:
 ///   - The seeds of a label are its pending seeds and its members that are seeds
 ///     (seedWord::isSeed), as they are when the burst opens.
 ///   - Each of GrowBurst::seedGroups that has the label is the group of those seeds that lie at its
@@ -54,12 +54,18 @@ struct SeedPlacement {
 ///     group; if no group has the label, that one holds all its seeds.
 ///   - To the sums of its groups each seed adds the voxels of the volume that lie within seedReach
 ///     of it along each axis and whose code is in lowCode … highCode.
+/// within(label, q) is suits(label, code(q)); with `smoothed` it is suits(label, median(q)).
+/// median(q) is the weighted median of the codes of the 27 voxels q + {−1, 0, 1}³. A voxel that
+///   lies aside of q along no axis weighs 9, along one axis 4, along two 2, along three 1; that is
+///   65 together. The median is the least code c for which the voxels of a code of at most c weigh
+///   33 or more together. So it is the code of one of them, nothing is rounded, and there are no
+///   ties: c is at least a bound if what lies below the bound weighs at most 32.
 /// magnitude(q) = ⌊√(tx² + ty² + tz²)⌋ measures the gradient; along each axis a it has
 ///   ta = min(⌊gradientWeights[a] · |code(q + ea) − code(q − ea)| / 1024⌋, 32767).
 /// allows(label, q) is asked of every voxel, seeds included. It holds if
 ///   - within(label, q);
 ///   - magnitude(q) ≤ gradient;
-///   - within(label, ·) holds for at least `majority` of the 27 voxels q + {−1, 0, 1}³;
+///   - suits(label, code(·)) holds for at least `majority` of the 27 voxels q + {−1, 0, 1}³;
 ///   - with onlyVisible, the coverage of the composed sculpt layers is below 128 at q;
 ///   - with boxed, boxFrom ≤ q ≤ boxTo on each axis.
 /// follows(label, p, q) is asked of a voxel q that is not a seed and of its parent p. It holds if
@@ -72,6 +78,7 @@ struct GrowLimits {
     std::optional<int> gradientDifference{};
     glm::ivec3 gradientWeights{0}; ///< 0 … 65535 each
     int majority = 0; ///< 0 … 27
+    bool smoothed = false; ///< medians are compared with the interval instead of codes
     bool onlyVisible = false;
     bool boxed = false;
     glm::ivec3 boxFrom{0};

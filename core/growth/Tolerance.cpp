@@ -13,7 +13,7 @@ bool isSound(const ToleranceRule& rule)
     const GrowLimits& limits = rule.limits;
     // The voxel itself is one of a majority.
     const bool known = !limits.difference && !limits.gradientDifference && limits.majority <= 1
-        && limits.sigmas256 == 0 && !isAsked(limits.passage);
+        && limits.sigmas256 == 0 && !limits.smoothed && !isAsked(limits.passage);
     return neighbours && rule.label != 0 && known && isSound(limits);
 }
 

@@ -35,7 +35,8 @@ struct ToleranceRule {
     std::uint8_t label = 0; ///< not 0
     int connectivity = 6; ///< 6, 18 or 26
     /// Only `gradient`, `onlyVisible` and the box may be set: with conditions that depend on the
-    /// interval or on the parent there is no least tolerance.
+    /// interval or on the parent there is no least tolerance, and costs are those of codes, not of
+    /// medians.
     GrowLimits limits{};
     std::bitset<256> overwritable{};
     bool operator==(const ToleranceRule&) const = default;

@@ -22,6 +22,7 @@ struct GrowPreset {
     QString name;
     QString tip;
     int smooth = 0; ///< 0: off
+    bool smoothing = false; ///< GrowSettings::smoothing
     int connectivity = 6; ///< GrowSettings::connectivity
 };
 
@@ -29,8 +30,8 @@ struct GrowPreset {
 /// depends on the leak.
 [[nodiscard]] const std::vector<GrowPreset>& growPresets();
 
-/// Applies a preset: sets smoothness and connectivity, and switches the stop at necks off. The
-/// width of necks and all other settings stay.
+/// Applies a preset: sets *Smooth*, *Smooth noise* and connectivity, and switches the stop at necks
+/// off. The width of necks and all other settings stay.
 void takePreset(const GrowPreset& preset, GrowSettings& settings);
 /// Whether applying the preset would change nothing.
 [[nodiscard]] bool areOf(const GrowSettings& settings, const GrowPreset& preset);

@@ -88,6 +88,8 @@ core::GrowCriteria criteriaOf(const GrowSettings& settings)
     criteria.gradientDifference = asked(settings.gradientDifference);
     if (settings.majority.on)
         criteria.majority = int(std::lround(settings.majority.value));
+    if (settings.smoothing)
+        criteria.smoothing = true;
     criteria.passage = asked(settings.passage);
     criteria.onlyVisible = settings.onlyVisible;
     if (settings.boxed)
@@ -111,6 +113,7 @@ void takeCriteria(const core::GrowCriteria& criteria, GrowSettings& settings)
     take(settings.gradient, criteria.gradient);
     take(settings.gradientDifference, criteria.gradientDifference);
     take(settings.majority, criteria.majority);
+    settings.smoothing = criteria.smoothing.value_or(false);
     take(settings.passage, criteria.passage);
     settings.onlyVisible = criteria.onlyVisible;
     settings.boxed = criteria.box.has_value();
@@ -127,7 +130,7 @@ core::GrowSteps growthOf(const GrowSettings& settings)
 
 int limitsOn(const GrowSettings& settings)
 {
-    int count = int(settings.onlyVisible) + int(settings.boxed);
+    int count = int(settings.smoothing) + int(settings.onlyVisible) + int(settings.boxed);
     for (const auto& [name, limit] : limitsOf(settings))
         count += limit->on ? 1 : 0;
     return count;
@@ -174,6 +177,7 @@ QJsonObject growSettingsJson(const GrowSettings& settings)
         {QStringLiteral("overwriteUnlocked"), settings.overwriteUnlocked},
         {QStringLiteral("connectivity"), settings.connectivity},
         {QStringLiteral("generationsPerSecond"), settings.generationsPerSecond},
+        {QStringLiteral("smoothing"), settings.smoothing},
         {QStringLiteral("onlyVisible"), settings.onlyVisible},
         {QStringLiteral("boxed"), settings.boxed}};
     for (const auto& [name, limit] : limitsOf(settings))
@@ -196,6 +200,7 @@ void readGrowSettings(const QJsonObject& json, GrowSettings& settings)
     if (connectivity == 6 || connectivity == 18 || connectivity == 26)
         known.connectivity = connectivity;
     read(json[QLatin1String("generationsPerSecond")], known.generationsPerSecond);
+    read(json[QLatin1String("smoothing")], known.smoothing);
     read(json[QLatin1String("onlyVisible")], known.onlyVisible);
     read(json[QLatin1String("boxed")], known.boxed);
     for (const auto& [name, limit] : limitsOf(known))

@@ -34,6 +34,8 @@ struct GrowSettings {
     Limit gradient{}; ///< modality units per millimetre
     Limit gradientDifference{};
     Limit majority{.on = false, .value = 14};
+    /// Medians are compared with the interval (GrowCriteria::smoothing).
+    bool smoothing = false;
     Limit passage{}; ///< mm
     /// The leak guard: growth stops when its front becomes wider than a narrow place by this factor
     /// …

@@ -69,6 +69,10 @@ template <class Visitor> void visitOtherCriteria(Visitor& visit, GrowCriteria& c
         "of the gradient's magnitude, from the voxel it is reached from, at most", "any");
     visit.maybe("majority", criteria.majority, editFields::WholeNumber{1, 27},
         "of the 27 voxels around and at it at least so many lie in the interval", "any number");
+    visit.maybe("smoothing", criteria.smoothing, editFields::Flag{},
+        "whether the weighted median of the 27 voxels around and at it is compared with the "
+        "interval, instead of its own value: no holes by noise; threads are left out",
+        "its own value");
     visit.maybe("passage", criteria.passage, passageWidth,
         "growth goes only where a ball of this diameter can roll to from a seed; at most 31 times "
         "the volume's finest spacing, and nothing is asked below twice that",

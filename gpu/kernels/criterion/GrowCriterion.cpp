@@ -19,12 +19,13 @@ std::pair<unsigned, unsigned> interval(int lowCode, int highCode)
 }
 
 /// Every define of growCriterion.glsl, and whether it is needed.
-std::array<std::pair<const char*, bool>, 7> questions(const core::GrowLimits& limits)
+std::array<std::pair<const char*, bool>, 8> questions(const core::GrowLimits& limits)
 {
     return {
         {{"DIFFERENCE", limits.difference.has_value()}, {"GRADIENT", limits.gradient.has_value()},
             {"GRADIENT_DIFFERENCE", limits.gradientDifference.has_value()},
-            {"MAJORITY", limits.majority > 1}, // the voxel itself is one
+            // The voxel itself is one, or that of whose code the median is.
+            {"MAJORITY", limits.majority > 1}, {"SMOOTHED", limits.smoothed},
             {"ONLY_VISIBLE", limits.onlyVisible}, {"BOXED", limits.boxed},
             {"SIGMAS", limits.sigmas256 > 0}}};
 }

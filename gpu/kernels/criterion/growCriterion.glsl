@@ -54,6 +54,73 @@ bool isWithin(uint label, uint code)
     return code >= lowCode && code <= highCode;
 }
 
+#ifdef SMOOTHED
+// The codes of the 27 voxels around and at a voxel: in rows along x, by how many of the other axes
+// a row lies aside on. Nothing here is a loop (LONG_CRITERION).
+struct Around {
+    uvec3 middle;
+    uvec3 sides[4];
+    uvec3 corners[4];
+};
+
+const uint halfWeight = 32u; // of 65, rounded down
+
+uvec3 rowAt(ivec3 voxel)
+{
+    return uvec3(codeAt(voxel - ivec3(1, 0, 0)), codeAt(voxel), codeAt(voxel + ivec3(1, 0, 0)));
+}
+
+Around aroundAt(ivec3 voxel)
+{
+    Around around;
+    around.middle = rowAt(voxel);
+    around.sides[0] = rowAt(voxel + ivec3(0, -1, 0));
+    around.sides[1] = rowAt(voxel + ivec3(0, 1, 0));
+    around.sides[2] = rowAt(voxel + ivec3(0, 0, -1));
+    around.sides[3] = rowAt(voxel + ivec3(0, 0, 1));
+    around.corners[0] = rowAt(voxel + ivec3(0, -1, -1));
+    around.corners[1] = rowAt(voxel + ivec3(0, 1, -1));
+    around.corners[2] = rowAt(voxel + ivec3(0, -1, 1));
+    around.corners[3] = rowAt(voxel + ivec3(0, 1, 1));
+    return around;
+}
+
+// The weight of what lies below a code in a row: 1, 2, 1.
+uint rowBelow(uvec3 row, uint code)
+{
+    uvec3 below = uvec3(lessThan(row, uvec3(code)));
+    return below.x + 2u * below.y + below.z;
+}
+
+// Whether the median is below a code.
+bool isMedianBelow(Around around, uint code)
+{
+    uint corners = rowBelow(around.corners[0], code) + rowBelow(around.corners[1], code)
+        + rowBelow(around.corners[2], code) + rowBelow(around.corners[3], code);
+    uint sides = rowBelow(around.sides[0], code) + rowBelow(around.sides[1], code)
+        + rowBelow(around.sides[2], code) + rowBelow(around.sides[3], code);
+    uint itself = around.middle.y < code ? 1u : 0u; // it weighs 9
+    return corners + 2u * sides + 4u * rowBelow(around.middle, code) + itself > halfWeight;
+}
+
+bool isMedianWithin(uint label, ivec3 voxel)
+{
+    Around around = aroundAt(voxel);
+#ifdef SIGMAS
+    uint median = 0u; // the greatest code that it is not below, digit by digit
+#define DIGIT(bit) median += isMedianBelow(around, median + bit) ? 0u : bit
+    DIGIT(0x8000u); DIGIT(0x4000u); DIGIT(0x2000u); DIGIT(0x1000u);
+    DIGIT(0x800u); DIGIT(0x400u); DIGIT(0x200u); DIGIT(0x100u);
+    DIGIT(0x80u); DIGIT(0x40u); DIGIT(0x20u); DIGIT(0x10u);
+    DIGIT(8u); DIGIT(4u); DIGIT(2u); DIGIT(1u);
+#undef DIGIT
+    return isWithin(label, median);
+#else
+    return !isMedianBelow(around, lowCode) && isMedianBelow(around, highCode + 1u);
+#endif
+}
+#endif
+
 #if defined(GRADIENT) || defined(GRADIENT_DIFFERENCE)
 uint squaredPart(ivec3 voxel, ivec3 axis, uint weight)
 {
@@ -88,14 +155,20 @@ uint magnitudeAt(ivec3 voxel)
 // @param code of the voxel
 bool allows(uint label, ivec3 voxel, uint code)
 {
+#ifndef SMOOTHED
     if (!isWithin(label, code))
         return false;
+#endif
 #ifdef BOXED
     if (any(lessThan(voxel, boxFrom)) || any(greaterThan(voxel, boxTo)))
         return false;
 #endif
 #ifdef ONLY_VISIBLE
     if (texelFetch(radiation, voxel, 0).r >= 128u)
+        return false;
+#endif
+#ifdef SMOOTHED
+    if (!isMedianWithin(label, voxel))
         return false;
 #endif
 #ifdef GRADIENT

@@ -144,6 +144,7 @@ private Q_SLOTS:
                  [](ToleranceRule& wrong) { wrong.limits.gradientDifference = 3; },
                  [](ToleranceRule& wrong) { wrong.limits.majority = 14; },
                  [](ToleranceRule& wrong) { wrong.limits.sigmas256 = 256; },
+                 [](ToleranceRule& wrong) { wrong.limits.smoothed = true; },
                  [](ToleranceRule& wrong) { wrong.limits.gradient = -1; }}) {
             ToleranceRule wrong = rule;
             spoil(wrong);

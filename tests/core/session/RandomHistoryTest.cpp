@@ -114,6 +114,25 @@ private Q_SLOTS:
         QVERIFY(inFurtherPlanes > 5);
     }
 
+    /// Growths that compare medians, what moves their interval and what is done to them, in
+    /// histories of their own.
+    void withSmoothedGrowth_data()
+    {
+        QTest::addColumn<uint>("seed");
+        const bool isLong = qEnvironmentVariableIsSet("BURIN_LONG");
+        for (uint seed = 301; seed < (isLong ? 313u : 302u); ++seed)
+            QTest::addRow("seed %u", seed) << seed;
+    }
+    void withSmoothedGrowth()
+    {
+        QFETCH(uint, seed);
+        reference::ReferenceEngine engine;
+        test::RandomHistory history =
+            test::runRandomHistory(engine, 150, seed, {}, {.smoothed = true});
+        QVERIFY2(history.failure.isEmpty(), qPrintable(history.failure));
+        QVERIFY(history.done[QStringLiteral("smoothed")] > 0);
+    }
+
 private:
     std::map<QString, int> m_done;
     int m_editable = 0; ///< edits with a range, in all of them

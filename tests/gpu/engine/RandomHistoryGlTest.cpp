@@ -57,6 +57,17 @@ private Q_SLOTS:
             history.hashes);
     }
 
+    void withSmoothedGrowth()
+    {
+        const int commands = test::longRun() ? 400 : 80;
+        const test::RandomHistory history =
+            test::runRandomHistory(m_gpu.engine(), commands, 302, {}, {.smoothed = true});
+        QVERIFY2(history.failure.isEmpty(), qPrintable(history.failure));
+        reference::ReferenceEngine oracle;
+        QCOMPARE(test::runRandomHistory(oracle, commands, 302, {}, {.smoothed = true}).hashes,
+            history.hashes);
+    }
+
 private:
     test::EditEngineFixture m_gpu;
 };

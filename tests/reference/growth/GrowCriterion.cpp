@@ -92,14 +92,33 @@ int GrowCriterion::code(const glm::ivec3& voxel) const
     return m_codes.at(glm::clamp(voxel, glm::ivec3(0), m_codes.size - 1));
 }
 
-bool GrowCriterion::within(std::uint32_t label, const glm::ivec3& voxel) const
+int GrowCriterion::median(const glm::ivec3& voxel) const
 {
-    const auto isIn = [code = code(voxel)](const core::CodeInterval& interval) {
+    constexpr std::array<int, 4> weights{9, 4, 2, 1}; // by axes on which one lies aside
+    std::array<int, 65> weighted{}; // each code as often as it weighs
+    auto end = weighted.begin();
+    forEachVoxel(voxel - 1, voxel + 1, [&](const glm::ivec3& near) {
+        const glm::ivec3 aside = glm::abs(near - voxel);
+        end = std::fill_n(end, weights[std::size_t(aside.x + aside.y + aside.z)], code(near));
+    });
+    const auto middle = weighted.begin() + weighted.size() / 2;
+    std::nth_element(weighted.begin(), middle, weighted.end());
+    return *middle;
+}
+
+bool GrowCriterion::suits(std::uint32_t label, int code) const
+{
+    const auto isIn = [code](const core::CodeInterval& interval) {
         return interval.low <= code && code <= interval.high;
     };
     const std::vector<core::CodeInterval>& seeds = m_seedIntervals[label];
     return isIn(m_interval)
         && (m_limits.sigmas256 == 0 || std::any_of(seeds.begin(), seeds.end(), isIn));
+}
+
+bool GrowCriterion::within(std::uint32_t label, const glm::ivec3& voxel) const
+{
+    return suits(label, m_limits.smoothed ? median(voxel) : code(voxel));
 }
 
 std::int64_t GrowCriterion::magnitude(const glm::ivec3& voxel) const
@@ -130,7 +149,7 @@ bool GrowCriterion::allows(std::uint32_t label, const glm::ivec3& voxel) const
     int count = 0;
     if (m_limits.majority > 0)
         forEachVoxel(voxel - 1, voxel + 1,
-            [&](const glm::ivec3& near) { count += within(label, near) ? 1 : 0; });
+            [&](const glm::ivec3& near) { count += suits(label, code(near)) ? 1 : 0; });
     if (count < m_limits.majority)
         return false;
     if (m_limits.onlyVisible && m_coverage.at(voxel) >= 128)

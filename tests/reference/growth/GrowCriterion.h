@@ -27,6 +27,8 @@ public:
 private:
     /// Outside the volume the nearest voxel's.
     [[nodiscard]] int code(const glm::ivec3& voxel) const;
+    [[nodiscard]] int median(const glm::ivec3& voxel) const;
+    [[nodiscard]] bool suits(std::uint32_t label, int code) const;
     [[nodiscard]] bool within(std::uint32_t label, const glm::ivec3& voxel) const;
     [[nodiscard]] std::int64_t magnitude(const glm::ivec3& voxel) const;
 

@@ -213,6 +213,9 @@ private:
         const bool isRow = m_session->history().rows().size() > rows;
         if (isLimited && isRow)
             ++m_result.done[QStringLiteral("editable")];
+        const auto* growth = edit.as<GrowSteps>();
+        if (isRow && growth && growth->criteria.smoothing.value_or(false))
+            ++m_result.done[QStringLiteral("smoothed")];
         if (isRow && inFurtherPlane)
             ++m_result.done[kind + inPlanes];
         const bool counted = edit.is<Annotate>() || edit.is<MoveMeasurement>();
@@ -353,6 +356,11 @@ private:
         const std::vector<RowId> rows = m_truth.standingAt(m_session->history().position());
         if (m_draws.planes && wantsImport(document))
             return randomImport(document);
+        if (m_draws.smoothed && !document.segments.empty() && chance(20)) {
+            if (chance(50))
+                return randomGrowth();
+            return randomSeeds(any(document.segments).label);
+        }
         const int dice = document.segments.empty() ? 0 : between(0, 99);
         if (dice < 5 && document.segments.size() < 6)
             return test::newSegment(randomName(), std::uint32_t(m_random()) & 0xFFFFFFu);
@@ -753,6 +761,8 @@ private:
             grow.criteria.perStroke = true;
         if (row % 7 == 0)
             grow.criteria.passage = 1.5 + double(row % 10) / 2.0;
+        if (m_draws.smoothed)
+            grow.criteria.smoothing = chance(80);
         return grow;
     }
     /// What is done to a growth that is there.

@@ -30,6 +30,8 @@ struct RandomDraws {
     /// Masks that overlap are imported, into several label planes; what becomes of segments beyond
     /// the first plane is counted in addition, as "paint, further plane".
     bool planes = false;
+    /// More growths, most of which compare medians with their interval, counted as "smoothed".
+    bool smoothed = false;
 };
 
 /// @param engine used by nobody else meanwhile; it may refuse memory while the user acts

@@ -93,17 +93,18 @@ private Q_SLOTS:
         CriteriaPanel fixture;
         for (const char* name :
             {"growSigmas", "growDifference", "growGradient", "growGradientDifference",
-                "growMajority", "growPassage", "growOnlyVisible", "growBoxed"})
+                "growMajority", "growSmoothing", "growPassage", "growOnlyVisible", "growBoxed"})
             fixture.part<QCheckBox>(name).click();
         const core::GrowCriteria criteria = fixture.criteria();
         QCOMPARE(criteria.sigmas.value_or(0.0), 2.5);
         QCOMPARE(criteria.perStroke, std::optional(true));
         QCOMPARE(criteria.majority.value_or(0), 14);
+        QCOMPARE(criteria.smoothing, std::optional(true));
         QVERIFY(criteria.difference && criteria.gradient && criteria.gradientDifference);
         QCOMPARE(*criteria.gradient, fixture.part<QDoubleSpinBox>("growGradientValue").value());
         QVERIFY(criteria.onlyVisible && criteria.box && criteria.passage);
         QCOMPARE(
-            fixture.part<QToolButton>("growCriteria").text(), QStringLiteral("Criteria · 8 on"));
+            fixture.part<QToolButton>("growCriteria").text(), QStringLiteral("Criteria · 9 on"));
         // The interval and what else the panel sets leave them alone.
         fixture.setInterval(0.0, 50.0);
         QMetaObject::invokeMethod(
@@ -271,6 +272,7 @@ private Q_SLOTS:
         settings.difference = {.on = false, .value = 12.0};
         settings.gradient = {.on = true, .value = 80.5};
         settings.majority = {.on = true, .value = 27};
+        settings.smoothing = true;
         settings.passage = {.on = true, .value = 3.5};
         settings.onlyVisible = true;
         settings.boxed = true;

@@ -66,6 +66,11 @@ QString bandText(const SeedStretches& band, const QString& unit)
 
 } // namespace
 
+QString smoothNoiseName()
+{
+    return GrowCriteriaSection::tr("Smooth noise");
+}
+
 GrowCriteriaSection::GrowCriteriaSection(
     Workspace& workspace, const SeedBand& band, QWidget* parent)
     : QWidget(parent)
@@ -112,17 +117,17 @@ void GrowCriteriaSection::build()
     addRow(&GrowSettings::majority, "growMajority", smoothName(),
         tr("Of the 27 voxels around and at a voxel at least so many lie in the interval: keeps "
            "growth out of thin bridges and noise. In few steps it is above, too"));
+    m_smoothing = addSwitch("growSmoothing", smoothNoiseName(),
+        tr("Hold the interval against what is usual around a voxel, instead of its own value: the "
+           "weighted median of the 27 voxels around and at it. Noise leaves no holes and lets in "
+           "no specks, and borders stay where they are; threads one voxel thick are left out. All "
+           "other criteria look at the voxels' own values"));
     addRow(&GrowSettings::passage, "growPassage", tr("Necks at least"),
         tr("Growth goes only where a ball of this diameter can roll to from a seed: through no "
            "narrower neck, and through no smaller hole in a wall, be it ever so thin. It is the "
            "width above, too"));
-    m_onlyVisible = new QCheckBox(tr("Only what is not carved"), m_body);
-    m_onlyVisible->setObjectName(QStringLiteral("growOnlyVisible"));
-    m_onlyVisible->setMinimumHeight(theme::controlHeight); // as the rows with a value
-    m_onlyVisible->setToolTip(
+    m_onlyVisible = addSwitch("growOnlyVisible", tr("Only what is not carved"),
         tr("What sculpt layers have carved is closed to growth; muted layers do not count"));
-    connect(m_onlyVisible, &QCheckBox::toggled, this, &GrowCriteriaSection::takeSwitches);
-    grid->addWidget(m_onlyVisible, grid->rowCount(), 0, 1, 2);
     buildBox();
     buildSuspended();
 
@@ -160,6 +165,18 @@ void GrowCriteriaSection::addRow(GrowSettings::Limit GrowSettings::*limit, const
         change(row);
     });
     m_rows.push_back(row);
+}
+
+QCheckBox* GrowCriteriaSection::addSwitch(const char* name, const QString& text, const QString& tip)
+{
+    auto* on = new QCheckBox(text, m_body);
+    on->setObjectName(QLatin1String(name));
+    on->setMinimumHeight(theme::controlHeight); // as the rows with a value
+    on->setToolTip(tip);
+    connect(on, &QCheckBox::toggled, this, &GrowCriteriaSection::takeSwitches);
+    auto* grid = static_cast<QGridLayout*>(m_body->layout());
+    grid->addWidget(on, grid->rowCount(), 0, 1, 2);
+    return on;
 }
 
 void GrowCriteriaSection::buildBox()
@@ -282,8 +299,10 @@ void GrowCriteriaSection::showSettings()
         row.on->setChecked(limit.on);
         row.value->setValue(limit.value);
     }
+    const QSignalBlocker smoothing(m_smoothing);
     const QSignalBlocker visible(m_onlyVisible);
     const QSignalBlocker boxed(m_boxed);
+    m_smoothing->setChecked(settings.smoothing);
     m_onlyVisible->setChecked(settings.onlyVisible);
     m_boxed->setChecked(settings.boxed);
     m_boxBody->setVisible(settings.boxed);
@@ -315,6 +334,7 @@ void GrowCriteriaSection::change(const Row& row)
 void GrowCriteriaSection::takeSwitches()
 {
     GrowSettings settings = m_workspace.growSettings();
+    settings.smoothing = m_smoothing->isChecked();
     settings.onlyVisible = m_onlyVisible->isChecked();
     settings.boxed = m_boxed->isChecked();
     const core::Volume* volume = m_workspace.volume();

@@ -4,6 +4,7 @@
 #include "ui/panels/AxisSliders.h"
 #include "ui/settings/GrowSettings.h"
 
+#include <QString>
 #include <QWidget>
 
 #include <optional>
@@ -19,6 +20,9 @@ namespace ui {
 class FoldButton;
 class SeedBand;
 class Workspace;
+
+/// The name of GrowSettings::smoothing, wherever the panel speaks of it.
+[[nodiscard]] QString smoothNoiseName();
 
 /// The part of the growth panel for the limits of a growth besides its interval: one row per limit,
 /// with a tick and its value. Below them is whether the 3D view shows what an interval suspends.
@@ -41,6 +45,7 @@ private:
     void build();
     void addRow(GrowSettings::Limit GrowSettings::*limit, const char* name, const QString& text,
         const QString& tip);
+    QCheckBox* addSwitch(const char* name, const QString& text, const QString& tip);
     void buildBox();
     void buildSuspended();
     void showVolume();
@@ -62,6 +67,7 @@ private:
     QWidget* m_body = nullptr;
     QLabel* m_bandText = nullptr;
     std::vector<Row> m_rows;
+    QCheckBox* m_smoothing = nullptr;
     QCheckBox* m_onlyVisible = nullptr;
     QCheckBox* m_boxed = nullptr;
     QToolButton* m_setBox = nullptr;

@@ -72,8 +72,8 @@ void PlainLimits::build()
     const QString smoothTip =
         tr("Keeps growth out of threads, specks and thin sheets of noise: the stronger it is, the "
            "more "
-           "neighbours of a voxel must lie in the interval, too. It fills no holes. Choose less "
-           "of it for thin vessels and walls");
+           "neighbours of a voxel must lie in the interval, too. It fills no holes: Smooth noise "
+           "does, which stands under Criteria. Choose less of it for thin vessels and walls");
     const QString necksTip =
         tr("Growth passes through no neck, and through no hole in a wall, that is narrower than "
            "this. Parts that are thinner throughout are left out, too");
@@ -132,8 +132,9 @@ void PlainLimits::buildPresets()
     m_presets->setText(tr("For …"));
     m_presets->setAccessibleName(tr("Presets of growth"));
     m_presets->setToolTip(
-        tr("What suits a kind of structure: sets Smooth, switches the stop at necks off, and "
-           "chooses which voxels are neighbours. The interval and all other criteria stay"));
+        tr("What suits a kind of structure: sets Smooth and Smooth noise, switches the stop at "
+           "necks off, and chooses which voxels are neighbours. The interval and all other "
+           "criteria stay"));
     m_presets->setFixedHeight(theme::controlHeight);
     m_presets->setPopupMode(QToolButton::InstantPopup);
     auto* menu = new QMenu(m_presets);

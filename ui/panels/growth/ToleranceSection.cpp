@@ -10,6 +10,7 @@
 #include "ui/base/ErrorText.h"
 #include "ui/base/StudyTexts.h"
 #include "ui/base/Theme.h"
+#include "ui/panels/growth/GrowCriteriaSection.h"
 #include "ui/panels/growth/PlainLimits.h"
 #include "ui/panels/growth/ToleranceBar.h"
 #include "ui/workspace/PendingSeeds.h"
@@ -41,6 +42,8 @@ QString nameOf(const QString& field)
         return ToleranceSection::tr("Gradient step");
     if (field == QLatin1String("tolerance.majority"))
         return smoothName();
+    if (field == QLatin1String("tolerance.smoothing"))
+        return smoothNoiseName();
     if (field == QLatin1String("tolerance.passage"))
         return necksName();
     return {};
@@ -224,6 +227,10 @@ void ToleranceSection::refuse(const core::Error& error)
         m_whyNot = tr("The active segment has no seeds: sketch some with the Seed tool.");
     else if (nameOf(field) == smoothName() || nameOf(field) == necksName())
         m_whyNot = tr("Switch “%1” off: it knows no least tolerance.").arg(nameOf(field));
+    else if (nameOf(field) == smoothNoiseName())
+        m_whyNot = tr("Switch “%1” off under Criteria: tolerances are those of the voxels' own "
+                      "values.")
+                       .arg(nameOf(field));
     else if (!nameOf(field).isEmpty())
         m_whyNot =
             tr("Switch “%1” off under Criteria: it knows no least tolerance.").arg(nameOf(field));

@@ -100,6 +100,7 @@ Result<GrowLimits> growLimits(
             limits.gradientDifference = magnitudeAtMost(*criteria.gradientDifference, scale);
     }
     limits.majority = criteria.majority.value_or(0);
+    limits.smoothed = criteria.smoothing.value_or(false);
     if (criteria.passage) {
         // A number typed from what the limit is shown as may be rounded up.
         if (*criteria.passage > greatestPassageMm(volume.geometry) * (1.0 + 1e-9))

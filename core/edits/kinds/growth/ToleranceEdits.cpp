@@ -38,6 +38,9 @@ Result<ToleranceRule> toleranceRule(
                 QStringLiteral("tolerance.") + QLatin1String(name),
                 Clause::saying("knows no least tolerance"));
     }
+    if (criteria.smoothing.value_or(false))
+        return failure(ErrorCode::InvalidField, QStringLiteral("tolerance.smoothing"),
+            Clause::saying("must be off: tolerances are those of the voxels' own values"));
     GrowCriteria anyValue = criteria;
     anyValue.lower = anyValue.upper = 0.0;
     const Result<GrowBurst> burst = burstOf(anyValue, document, QStringLiteral("tolerance"));

@@ -213,7 +213,7 @@ private Q_SLOTS:
         QVERIFY(!IntervalOpener::suits(burst));
         burst.opening = GrowOpening::Narrow;
         QVERIFY(IntervalOpener::suits(burst));
-        for (const int kind : {0, 1, 2, 3}) {
+        for (const int kind : {0, 1, 2, 3, 4}) {
             GrowBurst other = burst;
             if (kind == 0)
                 other.limits.sigmas256 = 512;
@@ -223,6 +223,8 @@ private Q_SLOTS:
                 other.limits.majority = 14;
             if (kind == 3)
                 other.limits.onlyVisible = true;
+            if (kind == 4)
+                other.limits.smoothed = true;
             QVERIFY(!IntervalOpener::suits(other));
         }
 

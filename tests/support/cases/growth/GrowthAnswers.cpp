@@ -67,6 +67,7 @@ void give(GrowBurst& burst, const GrowthAnswers& answers, const glm::ivec3& size
         limits.gradientWeights = {512, 700, 300};
     if (asks(answers, Majority) != (limits.majority > 1))
         limits.majority = asks(answers, Majority) ? 2 + some % 12 : some % 2;
+    limits.smoothed = asks(answers, Smoothed);
     limits.onlyVisible = asks(answers, OnlyVisible);
     if (asks(answers, Boxed) && !limits.boxed) {
         limits.boxFrom = size / 9;
@@ -124,6 +125,7 @@ GrowthAnswers answersOf(const GrowBurst& burst)
     answer(Gradient, limits.gradient.has_value());
     answer(GradientDifference, limits.gradientDifference.has_value());
     answer(Majority, limits.majority > 1); // the voxel itself is one
+    answer(Smoothed, limits.smoothed);
     answer(OnlyVisible, limits.onlyVisible);
     answer(Boxed, limits.boxed);
     answer(Sigmas, limits.sigmas256 > 0);
@@ -158,11 +160,11 @@ const std::vector<GrowthAnswers>& dailyAnswers()
         answering(18, {Difference, Gradient, Sigmas, Passage}),
         answering(18, {GradientDifference, Majority, OnlyVisible, Passage}),
         answering(6, {Difference, OnlyVisible, Boxed, Passage, Overwritten}),
-        answering(18, {OnlyVisible, Boxed, Sigmas}),
-        answering(26, {Difference, GradientDifference, Sigmas, Passage, Overwritten}),
+        answering(18, {Smoothed, OnlyVisible, Boxed, Sigmas}),
+        answering(26, {Difference, GradientDifference, Smoothed, Sigmas, Passage, Overwritten}),
         answering(26, {Gradient, Majority, OnlyVisible, Boxed, Overwritten}),
-        answering(6, {Gradient, GradientDifference, Boxed}),
-        answering(6, {Difference, Majority, Sigmas}),
+        answering(6, {Gradient, GradientDifference, Smoothed, Boxed}),
+        answering(6, {Difference, Majority, Smoothed, Sigmas}),
         answering(6, {}),
         answering(18, {}),
         answering(26, {}),
@@ -183,6 +185,10 @@ const std::vector<GrowthAnswers>& dailyAnswers()
         answering(26, {GradientDifference}),
         answering(26, {Gradient, GradientDifference}),
         answering(26, {Majority}),
+        answering(6, {Smoothed}),
+        answering(26, {Smoothed}),
+        answering(6, {Smoothed, Sigmas}),
+        answering(26, {Majority, Smoothed}),
         answering(6, {OnlyVisible}),
         answering(6, {Boxed}),
     };
@@ -223,6 +229,7 @@ void answerAsDaily(core::GrowCriteria& criteria, const core::GrowBox& boxIfAsked
     answer(Gradient, criteria.gradient.has_value());
     answer(GradientDifference, criteria.gradientDifference.has_value());
     answer(Majority, criteria.majority.value_or(0) > 1);
+    answer(Smoothed, criteria.smoothing.value_or(false));
     answer(OnlyVisible, criteria.onlyVisible);
     answer(Boxed, criteria.box.has_value());
     answer(Sigmas, criteria.sigmas.has_value());
@@ -235,6 +242,8 @@ void answerAsDaily(core::GrowCriteria& criteria, const core::GrowBox& boxIfAsked
     want(criteria.gradientDifference, asks(given, GradientDifference), 300.0);
     if (asks(given, Majority) != (criteria.majority.value_or(0) > 1))
         criteria.majority = asks(given, Majority) ? std::optional(5) : std::nullopt;
+    if (asks(given, Smoothed) != criteria.smoothing.value_or(false))
+        criteria.smoothing = asks(given, Smoothed);
     criteria.onlyVisible = asks(given, OnlyVisible);
     want(criteria.box, asks(given, Boxed), boxIfAsked);
     want(criteria.sigmas, asks(given, Sigmas), 2.5);

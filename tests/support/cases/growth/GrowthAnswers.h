@@ -17,13 +17,14 @@ enum class GrowthQuestion {
     Gradient,
     GradientDifference,
     Majority,
+    Smoothed,
     OnlyVisible,
     Boxed,
     Sigmas,
     Passage,
     Overwritten, ///< labels that it takes from other segments are kept
 };
-constexpr std::size_t growthQuestions = 9;
+constexpr std::size_t growthQuestions = 10;
 
 /// The answers that choose the kernels of a growth.
 struct GrowthAnswers {

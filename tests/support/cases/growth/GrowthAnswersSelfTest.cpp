@@ -148,8 +148,8 @@ private Q_SLOTS:
                 GrowthAnswers answers{.connectivity = criteria.connectivity};
                 const std::array<bool, test::growthQuestions> yes{criteria.difference.has_value(),
                     criteria.gradient.has_value(), criteria.gradientDifference.has_value(),
-                    criteria.majority.value_or(0) > 1, criteria.onlyVisible,
-                    criteria.box.has_value(), criteria.sigmas.has_value(),
+                    criteria.majority.value_or(0) > 1, criteria.smoothing.value_or(false),
+                    criteria.onlyVisible, criteria.box.has_value(), criteria.sigmas.has_value(),
                     criteria.passage.has_value(), criteria.overwriteUnlocked};
                 for (std::size_t i = 0; i < yes.size(); ++i)
                     answers.yes.set(i, yes[i]);

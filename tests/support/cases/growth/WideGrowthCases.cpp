@@ -15,6 +15,7 @@ using core::GrowBurst;
 EngineCase wide(int number)
 {
     Random random(std::uint32_t(81000 + number));
+    Random smoothings(std::uint32_t(82000 + number));
     const glm::ivec3 size{
         randomInt(random, 20, 70), randomInt(random, 18, 60), randomInt(random, 18, 50)};
     EngineCase made{"wide front " + QByteArray::number(number),
@@ -41,6 +42,7 @@ EngineCase wide(int number)
         burst.tellsHeld = random() % 2;
         if (random() % 4 == 0)
             burst.limits.majority = randomInt(random, 8, 18);
+        burst.limits.smoothed = smoothings() % 5 == 0;
         if (random() % 4 == 0) {
             burst.limits.boxed = true;
             burst.limits.boxFrom = glm::ivec3(3);

@@ -131,6 +131,12 @@ void addGrowthStrokes(std::vector<StrokeCase>& cases, const StrokeScene& scene)
     cases.push_back({"resume through passages", volume,
         {first, seeds, rolling, core::ShrinkSteps{.steps = 2}, second, others},
         core::ResumeGrowth{}});
+    auto smoothed = over.get<core::GrowSteps>();
+    smoothed.criteria.smoothing = true;
+    cases.push_back({"growth by medians", volume, {first, seeds}, smoothed});
+    cases.push_back({"interval over medians", volume, {first, seeds, smoothed}, interval(0, 700)});
+    cases.push_back({"resume by medians", volume,
+        {first, seeds, smoothed, core::ShrinkSteps{.steps = 2}}, core::ResumeGrowth{}});
     core::ChangeInterval fewSteps = interval(0, 900);
     fewSteps.steps = 3;
     core::ChangeInterval anew = interval(100, 900);

@@ -50,6 +50,8 @@ void addRandomLimits(
                 geometry.toWorld(glm::dvec3(randomVoxel(random, geometry.size)))};
     if (random() % 4 == 0)
         criteria.passage = 6.0 * randomUnit(random) * geometry.spacingMm()[int(random() % 3)];
+    if (random() % 4 == 0)
+        criteria.smoothing = random() % 4 != 0;
 }
 
 core::GrowSteps randomGrowth(const core::Document& document, Random& random)

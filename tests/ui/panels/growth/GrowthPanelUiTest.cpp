@@ -101,13 +101,14 @@ private Q_SLOTS:
                                           .upper = 33.0,
                                           .connectivity = 18,
                                           .majority = 9,
+                                          .smoothing = true,
                                           .overwriteUnlocked = true}});
         GrowthPanel panel(fixture.workspace);
         const ui::GrowSettings& shown = fixture.workspace.growSettings();
         QCOMPARE(shown.lower, -7.0);
         QCOMPARE(shown.upper, 33.0);
         QCOMPARE(shown.connectivity, 18);
-        QVERIFY(shown.majority.on && !shown.gradient.on);
+        QVERIFY(shown.majority.on && shown.smoothing && !shown.gradient.on);
         QCOMPARE(shown.majority.value, 9.0);
         QVERIFY(shown.overwriteUnlocked);
         const auto* range = panel.findChild<ui::HistogramRange*>(QStringLiteral("growthInterval"));

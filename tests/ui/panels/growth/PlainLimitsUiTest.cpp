@@ -22,6 +22,7 @@
 #include <QToolButton>
 #include <QtTest>
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <utility>
@@ -59,8 +60,9 @@ core::LoadedVolume withThread()
 }
 
 /// How many voxels of the middle's code have at least so many of it among the 27 around and at
-/// them, and are connected with the middle over faces by such voxels.
-std::int64_t connectedWith(const core::LoadedVolume& loaded, int majority)
+/// them, and are connected with the middle over faces by such voxels. With noise smoothed they need
+/// not be of that code, if half of what weighs around them is: there is no lesser one near.
+std::int64_t connectedWith(const core::LoadedVolume& loaded, int majority, bool smoothing = false)
 {
     const glm::ivec3 middle(side / 2);
     const auto isOne = [&](const glm::ivec3& voxel) {
@@ -68,9 +70,15 @@ std::int64_t connectedWith(const core::LoadedVolume& loaded, int majority)
     };
     const auto qualifies = [&](const glm::ivec3& voxel) {
         int around = 0;
-        for (int place = 0; place < 27; ++place)
-            around += isOne(voxel + glm::ivec3(place % 3, place / 3 % 3, place / 9) - 1) ? 1 : 0;
-        return isOne(voxel) && around >= majority;
+        int weight = isOne(voxel) ? 1 : 0;
+        for (int place = 0; place < 27; ++place) {
+            const glm::ivec3 step = glm::ivec3(place % 3, place / 3 % 3, place / 9) - 1;
+            if (!isOne(voxel + step))
+                continue;
+            ++around;
+            weight += 8 >> (step.x * step.x + step.y * step.y + step.z * step.z);
+        }
+        return (smoothing ? weight > 32 : isOne(voxel)) && around >= majority;
     };
     std::vector<bool> known(loaded.codes.size());
     std::vector<glm::ivec3> reached{middle};
@@ -346,19 +354,21 @@ private Q_SLOTS:
         QTest::addColumn<QString>("name");
         QTest::addColumn<QString>("smooth");
         QTest::addColumn<int>("majority"); // 0: off
+        QTest::addColumn<bool>("smoothing");
         QTest::addColumn<int>("connectivity");
         QTest::newRow("organ") << QStringLiteral("Organ, lesion or fluid")
-                               << QStringLiteral("a little") << 10 << 6;
+                               << QStringLiteral("a little") << 10 << true << 6;
         QTest::newRow("noise") << QStringLiteral("The same in much noise") << QStringLiteral("more")
-                               << 14 << 6;
+                               << 14 << true << 6;
         QTest::newRow("thin") << QStringLiteral("Vessels, airways or thin walls")
-                              << QStringLiteral("off") << 0 << 26;
+                              << QStringLiteral("off") << 0 << false << 26;
     }
     void aPresetSetsWhatSuitsAStructure()
     {
         QFETCH(QString, name);
         QFETCH(QString, smooth);
         QFETCH(int, majority);
+        QFETCH(bool, smoothing);
         QFETCH(int, connectivity);
         const core::LoadedVolume volume = withThread();
         Limits fixture(withThread());
@@ -366,6 +376,7 @@ private Q_SLOTS:
         ui::GrowSettings before = fixture.workspace.growSettings();
         before.connectivity = 18;
         before.majority = {.on = true, .value = 27.0};
+        before.smoothing = !smoothing;
         before.passage = {.on = true, .value = 7.5};
         before.onlyVisible = true;
         fixture.workspace.setGrowSettings(before);
@@ -379,6 +390,8 @@ private Q_SLOTS:
         QCOMPARE(fixture.part<QComboBox>("growConnectivity").currentData().toInt(), connectivity);
         const core::GrowCriteria criteria = fixture.criteria();
         QCOMPARE(criteria.majority.value_or(0), majority);
+        QCOMPARE(criteria.smoothing.value_or(false), smoothing);
+        QCOMPARE(fixture.part<QCheckBox>("growSmoothing").isChecked(), smoothing);
         QVERIFY(!criteria.passage && criteria.onlyVisible);
         QCOMPARE(criteria.lower, 0.0);
         QCOMPARE(criteria.upper, 20.0);
@@ -390,12 +403,46 @@ private Q_SLOTS:
         QCOMPARE(fixture.marked(), QStringList(name));
 
         // With neighbours by corners the thread's end adds nothing that faces do not reach.
-        QCOMPARE(fixture.grown(), connectedWith(volume, majority));
+        QCOMPARE(fixture.grown(), connectedWith(volume, majority, smoothing));
         QCOMPARE(fixture.submitted().majority.value_or(0), majority);
+        QCOMPARE(fixture.submitted().smoothing.value_or(false), smoothing);
         QCOMPARE(fixture.submitted().connectivity, connectivity);
         // What is changed by hand is of no preset any more.
         fixture.clickNecks();
         QCOMPARE(fixture.marked(), QStringList());
+    }
+
+    /// Single voxels of the ventricle have the value of bone, as noise may give it to them. Each is
+    /// a hole, and with noise smoothed none is.
+    void noiseLeavesNoHoles()
+    {
+        core::LoadedVolume noisy = smallHead::volume();
+        const std::uint16_t bone = *std::max_element(noisy.codes.begin(), noisy.codes.end());
+        const glm::ivec3 middle(side / 2);
+        const std::vector<glm::ivec3> holes{middle + glm::ivec3(2, 0, 0),
+            middle + glm::ivec3(-2, 1, 0), middle + glm::ivec3(0, 0, -2)};
+        for (const glm::ivec3& hole : holes)
+            noisy.codes[indexOf(hole)] = bone;
+        const std::int64_t whole = connectedWith(smallHead::volume(), 0, true);
+        QCOMPARE(connectedWith(noisy, 0), smallHead::voxelsOf(smallHead::ventricleHu) - 3);
+        QCOMPARE(connectedWith(noisy, 0, true), whole);
+        Limits fixture(noisy);
+        QCOMPARE(fixture.grown(), smallHead::voxelsOf(smallHead::ventricleHu) - 3);
+        QVERIFY(!fixture.submitted().smoothing);
+        QVERIFY(fixture.session().undo());
+        fixture.settle();
+        fixture.part<QToolButton>("growCriteria").click();
+        auto& smoothing = fixture.part<QCheckBox>("growSmoothing");
+        QTRY_VERIFY(smoothing.isVisible());
+        QTest::mouseClick(&smoothing, Qt::LeftButton, {}, {10, smoothing.height() / 2});
+        QVERIFY(smoothing.isChecked());
+        QCOMPARE(
+            fixture.part<QToolButton>("growCriteria").text(), QStringLiteral("Criteria · 1 on"));
+        QCOMPARE(fixture.grown(), whole);
+        QCOMPARE(fixture.submitted().smoothing, std::optional(true));
+        reference::DenseFields fields = fixture.engine.fields();
+        for (const glm::ivec3& hole : holes)
+            QCOMPARE(int(fields.labels(0).at(hole)), 1);
     }
 
     /// What a session or a recipe has is shown, and none of it is changed by being shown.

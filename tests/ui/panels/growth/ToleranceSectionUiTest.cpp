@@ -262,6 +262,12 @@ private Q_SLOTS:
                 !fixture.text().contains(QStringLiteral("Criteria")), qPrintable(fixture.text()));
         }
         settings.passage.on = false;
+        settings.smoothing = true;
+        fixture.workspace.setGrowSettings(settings);
+        QTRY_VERIFY((fixture.session().poll(),
+            fixture.text().contains(QStringLiteral("“Smooth noise” off under Criteria"))));
+        QVERIFY(!fixture.bar.isVisible());
+        settings.smoothing = false;
         fixture.workspace.setGrowSettings(settings);
         fixture.wait();
         QVERIFY(fixture.bar.isVisible());

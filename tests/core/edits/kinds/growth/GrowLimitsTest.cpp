@@ -8,6 +8,7 @@
 #include "core/edits/kinds/growth/ChangeInterval.h"
 #include "core/edits/kinds/growth/GrowCriteria.h"
 #include "core/edits/kinds/growth/GrowSteps.h"
+#include "core/edits/kinds/growth/ToleranceEdits.h"
 #include "core/edits/kinds/parts/GrowBox.h"
 #include "core/session/past/RecentGrowth.h"
 #include "core/session/past/RowDependencies.h"
@@ -55,6 +56,7 @@ GrowCriteria everything()
         .gradient = 30.0,
         .gradientDifference = 7.75,
         .majority = 14,
+        .smoothing = true,
         .passage = 3.25,
         .onlyVisible = true,
         .box = GrowBox{{95.0, -48.0, 28.0}, {99.0, -40.0, 20.0}},
@@ -171,6 +173,7 @@ private Q_SLOTS:
         QCOMPARE(burst->limits.sigmas256, 640);
         QVERIFY(burst->limits.onlyVisible && burst->limits.gradient
             && burst->limits.gradientDifference);
+        QVERIFY(burst->limits.smoothed);
     }
 
     void recipesNameThem()
@@ -178,16 +181,16 @@ private Q_SLOTS:
         const Edit edit = quantised(GrowSteps{.criteria = everything(), .steps = 7});
         const QJsonObject json = editToJson(edit);
         for (const char* name : {"sigmas", "difference", "gradient", "gradientDifference",
-                 "majority", "passage", "onlyVisible", "box"})
+                 "majority", "smoothing", "passage", "onlyVisible", "box"})
             QVERIFY2(json.contains(QLatin1String(name)), name);
         const Result<Edit> read = editFromJson(json);
         QVERIFY(read);
         QCOMPARE(read->get<GrowSteps>().criteria, edit.get<GrowSteps>().criteria);
-        for (const auto& [field, value] :
-            {std::pair{"majority", QJsonValue(28)}, std::pair{"majority", QJsonValue(0)},
-                std::pair{"sigmas", QJsonValue(0)}, std::pair{"passage", QJsonValue(-0.5)},
-                std::pair{"difference", QJsonValue(-1)}, std::pair{"gradient", QJsonValue(-0.5)},
-                std::pair{"box", QJsonValue(QStringLiteral("none"))}}) {
+        for (const auto& [field, value] : {std::pair{"majority", QJsonValue(28)},
+                 std::pair{"majority", QJsonValue(0)}, std::pair{"sigmas", QJsonValue(0)},
+                 std::pair{"smoothing", QJsonValue(1)}, std::pair{"passage", QJsonValue(-0.5)},
+                 std::pair{"difference", QJsonValue(-1)}, std::pair{"gradient", QJsonValue(-0.5)},
+                 std::pair{"box", QJsonValue(QStringLiteral("none"))}}) {
             QJsonObject wrong = json;
             wrong[QLatin1String(field)] = value;
             const Result<Edit> refused = editFromJson(wrong);
@@ -195,6 +198,37 @@ private Q_SLOTS:
             QCOMPARE(
                 refused.error().arguments.value(0), QStringLiteral("grow.") + QLatin1String(field));
         }
+    }
+
+    /// Rows from before keep their form, and with it their hashes.
+    void smoothingIsToldWhereItIsSet()
+    {
+        const auto named = [](const GrowCriteria& criteria) {
+            return editToJson(GrowSteps{.criteria = criteria}).value(QLatin1String("smoothing"));
+        };
+        QVERIFY(named({.lower = 0.0, .upper = 1.0}).isUndefined());
+        QCOMPARE(named({.smoothing = true}), QJsonValue(true));
+        QCOMPARE(named({.smoothing = false}), QJsonValue(false));
+        QCOMPARE(limitsOf({.smoothing = false}), GrowLimits());
+        QCOMPARE(limitsOf({.smoothing = true}), GrowLimits{.smoothed = true});
+    }
+
+    /// Another interval follows the growth that is there; a tolerance is of the voxels' own values.
+    void smoothingDoesNotDependOnTheInterval()
+    {
+        Document document = initialDocument(smallVolume());
+        ChangeInterval change{
+            .criteria = {.lower = 0.0, .upper = 1.0, .smoothing = true}, .asBefore = false};
+        Edit edit = change;
+        QVERIFY(nameWhatGrowthReads(edit, History(), document));
+        const Result<GrowBurst> burst = growBurst(edit.get<ChangeInterval>(), document);
+        QVERIFY(burst && burst->limits.smoothed);
+        QVERIFY(burst->opening == GrowOpening::Narrow);
+        document.segments.push_back({.label = 1});
+        QVERIFY(toleranceRule(1, {.smoothing = false}, document));
+        const Result<ToleranceRule> refused = toleranceRule(1, {.smoothing = true}, document);
+        QVERIFY(!refused);
+        QCOMPARE(refused.error().arguments.value(0), QStringLiteral("tolerance.smoothing"));
     }
 
     /// Half a millimetre is the finest spacing here.
