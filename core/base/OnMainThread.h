@@ -10,9 +10,10 @@
 
 namespace core {
 
-/// Wraps a function so that it can be called on any thread: the event loop of the program's first
-/// thread then calls @p callback with copies of the arguments. Nothing is called after @p context
-/// was destroyed. The context lives in the first thread, where this function must be called too.
+/// Wraps a function so that it can be called on any thread: the event loop of the program's main
+/// thread then calls @p callback with copies of the arguments. After @p context was destroyed,
+/// nothing is called any more. The context must live in the main thread, and this function must be
+/// called there, too.
 template <class Callback> [[nodiscard]] auto onMainThread(QObject* context, Callback callback)
 {
     return

@@ -5,9 +5,10 @@
 
 namespace core {
 
-/// What work that takes long is doing; ui/texts/ProgressTexts.h words it.
+/// The step that a long-running task is in, as it reports it to its Progress.
+/// ui/texts/ProgressTexts.h puts it into words.
 enum class ProgressStep : std::uint8_t {
-    // Studies and sessions, read and written.
+    // Reading and writing studies and sessions.
     ReadingHeaders,
     ReadingSlices,
     ReadingVoxels,
@@ -15,24 +16,24 @@ enum class ProgressStep : std::uint8_t {
     Unpacking,
     MakingDemonstration,
     CheckingSession,
-    ReadingImages, ///< those that a session holds
-    WritingImages, ///< into a session
-    // Other nodes and servers.
+    ReadingImages, ///< the images that a session file contains
+    WritingImages, ///< into a session file
+    // Talking to other DICOM nodes and servers.
     Searching,
     Downloading,
     Sending,
-    // Masks taken in, surfaces, chunks.
+    // Importing masks, refining surfaces, dividing segments into chunks.
     PlacingMask,
     FillingSurfaces,
     FittingSurface,
-    FetchingValues, ///< of the box around a segment
-    CuttingIntoPieces, ///< of which chunks are joined
+    FetchingValues, ///< the voxel values of the box around a segment
+    CuttingIntoPieces, ///< the small pieces from which chunks are joined
     FindingLikelyParts,
     JoiningParts,
     ColouringChunks,
-    // Segments as wholes.
+    // Working out edits of whole segments.
     ReshapingSegment,
-    // Exports.
+    // Exporting, and checking what was written.
     ReadingSourceHeaders,
     Measuring,
     TracingContours,

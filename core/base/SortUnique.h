@@ -6,7 +6,7 @@
 
 namespace core {
 
-/// Sorts the values, ascending, and keeps each once.
+/// Sorts the values in ascending order and removes duplicates.
 template <class Value> void sortUnique(std::vector<Value>& values)
 {
     std::sort(values.begin(), values.end());

@@ -8,8 +8,9 @@
 
 namespace core {
 
-/// The box around the voxels of a label; empty if there is none.
-/// @param labels of the whole volume, x fastest
+/// The smallest box that contains all voxels of a label, in indices; empty if there is none. Cost:
+/// one pass over the volume.
+/// @param labels one for each voxel of the volume, x fastest
 [[nodiscard]] VoxelBox boxOfLabel(
     std::span<const std::uint8_t> labels, const glm::ivec3& size, std::uint8_t label);
 

@@ -5,16 +5,17 @@
 
 namespace core {
 
-/// The index axis along which slices follow each other: those of K are the acquired ones. Axial,
-/// coronal or sagittal is what the volume's position makes of it.
+/// The index axis along which slices follow each other. Slices across K are the acquired ones.
+/// Which of the three is axial, coronal or sagittal depends on how the volume lies in the patient.
 enum class SliceAxis : std::uint8_t { I, J, K };
 
-/// The places in a vector of index space: of the axis itself,
+/// The component of an index vector that belongs to the axis itself.
 [[nodiscard]] constexpr int alongOf(SliceAxis axis)
 {
     return int(axis);
 }
-/// and of the two within a slice, first the one whose voxels lie closer in memory.
+/// The components of the two axes within a slice; acrossOf() is the one whose voxels lie closer
+/// together in memory.
 [[nodiscard]] constexpr int acrossOf(SliceAxis axis)
 {
     return axis == SliceAxis::I ? 1 : 0;

@@ -8,8 +8,8 @@
 
 namespace core {
 
-/// A queue whose least item comes first, by `>`: a heap with four branches, which touches half as
-/// many places in memory as one with two.
+/// A min-heap with four children per node, compared with `>`. With four it touches about half as
+/// many places in memory as with two, which makes it faster for large queues.
 template <class Item> class LeastFirst {
 public:
     [[nodiscard]] bool empty() const { return m_items.empty(); }

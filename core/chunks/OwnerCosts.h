@@ -14,34 +14,37 @@ namespace core {
 struct BorderedBox {
     glm::ivec3 size{0}; ///< without the border
     std::vector<std::uint16_t> codes;
-    /// Before any is known: the most; 0 in the border and for what is left out, so that no path
-    /// enters.
+    /// The costs before any is known: the highest cost. 0 in the border and at voxels that are left
+    /// out, so that no path enters them.
     std::vector<std::uint8_t> costs;
 
     explicit BorderedBox(const ChunkSource& source);
     [[nodiscard]] std::size_t row() const { return std::size_t(size.x) + 2; }
     [[nodiscard]] std::size_t slice() const { return row() * (std::size_t(size.y) + 2); }
-    /// Where a row of the box begins.
+    /// The index of the first voxel of a row of the box, border not included.
     [[nodiscard]] std::size_t rowAt(int y, int z) const
     {
         return std::size_t(z + 1) * slice() + std::size_t(y + 1) * row() + 1;
     }
 };
 
-/// How strongly voxels are connected with one owner (rules 1 and 3 of ChunkField).
+/// Computes how strongly voxels are connected with one owner (rules 1 and 3 of ChunkField).
 struct OwnerCosts {
-    int mean = 0; ///< of its codes
-    int spread = 1; ///< mean deviation from it, at least 1
-    std::vector<std::uint32_t> cores{}; ///< in the bordered box
+    int mean = 0; ///< mean code of the owner's voxels
+    int spread = 1; ///< mean absolute deviation from that, at least 1
+    std::vector<std::uint32_t> cores{}; ///< voxels of the owner's core; indices in the bordered box
 
-    /// The costs of all voxels of the bordered box, without meaning outside.
-    /// @param noise as ChunkField::noise()
-    /// @param goOn told now and then how many more voxels have their cost; false: it is given up
+    /// The cost of every voxel of the bordered box for this owner; values in the border have no
+    /// meaning.
+    /// @param noise that of ChunkField::noise()
+    /// @param goOn called now and then with the number of voxels that have got their cost since the
+    /// last call; if it returns false, the computation stops and the result is incomplete
     [[nodiscard]] std::vector<std::uint8_t> of(
         const BorderedBox& box, int noise, const std::function<bool(std::size_t)>& goOn) const;
 };
 
-/// A difference in units of mean deviations, clamped.
+/// A difference of codes in units of mean deviations: ChunkField::deviation for each of them, at
+/// most ChunkField::most.
 [[nodiscard]] int inDeviations(int difference, int deviation);
 
 } // namespace core

@@ -8,9 +8,9 @@
 
 namespace core {
 
-/// For each voxel of a box the number of steps (six neighbours) to the nearest one of another
-/// owner, what is left out included; 0 everywhere if all are of one owner. Cost: a few passes, on
-/// all cores.
+/// For each voxel of a box, the number of steps between face neighbours to the nearest voxel of
+/// another owner; voxels that are left out (ChunkSource::outside) count as an owner. 0 everywhere
+/// if the whole box has one owner. Cost: a few passes over the box, on all cores.
 [[nodiscard]] std::vector<std::uint16_t> ownerDepths(const ChunkSource& source);
 
 } // namespace core

@@ -8,11 +8,12 @@
 
 namespace core {
 
-/// The progress of one step that several threads do together. Its listener is called by one of them
-/// at a time, never with less than before, and not after it was cancelled.
+/// The progress of one step that several threads carry out together. The listener of the progress
+/// is called by one thread at a time, never with a smaller value than before, and not after the
+/// work was cancelled.
 class SharedProgress {
 public:
-    /// Reports the beginning.
+    /// @param total the amount of work, in any unit; advance() counts in the same unit
     SharedProgress(const Progress& progress, ProgressStep step, std::int64_t total)
         : m_progress(progress)
         , m_step(step)
@@ -20,8 +21,8 @@ public:
     {
         static_cast<void>(advance(0));
     }
-    /// So much more is done; any thread.
-    /// @return false: it is given up
+    /// Adds to the amount of work done. Any thread.
+    /// @return false: the work was cancelled
     bool advance(std::int64_t more)
     {
         const std::lock_guard lock(m_mutex);

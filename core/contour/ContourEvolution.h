@@ -21,56 +21,64 @@ namespace core {
 /// The part of a volume in which a contour evolves.
 struct ContourGround {
     static constexpr std::uint8_t inside = 1; ///< belongs to the segment
-    static constexpr std::uint8_t open = 2; ///< may change
-    static constexpr std::uint8_t own = 4; ///< belonged to it before there was a bubble
-    /// Stays as it is when the contour is written, whatever it comes to; the rule reads it as any
-    /// other (ContourTrial.h marks them, ContourTrack shows them).
+    static constexpr std::uint8_t open = 2; ///< the rule may change it
+    /// Belonged to it before the evolution and before a bubble was added.
+    static constexpr std::uint8_t own = 4;
+    /// Keeps its label when the contour is written, whatever the contour does here, because the
+    /// editable range excludes it. The rule treats it as any other voxel. ContourTrial.h sets this
+    /// flag, and ContourState counts and shows accordingly.
     static constexpr std::uint8_t held = 16;
 
     glm::ivec3 volumeSize{0};
-    /// With every voxel that can be reached, and contourMargin() around them.
+    /// Contains every voxel that the contour can reach, and contourMargin() around these, cut to
+    /// the volume.
     VoxelBox box{};
-    std::vector<std::uint8_t> voxels{}; ///< of the box, x fastest: the flags above
+    std::vector<std::uint8_t> voxels{}; ///< the flags above, for each voxel of the box, x fastest
     std::vector<std::uint16_t> codes{}; ///< of the box
 };
 
-/// How far beyond the voxels that may change the rule reads.
+/// How many voxels beyond those that may change the rule reads, along each axis.
 [[nodiscard]] glm::ivec3 contourMargin(const ContourKernel& kernel);
-/// The box of a ground: around a start, as far as a number of generations can lead from it.
+/// The box of a ground: the box of the start, extended by as many voxels as the contour can move in
+/// a number of generations, and by contourMargin(); cut to the volume.
 [[nodiscard]] VoxelBox contourBox(const VoxelBox& start, int generations,
     const ContourKernel& kernel, const glm::ivec3& volumeSize);
-/// Errors: OutOfMemory. @param box not empty
+/// Whether a contour can evolve in a box of this size.
+/// @param box not empty
+/// Errors: OutOfMemory.
 [[nodiscard]] Result<void> checkContourMemory(const VoxelBox& box);
 
-/// Places of voxels in a box, x fastest, in no order. Whoever keeps them shares them.
+/// Indices of voxels in a box, x fastest, in no particular order. They are shared, since several
+/// users keep them.
 using ContourPlaces = std::shared_ptr<const std::vector<std::uint32_t>>;
 
-/// A contour that evolves (ContourRule.h). What a generation changed is kept by whoever watches
-/// (ContourTrack.h), here only that of the last one. Cost of a generation ∝ the front; of the first
-/// one also the box. One thread at a time.
+/// Evolves a contour by the rule of ContourRule.h. It keeps only the changes of the last
+/// generation; code that needs earlier ones collects them (ContourTrack.h). Cost: a generation
+/// costs ∝ the front, the first one also ∝ the box. One thread at a time.
 class ContourEvolution {
 public:
     ContourEvolution(ContourRule rule, ContourGround ground);
 
-    /// One generation more, unless it rests. @return false: it rests, or it was cancelled in the
-    /// midst of a generation, which is then as if it had not begun
+    /// Computes one more generation.
+    /// @return false: nothing changes any more, or it was cancelled. A generation that is cancelled
+    /// while it is computed is undone completely.
     bool step(const Progress& progress);
 
     [[nodiscard]] int generation() const { return m_generation; }
-    /// Whether the last step() found that nothing changes any more.
+    /// Whether the last step() found nothing left to change.
     [[nodiscard]] bool rests() const { return m_rests; }
-    /// Voxels that the last generation changed; 0 before the first one.
+    /// The number of voxels that the last generation changed; 0 before the first one.
     [[nodiscard]] std::size_t lastChanges() const { return m_lastChanged->size(); }
-    /// Where they lie in the box; never null.
+    /// These voxels; never null.
     [[nodiscard]] const ContourPlaces& lastChanged() const { return m_lastChanged; }
-    /// What the segment has gained and lost since before the bubble.
+    /// The voxels that the segment has gained and lost in all, a bubble included.
     [[nodiscard]] ShapeChange change() const;
     /// @param voxel of the box
     [[nodiscard]] bool isInside(const glm::ivec3& voxel) const;
 
 private:
-    using Place = std::uint32_t; ///< of a voxel of the box
-    static constexpr std::uint8_t atFront = 8; ///< a flag: is in m_front
+    using Place = std::uint32_t; ///< index of a voxel in the box
+    static constexpr std::uint8_t atFront = 8; ///< flag: the voxel is in m_front
 
     [[nodiscard]] glm::ivec3 voxelAt(Place place) const;
     [[nodiscard]] bool isAtFront(Place place, bool isWide) const;
@@ -79,8 +87,8 @@ private:
     [[nodiscard]] int codeNear(glm::ivec3 voxel) const;
     [[nodiscard]] std::size_t classOf(Place place) const;
     [[nodiscard]] bool findFront(const Progress& progress);
-    /// Asks the front and changes what wants the other side. @return false: it was cancelled, and
-    /// nothing has changed
+    /// Carries out rules 4 to 6 for the front.
+    /// @return false: it was cancelled, and nothing has changed
     [[nodiscard]] bool ask(bool isWide, std::vector<Place>& changed, const Progress& progress);
     void comeToFront(Place place);
     void moveFront(std::span<const Place> changed);
@@ -91,9 +99,11 @@ private:
     glm::ivec3 m_extent; ///< of the box
     glm::ivec3 m_period;
     std::array<std::int64_t, 3> m_strides;
-    std::vector<std::int64_t> m_steps; ///< of the kernel, in the box
-    std::vector<std::uint8_t> m_edges; ///< g(v); 0: not asked for yet
-    std::vector<Place> m_front; ///< of a wide generation, if there are any
+    /// Steps of the kernel, as differences of indices in the box.
+    std::vector<std::int64_t> m_steps;
+    std::vector<std::uint8_t> m_edges; ///< g(v) of each voxel of the box; 0: not computed yet
+    /// The front of a wide generation if the rule is `round`, otherwise that of a narrow one.
+    std::vector<Place> m_front;
     bool m_frontKnown = false;
     bool m_rests = false;
     int m_generation = 0;

@@ -11,34 +11,35 @@
 
 namespace core {
 
-/// What a contour came to at one generation, for those who show it: the voxels as they would be
-/// written. One that is not changed any more may be read by any number of threads; one that serves
-/// a window reads none of its voxels (ThreadWithoutVoxels.h).
+/// A contour at one generation, for display: the voxels as they would be written. Once it is no
+/// longer changed, any number of threads may read it. Threads that serve a window must not read its
+/// voxels (ThreadWithoutVoxels.h).
 class ContourState {
 public:
     /// Cost ∝ the box.
-    /// @param voxels of the box, x fastest: flags of ContourGround
+    /// @param voxels flags of ContourGround for each voxel of the box, x fastest
     ContourState(const VoxelBox& box, std::vector<std::uint8_t> voxels);
 
-    /// Goes a generation further by what that changed, or back by the same. Cost ∝ what changed.
+    /// Goes one generation forwards or backwards, given the voxels that differ between the two.
+    /// Cost ∝ these.
     void pass(const std::vector<std::uint32_t>& changed);
-    /// Goes by several.
+    /// Goes over several generations (ContourTrack::between()).
     void pass(std::span<const ContourPlaces> generations);
 
     [[nodiscard]] const VoxelBox& box() const { return m_box; }
     [[nodiscard]] std::size_t voxelCount() const { return m_voxels.size(); }
-    /// Of the box, x fastest: flags of ContourGround.
+    /// Flags of ContourGround for each voxel of the box, x fastest.
     [[nodiscard]] const std::vector<std::uint8_t>& voxels() const;
-    /// Whether the segment would have a voxel with these flags.
+    /// Whether the segment would contain a voxel with these flags if the contour were written.
     [[nodiscard]] static bool isInside(std::uint8_t flags)
     {
         return flags & (flags & ContourGround::held ? ContourGround::own : ContourGround::inside);
     }
-    /// Whether the segment would have a voxel; beside the box: no.
+    /// The same for a voxel of the volume; false outside the box.
     [[nodiscard]] bool isInside(const glm::ivec3& voxel) const;
-    /// Whether it had the voxel before there was a contour, or a bubble.
+    /// Whether the segment contained the voxel before the evolution and before a bubble was added.
     [[nodiscard]] bool wasInside(const glm::ivec3& voxel) const;
-    /// How many voxels it would have gained and lost since then.
+    /// How many voxels it would gain and lose compared with that.
     [[nodiscard]] std::int64_t gained() const { return m_gained; }
     [[nodiscard]] std::int64_t lost() const { return m_lost; }
 

@@ -8,23 +8,23 @@
 
 namespace core {
 
-/// What a generation of a contour changed, and how much the segment would have gained and lost by
-/// then.
+/// One generation of a contour: which voxels it changed, and how many voxels the segment would have
+/// gained and lost in all by then.
 struct ContourGeneration {
     ContourPlaces changed{};
     std::int64_t gained = 0;
     std::int64_t lost = 0;
 };
 
-/// The generations of a contour that are known, for one who watches it and goes forwards and
-/// backwards in them. It has no voxels: those are a ContourState's, which another thread takes from
-/// one generation to another (between()). So going there costs nothing.
+/// The generations of a contour that are known so far. It lets a viewer move forwards and backwards
+/// among them. It holds changes but no state: another thread takes a ContourState from one
+/// generation to another with between(). So goTo() costs nothing.
 class ContourTrack {
 public:
-    /// @param start generation 0
+    /// @param start the state at generation 0
     explicit ContourTrack(const ContourState& start);
 
-    /// One generation more is known; the one that is shown stays.
+    /// Adds the next generation. The one that is shown does not change.
     void append(ContourGeneration generation);
     [[nodiscard]] int known() const { return int(m_generations.size()) - 1; }
     /// @pre 0 ≤ generation ≤ known()
@@ -34,12 +34,12 @@ public:
     [[nodiscard]] std::int64_t gained() const;
     [[nodiscard]] std::int64_t lost() const;
 
-    /// What takes a state from one generation to another, either way.
-    /// @pre 0 ≤ from, to ≤ known()
+    /// The voxels to be flipped, generation by generation, to turn the state of one generation into
+    /// that of another (ContourState::pass()).
     [[nodiscard]] std::vector<ContourPlaces> between(int from, int to) const;
 
 private:
-    std::vector<ContourGeneration> m_generations; ///< that of the start has no changes
+    std::vector<ContourGeneration> m_generations; ///< the first one, of the start, has no changes
     int m_shown = 0;
 };
 

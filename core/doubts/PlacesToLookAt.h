@@ -6,15 +6,16 @@
 
 namespace core {
 
-/// Where to look first in a segment that may have errors, a network's mask for instance: where its
-/// border follows no edge of the image, and where it disagrees with a second mask. Nothing is
-/// changed; the same is found on every machine.
+/// Finds where to look first in a segment that may have errors, for instance one that a network
+/// made: where its border follows no edge of the image, and where it disagrees with a second mask.
+/// It changes nothing, and finds the same on every machine.
 ///
-/// Both kinds take turns, disagreements first: of these the largest, of places without an edge the
-/// most doubtful. A place without an edge beside a disagreement that is listed is the same place,
-/// and not listed again.
-/// Cost: that of FaintBorder and onlyIn(). Any thread. Errors: Cancelled.
-/// @param second null: there is none
+/// The result takes places of both kinds in turn, beginning with a disagreement: disagreements by
+/// size (onlyIn()), places without an edge by doubt (FaintBorder). A place without an edge that
+/// lies mostly beside a listed disagreement is left out, since a user sees it there anyway. Empty
+/// if the segment has no voxels.
+/// Cost: that of FaintBorder and of two calls of onlyIn(). Any thread. Errors: Cancelled.
+/// @param second the second mask; null: there is none
 /// @param most the greatest number of places
 [[nodiscard]] Result<std::vector<DoubtfulPlace>> placesToLookAt(const BorderSource& source,
     const VoxelRuns* second, std::size_t most, const Progress& progress);

@@ -11,8 +11,8 @@
 
 namespace core {
 
-/// The arguments of an error: clauses and plain texts. They are read one by one, and changed only
-/// as wholes, so that no text of a clause parts from its form.
+/// The arguments of an error: clauses and plain texts. They can be read one by one but replaced
+/// only as wholes, so that the text of a clause always agrees with its form.
 class Clauses {
 public:
     Clauses() = default;
@@ -21,7 +21,7 @@ public:
     {
     }
 
-    /// Plain texts.
+    /// Each text becomes a plain clause.
     Clauses(const QStringList& texts)
         : m_clauses(texts.begin(), texts.end())
     {
@@ -34,31 +34,32 @@ public:
     [[nodiscard]] Clause front() const { return m_clauses.front(); }
     [[nodiscard]] Clause operator[](qsizetype i) const { return m_clauses[std::size_t(i)]; }
 
-    /// Empty where there is none.
+    /// The clause at a position, or an empty one if there is none.
     [[nodiscard]] Clause value(qsizetype i) const;
 
-    /// Those from a place on.
+    /// The clauses from position @p from to the end.
     [[nodiscard]] Clauses mid(qsizetype from) const;
 
     /// The English texts.
     operator QStringList() const;
 
-    /// The English texts, one behind the other.
+    /// The English texts, joined with a separator.
     template <class Separator> [[nodiscard]] QString join(const Separator& separator) const
     {
         return QStringList(*this).join(separator);
     }
 
-    /// There may be fewer so far.
+    /// Sets the clause at a position. If there are fewer so far, empty ones are added in between.
     void set(qsizetype i, Clause clause);
     void append(Clause clause) { m_clauses.push_back(std::move(clause)); }
     void prepend(Clause clause) { m_clauses.insert(m_clauses.begin(), std::move(clause)); }
     Clauses& operator+=(Clause clause);
 
-    /// Another text for one wherever it occurs, also within the arguments of clauses.
+    /// Replaces a text wherever it occurs in plain texts and in arguments of clauses
+    /// (Clause::replaced()).
     void replace(const QString& before, const QString& after);
 
-    /// Another text for every argument that is one as a whole.
+    /// Replaces every argument whose whole text is @p before.
     void exchange(const QString& before, const QString& after);
 
     friend bool operator==(const Clauses& one, const Clauses& other)

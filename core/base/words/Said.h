@@ -12,11 +12,12 @@
 
 namespace core {
 
-/// A sentence for people, or a part of one, as a code with arguments: core hands it over, and the
-/// window and the command line word it (ui/texts).
+/// A sentence for people, or a part of one, as a code with arguments: core hands it over in this
+/// form, and the window and the command line put it into words (ui/texts).
 /// @tparam Code an enumeration of everything that is said about one subject
 template <class Code> struct Said {
-    /// Several, one behind the other, with what stands between two of them.
+    /// A list of sentences or parts, with the word or mark (`joiner`) that stands between two of
+    /// them.
     struct Listed {
         Code joiner{};
         std::vector<Said> all{};
@@ -25,20 +26,22 @@ template <class Code> struct Said {
             return joiner == other.joiner && all == other.all;
         }
     };
-    /// A count, which as the first argument decides between one and many; a clause, which may be
-    /// plain text: a name, a number in the form in which it is shown; sentences in this one.
+    /// One of
+    /// - a count; as the first argument of a sentence it selects the singular or the plural form;
+    /// - a clause or plain text: a name, or a number in the form in which it is shown;
+    /// - a list of sentences that are inserted.
     using Argument = std::variant<std::int64_t, Clause, Listed>;
 
     Code code{};
     std::vector<Argument> arguments{};
-    // Not by default: sentences stand in sentences.
+    // Not defaulted, because the type contains itself.
     bool operator==(const Said& other) const
     {
         return code == other.code && arguments == other.arguments;
     }
 };
 
-/// How a language says each of them.
+/// How one language words the sentences of a subject.
 template <class Code> class SaidLanguage {
 public:
     virtual ~SaidLanguage() = default;
@@ -47,18 +50,18 @@ public:
     /// @param count the first argument, if it is a count, else 0
     [[nodiscard]] virtual QString form(Code code, std::int64_t count) const = 0;
 
-    /// A clause in this language: English, if it is not said otherwise.
+    /// A clause in this language. By default it stays English.
     [[nodiscard]] virtual QString clause(const Clause& clause) const { return clause.english(); }
 };
 
-/// Puts arguments into a form, all at once: what looks like a place of an argument in one of them
-/// stays as it is.
+/// Replaces %1 … %9 in a form by the arguments, in one pass: text of an argument that looks like a
+/// place (such as "%2") stays as it is, and so do places without an argument.
 [[nodiscard]] QString filledIn(const QString& text, const QStringList& arguments);
 
 template <class Code>
 [[nodiscard]] QString worded(const Said<Code>& said, const SaidLanguage<Code>& language);
 
-/// An argument as text.
+/// Turns one argument into text. Used by worded().
 template <class Code> struct WordedArgument {
     const SaidLanguage<Code>& language;
 

@@ -12,21 +12,24 @@ namespace core {
 
 class SrTree;
 
-/// What the measurements of a report have in common.
+/// What all measurements of a structured report have in common.
 struct SrMeasuredSource {
     const VolumeGeometry& geometry;
-    QString frameOfReferenceUid; ///< empty: where they lie is left out
-    QString series; ///< its UID
-    QString unit; ///< of the values
+    QString frameOfReferenceUid; ///< empty: no coordinates are written
+    QString series; ///< Series Instance UID of the images
+    QString unit; ///< unit of the voxel values, such as "HU"
     QString modality;
 };
 
-/// Adds a measurement group (PS3.16 TID 1501; of a region TID 1410, of a ball TID 1411) with
-/// tracking ("Measurement 3"), where it lies in the patient (SCOORD3D, at its true places), and
-/// what it comes to: length, angle, area, volume, axes, and mean, standard deviation, minimum and
-/// maximum of the values. Sizes in voxels have the unit {voxels}. What was drawn over a picture
-/// without depth says so in its tracking identifier. Arrows and texts measure nothing and add
-/// nothing.
+/// Adds a measurement group (PS3.16 TID 1501; TID 1410 for a region of a plane, TID 1411 for a
+/// ball). It contains
+/// - a tracking identifier ("Measurement 3"), which says "projected" for a measurement that was
+///   drawn over a picture without depth, and a new tracking UID;
+/// - the position in the patient as SCOORD3D, with the true places of unevenly spaced slices;
+/// - the results: length, angle, area, volume, axes, and mean, standard deviation, minimum and
+///   maximum of the values. Sizes in voxels have the unit {voxels}.
+///
+/// Arrows and texts measure nothing and add nothing.
 void putMeasured(DcmItem* measurements, const Measured& measured, const SrMeasuredSource& source,
     const SrTree& tree);
 

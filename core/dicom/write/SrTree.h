@@ -16,14 +16,17 @@ class DcmItem;
 namespace core {
 
 [[nodiscard]] CodedConcept schemeCode(const char* scheme, const char* value, const char* meaning);
-/// One of DICOM's own (PS3.16 annex D).
+/// A code of DICOM's own terminology, scheme DCM (PS3.16 annex D).
 [[nodiscard]] CodedConcept dicomCode(const char* value, const char* meaning);
-/// UCUM of the values' unit; where the source does not say, that there is none.
+/// The UCUM code for the unit of the voxel values; "no units" if the unit is unknown.
 [[nodiscard]] CodedConcept unitCode(const QString& unit);
-/// What the values are of.
+/// The code for the quantity that the voxel values measure, such as attenuation or MR signal
+/// intensity.
 [[nodiscard]] CodedConcept quantityOf(const QString& unit, const QString& modality);
 
-/// Builds the tree of content items of a structured report. Only for sources of core/dicom.
+/// Builds the tree of content items of a structured report (PS3.3 C.17.3). Each function adds one
+/// item below @p parent; those that return an item allow for items below it. Only for sources of
+/// core/dicom.
 class SrTree {
 public:
     explicit SrTree(const ItemWriter& items)
@@ -37,15 +40,16 @@ public:
     void text(DcmItem* parent, const CodedConcept& name, const QString& value) const;
     void uid(DcmItem* parent, const char* relation, const CodedConcept& name,
         const QString& value) const;
-    /// @param segment 0: the whole object
+    /// @param segment number of the referenced segment; 0: the whole object
     void image(DcmItem* parent, const CodedConcept& name, const char* relation,
         const std::string& sopClass, const QString& sopInstance, int segment) const;
     DcmItem* number(
         DcmItem* parent, const CodedConcept& name, double value, const CodedConcept& unit) const;
-    /// A value of the source with how it was derived: mean, maximum …
+    /// A number with the way in which it was derived from the voxel values: mean, maximum …
     void derived(DcmItem* parent, const CodedConcept& quantity, double value,
         const CodedConcept& unit, const CodedConcept& derivation) const;
-    /// Places of the patient, LPS mm. @param type POINT, POLYLINE, POLYGON, ELLIPSE, ELLIPSOID
+    /// Positions in the patient (SCOORD3D), LPS mm.
+    /// @param type POINT, POLYLINE, POLYGON, ELLIPSE, ELLIPSOID
     void places(DcmItem* parent, const char* relation, const CodedConcept& name, const char* type,
         const std::vector<glm::dvec3>& placesLps, const QString& frameOfReferenceUid) const;
 

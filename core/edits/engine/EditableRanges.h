@@ -14,13 +14,14 @@
 
 namespace core {
 
-/// The same range in the form of an engine; none: none.
-/// @param edit its name, for messages
+/// Converts the editable range of an edit to the form of an engine; without a range the result is
+/// empty, too.
+/// @param edit name of the edit, for messages
 /// Errors: UnknownSegment, InvalidField (bounds in the wrong order, a box outside the volume).
 [[nodiscard]] Result<std::optional<EditableVoxels>> editableVoxels(
     const std::optional<EditableRange>& range, const Document& document, const char* edit);
 
-/// A command of an engine that keeps to the range. Errors: those of editableVoxels().
+/// Adds the editable range to a command of an engine. Errors: those of editableVoxels().
 template <class Command>
 [[nodiscard]] Result<Command> keepingTo(const std::optional<EditableRange>& range,
     const Document& document, const char* edit, Command command)
@@ -32,14 +33,14 @@ template <class Command>
     return command;
 }
 
-/// Whether it names places of the patient, which mean nothing in another study.
+/// Whether the range contains positions in the patient, which have no meaning in another study.
 [[nodiscard]] inline bool namesPlaces(const std::optional<EditableRange>& range)
 {
     return range && range->box;
 }
 
-/// The codes of values between two bounds, both included; a bound that is not given is the end of
-/// all codes.
+/// The codes of the values between two bounds, both included; modality units. A bound that is not
+/// given does not limit the codes on its side.
 /// Errors: InvalidField (bounds in the wrong order: the field "upper" below @p field).
 [[nodiscard]] Result<CodeInterval> codesBetween(const QString& field,
     const std::optional<double>& lower, const std::optional<double>& upper,

@@ -6,10 +6,10 @@
 
 namespace core {
 
-/// Whether a segment lies in plane 0, where growth, barriers and protection from sculpting look for
-/// segments: the one place that refuses them to segments of further planes.
-/// @param field that names it, such as "seed.segment"
-/// @param what it cannot do elsewhere, such as "grow"
+/// Checks that a segment lies in label plane 0. Growth, barriers and protection from sculpting look
+/// for segments only there; every edit that needs them refuses other segments by this function.
+/// @param field name of the field that names the segment, such as "seed.segment"
+/// @param what what the segment cannot do elsewhere, such as "grow"
 /// Errors: InvalidField.
 [[nodiscard]] inline Result<void> checkInFirstPlane(
     const QString& field, const Segment& segment, const Clause& what)

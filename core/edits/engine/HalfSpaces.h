@@ -7,11 +7,13 @@
 
 namespace core {
 
-/// The half-spaces that a clip region hides, as edits store them; none if it is off.
+/// The half-spaces outside a clip region, which it hides, in millimetres as edits store them; none
+/// if the region is off.
 [[nodiscard]] ClipHalfSpaces clipHalfSpaces(
     const ClipRegion& region, const VolumeGeometry& geometry);
 
-/// The same in the integers of an engine. Doubles are used here and nowhere later.
+/// The same in the integers of an engine. Floating-point numbers end here; the engine computes with
+/// integers only.
 [[nodiscard]] std::vector<IntegerHalfSpace> integerHalfSpaces(
     const ClipHalfSpaces& hidden, const VolumeGeometry& geometry);
 

@@ -7,12 +7,12 @@ namespace core {
 
 struct VolumeGeometry;
 
-// How many voxels an island or a hole has that is just as large as a size in mm³. A hair's breadth
-// of rounding does not decide about one of exactly that size.
+// Converts sizes in mm³ to numbers of voxels. A millionth of a voxel is tolerated, so that an
+// island of exactly the given size is not lost by rounding.
 
-/// The fewest voxels of what is at least so large.
+/// The smallest number of voxels that is at least this large.
 [[nodiscard]] std::int64_t fewestVoxels(double mm3, const VolumeGeometry& geometry);
-/// The most voxels of what is at most so large.
+/// The greatest number of voxels that is at most this large.
 [[nodiscard]] std::int64_t mostVoxels(double mm3, const VolumeGeometry& geometry);
 
 } // namespace core

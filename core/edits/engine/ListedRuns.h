@@ -12,16 +12,19 @@
 
 namespace core {
 
-/// Makes of runs of voxels what an engine is asked to relabel, brick by brick.
+/// Collects runs of voxels and turns them into a command of an engine, which lists voxels brick by
+/// brick.
 class ListedRuns {
 public:
     explicit ListedRuns(const glm::ivec3& volumeSize);
 
-    /// @param asked RelabelListed::give or take, or of LabelListed a label or its `frees`
+    /// @param asked what is requested for these voxels: for relabel() RelabelListed::give or take;
+    /// for label() a label, or the number given there as `frees`
     void add(const VoxelRuns& runs, std::uint8_t asked);
-    /// With all that was added; it is empty afterwards.
+    /// A command with everything that was added. Afterwards this object is empty.
     [[nodiscard]] RelabelListed relabel(LabelTarget target);
-    /// The same where labels were asked for, or what frees a voxel.
+    /// The same if add() was called with labels.
+    /// @param frees the number that stands for "free this voxel"; 0: none (LabelListed::frees)
     [[nodiscard]] LabelListed label(
         std::uint8_t plane, const std::bitset<256>& overwritable, std::uint8_t frees);
 

@@ -8,22 +8,23 @@
 
 namespace core {
 
-/// Adds the segments that are protected from sculpting to those that an edit leaves uncut, when it
-/// is carried out. From then on the edit itself states what it reads, so replay and revision need
-/// not know what is protected.
+/// Called when a cut is carried out: adds the segments that are now protected from sculpting to the
+/// list of segments that the cut leaves uncut. From then on the edit itself states what it reads,
+/// so replay and revision need not know which segments are protected at that time.
 void addProtected(ProtectedSegments& protectedSegments, const Document& document);
 
-/// The same list in the form of an engine, for the label plane of the document.
+/// The list of an edit in the form of an engine, for the document's label plane that cuts read.
 [[nodiscard]] ProtectedLabels protectedLabelsIn(
     const ProtectedSegments& protectedSegments, const Document& document);
 
-/// Errors: InvalidField if a cut that restores has such a list.
-/// @param edit its name, for errors
+/// Checks that a cut that restores has no such list.
+/// @param edit name of the edit, for errors
+/// Errors: InvalidField.
 [[nodiscard]] Result<void> checkProtected(
     const ProtectedSegments& protectedSegments, bool restore, const QString& edit);
 
-/// Errors: UnknownSegment if a listed segment does not exist, InvalidField if it lies on a further
-/// label plane, which no cut reads.
+/// Checks the listed segments against a document. Errors: UnknownSegment if one does not exist,
+/// InvalidField if one lies on a further label plane, which no cut reads.
 [[nodiscard]] Result<void> checkProtectedAreThere(
     const ProtectedSegments& protectedSegments, bool restore, const Document& document);
 

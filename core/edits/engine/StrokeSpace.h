@@ -9,12 +9,13 @@
 
 namespace core {
 
-/// Where stroke coordinates lie in the patient.
+/// How stroke coordinates (CapsuleSweep.h), here in millimetres, lie in the patient.
 struct StrokeSpace {
     glm::dvec3 middleLps{0.0};
-    glm::dmat3 toStroke{1.0}; ///< turns LPS directions
-    double planeMm = 0.0; ///< of a flat brush: height of its plane over the middle
-    double volumeRadiusMm = 0.0; ///< a ball around the middle that holds every voxel
+    glm::dmat3 toStroke{1.0}; ///< rotates LPS directions into stroke coordinates
+    /// For a flat brush, the signed distance of its plane from middleLps, along the normal.
+    double planeMm = 0.0;
+    double volumeRadiusMm = 0.0; ///< radius of a ball around middleLps that contains the volume
     double halfThicknessMm = 0.0;
 
     [[nodiscard]] glm::dvec3 turned(const glm::dvec3& lps) const
@@ -27,14 +28,18 @@ struct StrokeSpace {
     }
 };
 
-/// Expects a path that capsuleFrame() accepts.
+/// The stroke space of a path.
+/// @pre capsuleFrame() accepts the path
 [[nodiscard]] StrokeSpace strokeSpace(const BrushPath& path, const VolumeGeometry& geometry);
 
-/// The least distance of two voxels along an axis, mm.
+/// The smallest spacing of the volume, mm.
 [[nodiscard]] double finestSpacing(const VolumeGeometry& geometry);
 
-/// Of a straight way in stroke coordinates, cut into pieces, those that can come within @p nearMm
-/// of the middle: the first and one past the last.
+/// Divides a straight path in stroke coordinates into `pieces` equal parts and returns the range of
+/// parts that may come within @p nearMm of the origin: the first, and one past the last. It may
+/// contain one part too many at each end. An empty range: none does.
+/// @param from where the path begins, mm
+/// @param along from its beginning to its end, mm
 [[nodiscard]] std::array<std::int64_t, 2> piecesNear(
     const glm::dvec3& from, const glm::dvec3& along, std::int64_t pieces, double nearMm);
 

@@ -11,7 +11,7 @@ namespace core::editFields {
 
 // Fields of edits that split segments; types as in EditFields.h.
 
-/// [{"name", "color"}, …], at least one: new segments.
+/// A list of new segments in JSON: [{"name", "color"}, …], with at least one entry.
 struct SplitPartList {
     using Value = std::vector<SplitPart>;
 

@@ -10,7 +10,7 @@
 
 namespace core::editSchema {
 
-/// In the order of SliceAxis.
+/// The JSON names of the axes, in the order of SliceAxis.
 inline constexpr editFields::Choice<SliceAxis, 3> sliceAxisNames{{"i", "j", "k"}};
 
 template <> inline constexpr const char* editName<FillBetweenSlices> = "fillBetweenSlices";

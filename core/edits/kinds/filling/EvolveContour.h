@@ -17,33 +17,37 @@ struct ContourGround;
 struct ContourRule;
 struct RelabelListed;
 
-/// Let the contour of a segment evolve by values, edges and smoothness (core/contour/ContourRule.h
-/// has the rule), from the segment as it stands or from a bubble. Voxels join and leave. Like
-/// CleanSegment it is worked out anew from the labels whenever it is carried out; evolving again
-/// goes on where it stopped.
+/// Let the contour of a segment evolve by values, edges and smoothness, from the segment as it
+/// stands or from a bubble (core/contour/ContourRule.h defines the rule). Voxels join the segment
+/// and leave it. Like CleanSegment it stores no voxels: the result is computed from the labels each
+/// time it is carried out. A second such edit continues where the first one stopped.
 struct EvolveContour {
     int segment = 0; ///< label
     std::optional<double> lower{}; ///< modality units, inclusive; none: any
     std::optional<double> upper{};
-    /// How far within the interval, and beyond it, values count in full, modality units.
+    /// How far inside the interval, or outside it, a value must lie to count in full, modality
+    /// units.
     double softness = 0.0;
-    int region = 100; ///< how much values count, 0 … 100, as the next two
-    int edge = 0; ///< how much shorter the contour is along edges
-    double edgeGradient = 0.0; ///< of an edge that counts half, modality units per mm; with `edge`
+    /// How much values count, 0 … 100; `edge` and `smoothness` have the same range.
+    int region = 100;
+    int edge = 0; ///< how much edges attract the contour
+    /// With `edge` > 0: the gradient of an edge that counts half, modality units per mm.
+    double edgeGradient = 0.0;
     int smoothness = 50;
     /// The segment first receives a ball around this place.
     std::optional<glm::dvec3> bubbleLps{};
-    double bubbleMm = 0.0; ///< its radius
-    int generations = 10; ///< it stops earlier where nothing changes any more
+    double bubbleMm = 0.0; ///< radius of that ball
+    int generations = 10; ///< greatest number; it stops earlier if nothing changes any more
     bool overwriteUnlocked = false;
-    std::optional<EditableRange> editable{}; ///< which voxels may change at all; none: any
-    /// Whether it grows round where nothing holds it (ContourRule::round); none: to an octahedron,
-    /// as rows of before have it.
+    std::optional<EditableRange> editable{}; ///< which voxels may change; none: any
+    /// Whether it grows round where nothing stops it (ContourRule::round). None is the same as
+    /// false, for rows that are older than this field: it grows into an octahedron.
     std::optional<bool> round{};
     bool operator==(const EvolveContour&) const = default;
 };
 
-/// Each leads at most a voxel further, and so the box in memory grows with them.
+/// Each generation moves the contour by at most one voxel, so the box that is kept in memory grows
+/// with their number.
 constexpr int mostContourGenerations = 2000;
 
 [[nodiscard]] Result<void> check(const EvolveContour& edit, const Document& document);
@@ -52,17 +56,17 @@ Result<bool> apply(const EvolveContour& edit, Document& document);
 [[nodiscard]] RowTitle rowTitle(const EvolveContour& edit, const RowFacts& row);
 [[nodiscard]] EditDependencies dependencies(const EvolveContour& edit, const DependencyFacts& row);
 
-/// The edit in whole numbers. Errors: those of check().
+/// The rule of the edit in whole numbers. Errors: those of check().
 [[nodiscard]] Result<ContourRule> contourRule(const EvolveContour& edit, const Document& document);
-/// Where it evolves, without codes; an empty box: there is nothing that could. The bubble gives the
-/// segment those voxels that may change and whose step from the one nearest to its centre is in a
-/// MillimetreBall of its radius.
-/// @param labels of the whole volume in the segment's plane, x fastest
+/// The ground on which the contour evolves, without codes; with an empty box if the segment is
+/// empty and there is no bubble. A bubble gives the segment those voxels that may change and whose
+/// step from the voxel nearest to the bubble's centre lies in a MillimetreBall of its radius.
+/// @param labels one for each voxel of the volume in the segment's plane, x fastest
 /// Errors: those of check(), OutOfMemory.
 [[nodiscard]] Result<ContourGround> contourGround(
     const EvolveContour& edit, const Document& document, std::span<const std::uint8_t> labels);
-/// What has become of it, for an engine; no bricks: nothing has changed. Errors: UnknownSegment,
-/// SegmentLocked.
+/// The command that writes the result; without bricks if nothing has changed. Errors:
+/// UnknownSegment, SegmentLocked.
 [[nodiscard]] Result<RelabelListed> relabelListed(
     const EvolveContour& edit, const Document& document, const ContourEvolution& evolution);
 

@@ -14,14 +14,14 @@ namespace core {
 
 struct RelabelListed;
 
-/// Give a segment that was drawn on some slices what lies between them
-/// (core/morphology/BetweenSlices.h). Like CleanSegment it is worked out anew from the labels
-/// whenever it is carried out. Slices that have voxels of the segment are the drawn ones, and stay
-/// as they are.
+/// Fill the slices between those on which a segment was drawn, by shape-based interpolation
+/// (core/morphology/BetweenSlices.h). Slices that contain voxels of the segment count as drawn and
+/// do not change. Like CleanSegment it stores no voxels: the result is computed from the labels
+/// each time it is carried out.
 struct FillBetweenSlices {
     int segment = 0; ///< label
-    std::optional<SliceAxis> axis{}; ///< none: the one across which it was drawn
-    std::optional<EditableRange> editable{}; ///< which voxels may change at all; none: any
+    std::optional<SliceAxis> axis{}; ///< none: that of drawnAxis()
+    std::optional<EditableRange> editable{}; ///< which voxels may change; none: any
 };
 
 [[nodiscard]] Result<void> check(const FillBetweenSlices& edit, const Document& document);
@@ -31,10 +31,10 @@ Result<bool> apply(const FillBetweenSlices& edit, Document& document);
 [[nodiscard]] EditDependencies dependencies(
     const FillBetweenSlices& edit, const DependencyFacts& row);
 
-/// The edit for an engine; no bricks: there is nothing to be done. It takes only voxels that no
-/// segment has.
-/// @param labels of the whole volume in the segment's plane, x fastest
-/// Any thread that is no parallelFor's. Errors: UnknownSegment, SegmentLocked, OutOfMemory,
+/// The command that carries out the edit; without bricks if there is nothing to do. It takes only
+/// voxels that no segment has.
+/// @param labels one for each voxel of the volume in the segment's plane, x fastest
+/// Any thread outside a parallelFor(). Errors: UnknownSegment, SegmentLocked, OutOfMemory,
 /// Cancelled.
 [[nodiscard]] Result<RelabelListed> relabelListed(const FillBetweenSlices& edit,
     const Document& document, std::span<const std::uint8_t> labels, const Progress& progress);

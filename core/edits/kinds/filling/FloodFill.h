@@ -19,21 +19,23 @@ struct RelabelListed;
 struct VolumeGeometry;
 struct VoxelEncoding;
 
-/// Give a segment what hangs together with a place and has about its value, or take away what hangs
-/// together of the segment there; within a slice or in all directions. Values alone decide how far
-/// it reaches: voxels of other segments are no obstacle, though they stay theirs. It is worked out
-/// anew whenever it is carried out (core/islands/BrickFlood.h).
+/// Flood fill from a place, within a slice or in all directions. It gives a segment the connected
+/// region of voxels whose values are close to the one at the place, or, with `erase`, removes the
+/// connected region of the segment's voxels there. When filling, values alone decide how far it
+/// reaches: voxels of other segments do not stop it, but they keep their labels unless they may be
+/// overwritten. The result is computed each time the edit is carried out
+/// (core/islands/BrickFlood.h).
 struct FloodFill {
     int segment = 0; ///< label
-    glm::dvec3 placeLps{0.0}; ///< it begins with the nearest voxel
-    /// Only in the slice across this axis; none: in all directions.
+    glm::dvec3 placeLps{0.0}; ///< it begins with the voxel that contains this place
+    /// Only within the slice across this axis; none: in all directions.
     std::optional<SliceAxis> within{};
-    bool corners = false; ///< voxels also hang together at an edge or a corner
+    bool corners = false; ///< voxels are also neighbours if they share only an edge or a corner
     bool erase = false;
-    /// How far values may differ from the one at the place, modality units; erasing asks for none.
+    /// How far values may differ from the one at the place, modality units; not used to erase.
     double tolerance = 0.0;
     bool overwriteUnlocked = false;
-    std::optional<EditableRange> editable{}; ///< which voxels may change at all; none: any
+    std::optional<EditableRange> editable{}; ///< which voxels may change; none: any
 };
 
 [[nodiscard]] Result<void> check(const FloodFill& edit, const Document& document);
@@ -42,14 +44,16 @@ Result<bool> apply(const FloodFill& edit, Document& document);
 [[nodiscard]] RowTitle rowTitle(const FloodFill& edit, const RowFacts& row);
 [[nodiscard]] EditDependencies dependencies(const FloodFill& edit, const DependencyFacts& row);
 
-/// The voxel with which it begins. Errors: InvalidField (outside the volume).
+/// The voxel in which it begins. Errors: InvalidField (outside the volume).
 [[nodiscard]] Result<glm::ivec3> firstVoxel(const FloodFill& edit, const VolumeGeometry& geometry);
-/// The codes that belong to it. @param code that of the first voxel
+/// The codes within the tolerance.
+/// @param code that of the first voxel
 [[nodiscard]] CodeInterval floodInterval(
     const FloodFill& edit, const VoxelEncoding& encoding, int code);
-/// The edit for an engine; no bricks: there is nothing to be done. Errors: UnknownSegment,
-/// SegmentLocked, NoIslandThere (there is nothing of the segment to be erased).
-/// @param found by brick
+/// The command that writes the region; without bricks if there is nothing to do.
+/// @param found the voxels of the region, by brick
+/// Errors: UnknownSegment, SegmentLocked, NoIslandThere (to erase: the segment has no voxel at the
+/// place).
 [[nodiscard]] Result<RelabelListed> relabelListed(const FloodFill& edit, const Document& document,
     const std::map<std::uint32_t, BrickBits>& found);
 

@@ -15,20 +15,21 @@ namespace core {
 
 struct RelabelListed;
 
-/// Which of the patient's sides change places.
+/// Which sides of the patient are exchanged.
 enum class MirroredSides : std::uint8_t { RightLeft, AnteriorPosterior, InferiorSuperior };
 
-/// Mirror a segment about a plane across the grid's axis that lies nearest to that direction of the
-/// patient (axesOfPatient()), so that voxels come to lie on voxels: the plane goes through a
-/// voxel's centre, or halfway between two, whichever is nearer to the place. What would come to lie
-/// beside the volume is lost. Like CleanSegment it is worked out anew from the labels whenever it
-/// is carried out, and takes only voxels that no segment has.
+/// Mirror a segment about a plane. The plane lies across the axis of the grid that is nearest to
+/// the chosen direction of the patient (axesOfPatient()), and goes through the centre of a voxel or
+/// halfway between two, whichever is nearer to the place; so voxels are mirrored exactly onto
+/// voxels. What would lie outside the volume is lost. Only voxels that no segment has are given.
+/// Like CleanSegment it stores no voxels: the result is computed from the labels each time it is
+/// carried out.
 struct MirrorSegment {
     int segment = 0; ///< label
     MirroredSides sides = MirroredSides::RightLeft;
-    std::optional<glm::dvec3> placeLps{}; ///< in the plane; none: the middle of the volume
-    bool keep = false; ///< whether it keeps what it has, beside its mirror image
-    std::optional<EditableRange> editable{}; ///< which voxels may change at all; none: any
+    std::optional<glm::dvec3> placeLps{}; ///< a point of the plane; none: the middle of the volume
+    bool keep = false; ///< whether the segment keeps its own voxels, too
+    std::optional<EditableRange> editable{}; ///< which voxels may change; none: any
 };
 
 [[nodiscard]] Result<void> check(const MirrorSegment& edit, const Document& document);
@@ -37,8 +38,8 @@ Result<bool> apply(const MirrorSegment& edit, Document& document);
 [[nodiscard]] RowTitle rowTitle(const MirrorSegment& edit, const RowFacts& row);
 [[nodiscard]] EditDependencies dependencies(const MirrorSegment& edit, const DependencyFacts& row);
 
-/// The edit for an engine; no bricks: there is nothing to be done.
-/// @param labels of the whole volume in the segment's plane, x fastest
+/// The command that carries out the edit; without bricks if there is nothing to do.
+/// @param labels one for each voxel of the volume in the segment's plane, x fastest
 /// Any thread. Errors: UnknownSegment, SegmentLocked, InvalidField (the place lies outside the
 /// volume), Cancelled.
 [[nodiscard]] Result<RelabelListed> relabelListed(const MirrorSegment& edit,

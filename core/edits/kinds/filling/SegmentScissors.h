@@ -15,26 +15,28 @@ namespace core {
 
 struct LabelScissors;
 
-/// Give a segment what lies under a closed curve on the 3D view, along the view direction, or take
-/// it away from there; or the same with all that does not lie under it. The scissors that carve
-/// have the same curve (ScissorsCut.h) and the same places under it.
+/// Give a segment the voxels that lie under a closed curve on the 3D view, along the view
+/// direction, or remove them from it; with `outside`, all voxels that do not lie under it. The
+/// curve and what counts as under it are the same as for the scissors that carve (ScissorsCut.h).
 struct SegmentScissors {
     int segment = 0; ///< label
     OrthographicView view{};
-    /// closed from the last point to the first; in the view plane, from the target
+    /// Closed from the last point to the first; in the view plane, mm right and up from the target.
     std::vector<glm::dvec2> polygonMm{};
     bool erase = false;
     bool outside = false;
-    /// Only so far behind what each line of sight meets first: of the segments, where it erases,
-    /// else of the values. None: through everything, and so outside always is.
+    /// Only up to this depth behind the first voxel that each line of sight meets: while erasing,
+    /// the first one of the segments that are erased, otherwise the first one whose value lies in
+    /// the interval. None: through the whole volume. A depth is refused with `outside`.
     std::optional<double> depthMm{};
-    /// Further segments that it erases, by label, of the same plane.
+    /// Labels of further segments that are erased, too; all in the same label plane. Only with
+    /// `erase`.
     std::optional<std::vector<int>> others{};
     std::optional<double> lower{}; ///< modality units, inclusive; none: any
     std::optional<double> upper{};
     bool overwriteUnlocked = false;
-    ClipHalfSpaces hidden{}; ///< stays as it is
-    std::optional<EditableRange> editable{}; ///< which voxels may change at all; none: any
+    ClipHalfSpaces hidden{}; ///< hidden voxels do not change
+    std::optional<EditableRange> editable{}; ///< which voxels may change; none: any
 };
 
 [[nodiscard]] Result<void> check(const SegmentScissors& edit, const Document& document);
@@ -45,9 +47,10 @@ Result<bool> apply(const SegmentScissors& edit, Document& document);
     const SegmentScissors& edit, const DependencyFacts& row);
 [[nodiscard]] Result<EngineEdit> engineEdit(const SegmentScissors& edit, const Document& document);
 
-/// The cost is that of the curve. Errors: UnknownSegment, SegmentLocked, InvalidField (bounds in
-/// the wrong order; others where nothing is erased, or on another plane; a depth outside of the
-/// curve; a view without direction; a curve that is too small).
+/// Converts the edit to an engine's integers. The cost is that of the curve. Errors:
+/// UnknownSegment, SegmentLocked, InvalidField (bounds in the wrong order; `others` without
+/// `erase`, or on another plane; a depth with `outside`; a view without direction; a curve that is
+/// too small).
 [[nodiscard]] Result<LabelScissors> labelScissors(
     const SegmentScissors& edit, const Document& document);
 

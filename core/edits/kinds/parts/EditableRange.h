@@ -8,16 +8,17 @@
 
 namespace core {
 
-/// Which voxels an edit of labels may change at all, whatever it is about; it reads the others as
-/// ever. Each part that is given narrows it. Segments are named, never "those that are shown", so
-/// that the edit contains what it reads and replay need not know what was visible.
+/// Limits which voxels an edit of labels may change; it does not limit what the edit reads. Each
+/// part that is given narrows the range. Segments are listed by label, never as "those that are
+/// shown", so that the edit contains everything that it depends on and replay need not know what
+/// was visible.
 struct EditableRange {
     std::optional<double> lower{}; ///< modality units, inclusive; none: any
     std::optional<double> upper{};
     std::optional<GrowBox> box{}; ///< none: the whole volume
-    /// Only voxels of one of these segments, by label, ascending; of an empty list: none at all.
+    /// Only voxels of one of these segments, labels ascending. An empty list: no voxel at all.
     std::optional<std::vector<int>> inside{};
-    /// Only voxels of none of these.
+    /// Only voxels that belong to none of these segments, labels ascending.
     std::optional<std::vector<int>> outside{};
     bool operator==(const EditableRange&) const = default;
 };

@@ -8,17 +8,19 @@
 
 namespace core {
 
-/// How firmly the pen was pressed at each point of a path, 0 … 1: the share of the tool's radius
-/// that it has there, or of what the edit says instead, changing evenly from point to point. None:
-/// all of it everywhere, as a mouse has it and as rows of before have it.
+/// How firmly the pen was pressed at each point of a path, 0 … 1. The radius of the tool, or
+/// another quantity that the edit names, is multiplied by it; between points it changes linearly.
+/// None: full pressure everywhere, as for a mouse and for rows that are older than this field.
 using PenPressures = std::optional<std::vector<double>>;
 
-/// Whether there are as many as points, if there are any. @param name of the edit, for the error
+/// Checks that there is one pressure for each point, if there are any.
+/// @param name name of the edit, for the error
 [[nodiscard]] Result<void> checkPressures(
     const PenPressures& pressures, std::size_t points, const QString& name);
 
-/// Goes on with those of further points, and returns these. A path that began without them goes on
-/// without; where none is told the pen is pressed fully, and what is no pressure presses nothing.
+/// Appends the pressures of further points of a path, and returns those that were appended. If the
+/// path has no pressures, nothing is appended. A missing pressure counts as 1; values are clamped
+/// to 0 … 1, and what is not finite becomes 0.
 std::vector<double> continuePressures(
     PenPressures& pressures, std::size_t points, const std::vector<double>& told);
 

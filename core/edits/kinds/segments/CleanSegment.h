@@ -15,20 +15,21 @@ namespace core {
 struct RelabelListed;
 struct VolumeGeometry;
 
-/// Fill holes of a segment, remove islands from it, or give one to another segment
-/// (core/islands/SegmentIslands.h). What it does is worked out anew from the labels whenever it is
-/// carried out.
+/// Fill holes of a segment, remove islands from it, or give an island to another segment
+/// (core/islands/SegmentIslands.h). The edit stores no voxels: which ones change is computed from
+/// the labels each time it is carried out.
 struct CleanSegment {
     int segment = 0; ///< label
     IslandRule rule = IslandRule::FillHoles;
-    /// For FillHoles the largest hole that is filled; none: all. For RemoveSmall the smallest
-    /// island that stays, and required.
+    /// For FillHoles: the largest hole that is filled; none: all holes. For RemoveSmall: the
+    /// smallest island that stays; required.
     std::optional<double> mm3{};
-    /// A place in the island that KeepClicked, RemoveClicked and GiveClicked are about; required
-    /// for them, and for no other rule.
+    /// A place in the island that KeepClicked, RemoveClicked or GiveClicked is about; required for
+    /// these, and refused for the other rules.
     std::optional<glm::dvec3> islandLps{};
-    std::optional<int> to{}; ///< label that receives the island; required for GiveClicked alone
-    std::optional<EditableRange> editable{}; ///< which voxels may change at all; none: any
+    /// Label of the segment that receives the island; required for GiveClicked, refused otherwise.
+    std::optional<int> to{};
+    std::optional<EditableRange> editable{}; ///< which voxels may change; none: any
 };
 
 [[nodiscard]] Result<void> check(const CleanSegment& edit, const Document& document);
@@ -37,11 +38,12 @@ Result<bool> apply(const CleanSegment& edit, Document& document);
 [[nodiscard]] RowTitle rowTitle(const CleanSegment& edit, const RowFacts& row);
 [[nodiscard]] EditDependencies dependencies(const CleanSegment& edit, const DependencyFacts& row);
 
-/// The edit for an engine; no bricks: there is nothing to be done. Holes are filled where nothing
-/// is: voxels of other segments stay theirs.
-/// @param labels of the whole volume in the segment's plane, x fastest
-/// Any thread. Errors: UnknownSegment, SegmentLocked, InvalidField (the place lies outside the
-/// volume), NoIslandThere, Cancelled.
+/// The command that carries out the edit; without bricks if there is nothing to do. Holes are
+/// filled only where no segment is.
+/// @param labels one for each voxel of the volume in the segment's plane, x fastest
+/// Any thread. Errors: UnknownSegment, SegmentLocked, InvalidField (a field that the rule needs is
+/// missing or one that it does not use is given; the place lies outside the volume; the segments
+/// lie in different planes), NoIslandThere, Cancelled.
 [[nodiscard]] Result<RelabelListed> relabelListed(const CleanSegment& edit,
     const Document& document, std::span<const std::uint8_t> labels, const Progress& progress);
 

@@ -10,18 +10,18 @@ namespace core {
 
 struct MapLabels;
 
-/// Two segments as wholes, neither of them locked. They are of one label plane, in which no voxel
-/// is both, so there is nothing to copy, subtract or intersect between them; two planes cannot be
-/// written in one step.
+/// Merge two segments, or swap their voxels. Neither may be locked, and both must be in one label
+/// plane, because two planes cannot be written in one step. Within one plane no voxel belongs to
+/// both, so copying, subtracting or intersecting them would have no effect.
 struct CombineSegments {
     enum class How : std::uint8_t {
-        Merge, ///< all voxels of the other become the segment's; the other stays in the list, empty
+        Merge, ///< the segment receives all voxels of the other, which stays in the list, empty
         Swap, ///< each receives the voxels of the other
     };
     int segment = 0; ///< label
-    int with = 0; ///< label of the other
+    int with = 0; ///< label of the other segment
     How how = How::Merge;
-    std::optional<EditableRange> editable{}; ///< which voxels may change at all; none: any
+    std::optional<EditableRange> editable{}; ///< which voxels may change; none: any
 };
 
 [[nodiscard]] Result<void> check(const CombineSegments& edit, const Document& document);
@@ -32,9 +32,9 @@ Result<bool> apply(const CombineSegments& edit, Document& document);
     const CombineSegments& edit, const DependencyFacts& row);
 [[nodiscard]] Result<EngineEdit> engineEdit(const CombineSegments& edit, const Document& document);
 
-/// No growth goes on from voxels that changed hands, since seeds of the one that had them go.
-/// Errors: UnknownSegment, SegmentLocked, InvalidField (a segment with itself, or with one of
-/// another label plane).
+/// Converts the edit to an engine's command. Seeds at voxels that change their segment are removed,
+/// so no growth continues from there. Errors: UnknownSegment, SegmentLocked, InvalidField (a
+/// segment with itself, or with one of another label plane).
 [[nodiscard]] Result<MapLabels> mapLabels(const CombineSegments& edit, const Document& document);
 
 } // namespace core

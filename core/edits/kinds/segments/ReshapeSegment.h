@@ -17,8 +17,8 @@ namespace core {
 struct LabelListed;
 struct RelabelListed;
 
-/// Margins of growing and shrinking that are others towards some of the patient's sides; those left
-/// out are the edit's `mm`.
+/// Margins of Grow and Shrink that differ towards some sides of the patient. On sides that are left
+/// out the margin is ReshapeSegment::mm.
 struct SideMargins {
     std::optional<double> rightMm{};
     std::optional<double> leftMm{};
@@ -33,21 +33,22 @@ struct SideMargins {
     }
 };
 
-/// Grow or shrink a segment by a margin, hollow it out, open, close or smooth it, with a ball of
-/// millimetres (core/morphology/SegmentShape.h) or a Gaussian (core/morphology/GaussianShape.h).
-/// Like CleanSegment it is worked out anew from the labels whenever it is carried out.
+/// Grow or shrink a segment by a margin, hollow it out, open, close, wrap or smooth it, with a ball
+/// of millimetres (core/morphology/SegmentShape.h) or a Gaussian (core/morphology/GaussianShape.h).
+/// Like CleanSegment it stores no voxels: the result is computed from the labels each time it is
+/// carried out.
 struct ReshapeSegment {
     int segment = 0; ///< label
     ShapeOperation operation = ShapeOperation::Grow;
     /// The margin, the thickness of the shell, the radius of the ball, or the standard deviation of
     /// the Gaussian.
     double mm = 0.0;
-    std::optional<ShellPlace> shell{}; ///< of Hollow alone; none: inside
-    /// Of Gaussian alone: other segments of its plane, ascending, that are smoothed together with
-    /// it (jointGaussianChange()).
+    std::optional<ShellPlace> shell{}; ///< only for Hollow; none: inside
+    /// Only for Gaussian: labels of other segments of its plane, ascending, that are smoothed
+    /// together with it (jointGaussianChange()).
     std::optional<std::vector<int>> with{};
-    SideMargins sides{}; ///< of Grow and Shrink alone (core/morphology/SidedMargin.h)
-    std::optional<EditableRange> editable{}; ///< which voxels may change at all; none: any
+    SideMargins sides{}; ///< only for Grow and Shrink (core/morphology/SidedMargin.h)
+    std::optional<EditableRange> editable{}; ///< which voxels may change; none: any
 };
 
 [[nodiscard]] Result<void> check(const ReshapeSegment& edit, const Document& document);
@@ -56,16 +57,16 @@ Result<bool> apply(const ReshapeSegment& edit, Document& document);
 [[nodiscard]] RowTitle rowTitle(const ReshapeSegment& edit, const RowFacts& row);
 [[nodiscard]] EditDependencies dependencies(const ReshapeSegment& edit, const DependencyFacts& row);
 
-/// The edit for an engine; no bricks: there is nothing to be done. It takes only voxels that no
-/// segment has.
-/// @param edit with no other segments
-/// @param labels of the whole volume in the segment's plane, x fastest
-/// Any thread that is no parallelFor's. Errors: UnknownSegment, SegmentLocked, InvalidField (the
+/// The command that carries out an edit without `with`; without bricks if there is nothing to do.
+/// It takes only voxels that no segment has.
+/// @param labels one for each voxel of the volume in the segment's plane, x fastest
+/// Any thread outside a parallelFor(). Errors: UnknownSegment, SegmentLocked, InvalidField (the
 /// ball is too small or too large), OutOfMemory, Cancelled.
 [[nodiscard]] Result<RelabelListed> relabelListed(const ReshapeSegment& edit,
     const Document& document, std::span<const std::uint8_t> labels, const Progress& progress);
 
-/// The same where it has others; they take voxels from each other.
+/// The same for an edit with `with`. The segments that are smoothed together take voxels from each
+/// other.
 [[nodiscard]] Result<LabelListed> labelListed(const ReshapeSegment& edit, const Document& document,
     std::span<const std::uint8_t> labels, const Progress& progress);
 

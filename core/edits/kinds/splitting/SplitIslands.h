@@ -15,14 +15,17 @@ namespace core {
 struct LabelListed;
 struct VolumeGeometry;
 
-/// Make new segments of a segment's islands (core/islands/SegmentIslands.h), one of each, from the
-/// second largest down; the largest stays the segment's, and so does what is too small. Like
-/// CleanSegment it is worked out anew from the labels whenever it is carried out. How many segments
-/// it makes is known only then: an edit that was carried out names them.
+/// Make a new segment of each island of a segment (core/islands/SegmentIslands.h), from the second
+/// largest down. The largest island stays with the segment, and so do islands that are too small.
+/// Like CleanSegment it stores no voxels: the result is computed from the labels each time it is
+/// carried out. The number of new segments is known only then; an edit that was carried out lists
+/// them.
 struct SplitIslands {
     int segment = 0; ///< label
-    std::optional<double> mm3{}; ///< islands that are smaller stay; none: none is too small
-    /// The new segments, from the largest down; islands beyond them stay. None: one of each island.
+    /// Smaller islands stay with the segment; none: no island is too small.
+    std::optional<double> mm3{};
+    /// The new segments, from the largest island down; further islands stay with the segment. None:
+    /// one segment for each island.
     std::optional<std::vector<SplitPart>> into{};
 };
 
@@ -32,14 +35,14 @@ Result<bool> apply(const SplitIslands& edit, Document& document);
 [[nodiscard]] RowTitle rowTitle(const SplitIslands& edit, const RowFacts& row);
 [[nodiscard]] EditDependencies dependencies(const SplitIslands& edit, const DependencyFacts& row);
 
-/// The fewest voxels of an island that becomes a segment.
+/// The number of voxels that an island must have at least to become a segment.
 [[nodiscard]] std::int64_t leastVoxels(const SplitIslands& edit, const VolumeGeometry& geometry);
 
-/// The edit for an engine; no bricks: there is nothing to be done.
-/// @param edit is completed: it names the segments that it makes, if it makes any
-/// @param labels of the whole volume in the segment's plane, x fastest
-/// Any thread. Errors: UnknownSegment, SegmentLocked, TooManyIslands, InvalidField (it names more
-/// segments than there are islands, or than there can be), Cancelled.
+/// The command that carries out the edit; without bricks if there is nothing to do.
+/// @param edit its `into` is filled in if it is empty and there are segments to make
+/// @param labels one for each voxel of the volume in the segment's plane, x fastest
+/// Any thread. Errors: UnknownSegment, SegmentLocked, TooManyIslands, InvalidField (`into` has more
+/// segments than there are islands, or than the document has room for), Cancelled.
 [[nodiscard]] Result<LabelListed> labelListed(SplitIslands& edit, const Document& document,
     std::span<const std::uint8_t> labels, const Progress& progress);
 

@@ -12,24 +12,25 @@
 
 namespace core {
 
-/// A segment that is made of a part of another one.
+/// A new segment that is made from a part of another one.
 struct SplitPart {
     QString name{};
     std::uint32_t rgb = 0;
     bool operator==(const SplitPart&) const = default;
 };
 
-/// How many segments more there can be: numbers of deleted ones are not given again.
+/// How many more segments a document can hold. Labels of deleted segments are not used again.
 [[nodiscard]] std::size_t roomForSegments(const Document& document);
 
-/// Names and colours for parts of a segment: "Liver 1", "Liver 2", …, as far as these are free, in
-/// the colours that new segments have. Of a very long name they have the beginning.
+/// Default names and colours for the parts of a segment: "Liver 1", "Liver 2" …, without names that
+/// are taken, in the colours that new segments get. A very long name is cut.
 [[nodiscard]] std::vector<SplitPart> usualParts(
     const Document& document, const Segment& segment, std::size_t count);
 
-/// Adds the parts of a segment to the document, in its plane, behind all others. Errors:
-/// InvalidField (there is no room for so many); then nothing was changed.
-/// @param field that names them in recipes, such as "splitIslands.into"
+/// Adds new segments for the parts of a segment to the end of the document's list, in the label
+/// plane of that segment. Errors: InvalidField (there is no room for so many); then nothing is
+/// changed.
+/// @param field name of the field in recipes, such as "splitIslands.into"
 Result<void> addParts(const char* field, const std::vector<SplitPart>& parts,
     const Segment& segment, Document& document);
 

@@ -16,15 +16,16 @@ namespace core {
 
 struct RelabelListed;
 
-/// Split a segment by a plane: its voxels whose centres lie beyond the plane, where the normal
-/// points to, become a new segment. Where all of it lies on one side, nothing happens. Like
-/// CleanSegment it is worked out anew from the labels whenever it is carried out.
+/// Split a segment by a plane: its voxels whose centres lie beyond the plane, on the side to which
+/// the normal points, become a new segment. If the segment lies on one side entirely, nothing
+/// happens. Like CleanSegment it stores no voxels: the result is computed from the labels each time
+/// it is carried out.
 struct SplitSegment {
     int segment = 0; ///< label
-    glm::dvec3 placeLps{0.0}; ///< in the plane
+    glm::dvec3 placeLps{0.0}; ///< a point of the plane
     glm::dvec3 normalLps{0.0, 0.0, 1.0}; ///< of any length
     SplitPart into{}; ///< the new segment
-    std::optional<EditableRange> editable{}; ///< which voxels may change at all; none: any
+    std::optional<EditableRange> editable{}; ///< which voxels may change; none: any
 };
 
 [[nodiscard]] Result<void> check(const SplitSegment& edit, const Document& document);
@@ -33,9 +34,9 @@ Result<bool> apply(const SplitSegment& edit, Document& document);
 [[nodiscard]] RowTitle rowTitle(const SplitSegment& edit, const RowFacts& row);
 [[nodiscard]] EditDependencies dependencies(const SplitSegment& edit, const DependencyFacts& row);
 
-/// The edit for an engine; no bricks: there is nothing to be done.
-/// @param labels of the whole volume in the segment's plane, x fastest
-/// Any thread. Errors: UnknownSegment, SegmentLocked, InvalidField (a normal of no length, no room
+/// The command that carries out the edit; without bricks if there is nothing to do.
+/// @param labels one for each voxel of the volume in the segment's plane, x fastest
+/// Any thread. Errors: UnknownSegment, SegmentLocked, InvalidField (a normal of length 0, no room
 /// for another segment), Cancelled.
 [[nodiscard]] Result<RelabelListed> relabelListed(const SplitSegment& edit,
     const Document& document, std::span<const std::uint8_t> labels, const Progress& progress);

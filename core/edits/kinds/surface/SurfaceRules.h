@@ -5,19 +5,20 @@
 
 namespace core {
 
-/// The rules by which an edit of the surface is carried out. New edits are given the newest ones;
-/// an edit that names none is of a recipe or session of before and is carried out as it was then.
-///
-///   1 (or none)  the surface may pass through itself
-///   2            it never does (core/refine/repair/CrossingGuard.h), apart from where it did
-///                before; sphere and plane hold only the sheet under the pen; what passes through
-///                itself is not laid and not written back
-///   3            and a template is a body through any mixture of open and closed contours, which
-///                evens out what the hand was unsteady
+/// The version of the rules by which an edit of the surface is carried out. New edits get the
+/// newest version. An edit without a version comes from an older recipe or session and is carried
+/// out by the rules of that time.
+/// - 1, or none: the surface may pass through itself.
+/// - 2: it never does (core/refine/repair/CrossingGuard.h), except where it did before. The sphere
+///   and the plane affect only the sheet of the surface under the pen. A surface that passes
+///   through itself is neither accepted when it is laid (LaySurface.h) nor written back.
+/// - 3: in addition, a template forms a body through any mixture of open and closed contours, and
+///   evens out the unsteadiness of the hand.
 using SurfaceRules = std::optional<int>;
 constexpr int newestSurfaceRules = 3;
 
-/// What is refused then, as argument 0 of InvalidField; argument 1: at how many pairs of faces.
+/// Argument 0 of the error InvalidField when a surface is refused because it passes through itself;
+/// argument 1 is the number of pairs of faces that do.
 inline constexpr const char* crossingSurface = "surface.crossings";
 
 [[nodiscard]] inline bool keepsApart(const SurfaceRules& rules)
@@ -25,7 +26,7 @@ inline constexpr const char* crossingSurface = "surface.crossings";
     return rules.value_or(1) >= 2;
 }
 
-/// Whether open contours describe a body, too.
+/// Whether a template may contain open contours.
 [[nodiscard]] inline bool mixesContours(const SurfaceRules& rules)
 {
     return rules.value_or(1) >= 3;

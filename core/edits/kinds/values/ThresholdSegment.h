@@ -12,12 +12,12 @@ namespace core {
 
 struct LabelThreshold;
 
-/// Give a segment every voxel whose value lies in an interval, or take it away there. It can stand
-/// open, so that one sees what becomes of the segment before it is a step; whatever else is done
-/// then takes it back.
+/// Give a segment every voxel whose value lies in an interval, or remove these voxels from it. It
+/// can stand open, so that a user sees the result before it becomes a step; any other action while
+/// it is open takes it back.
 struct ThresholdSegment {
     enum class Mode : std::uint8_t {
-        Replace, ///< the segment becomes these voxels
+        Replace, ///< the segment consists of exactly these voxels afterwards
         Add,
         Subtract,
     };
@@ -25,11 +25,12 @@ struct ThresholdSegment {
     std::optional<double> lower{}; ///< modality units, inclusive; none: any
     std::optional<double> upper{};
     Mode mode = Mode::Replace;
-    /// What layers that are not muted carve stays as it is; else it counts as everything else.
+    /// Whether voxels that are carved away by layers that are not muted stay as they are; otherwise
+    /// they are treated like all others.
     bool onlyVisible = false;
-    std::optional<GrowBox> box{}; ///< what lies outside stays as it is; none: the whole volume
+    std::optional<GrowBox> box{}; ///< voxels outside stay as they are; none: the whole volume
     bool overwriteUnlocked = false;
-    std::optional<EditableRange> editable{}; ///< which voxels may change at all; none: any
+    std::optional<EditableRange> editable{}; ///< which voxels may change; none: any
     bool operator==(const ThresholdSegment&) const = default;
 };
 
@@ -41,7 +42,8 @@ Result<bool> apply(const ThresholdSegment& edit, Document& document);
     const ThresholdSegment& edit, const DependencyFacts& row);
 [[nodiscard]] Result<EngineEdit> engineEdit(const ThresholdSegment& edit, const Document& document);
 
-/// Errors: UnknownSegment, SegmentLocked, InvalidField (lower > upper, a box outside the volume).
+/// Converts the edit to an engine's integers. Errors: UnknownSegment, SegmentLocked, InvalidField
+/// (lower > upper, a box outside the volume).
 [[nodiscard]] Result<LabelThreshold> labelThreshold(
     const ThresholdSegment& edit, const Document& document);
 
