@@ -8,11 +8,12 @@
 
 namespace core {
 
-// Commands that put whole bricks in place, or read them.
+// Commands that replace, change or read whole bricks.
 
-/// Puts these images in place of the contents of bricks (undo, redo, opening a session). Each key
-/// occurs once. The result lists the bricks that differ, with statistics, as for EndEdit. If the
-/// guard does not allow it, it is refused with SegmentLocked or SegmentProtected and the label.
+/// Replaces the contents of bricks by these images (undo, redo, opening a session). Each key occurs
+/// once. The result lists the bricks that differ, with statistics, as for EndEdit. If the guard
+/// does not allow the change, the command is refused with SegmentLocked or SegmentProtected and the
+/// label.
 struct SwapBricks {
     std::vector<BrickImage> bricks;
     LabelGuard guard{};

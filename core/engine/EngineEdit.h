@@ -24,27 +24,30 @@
 
 namespace core {
 
-// Any edit as engines see them, and what one that is open can be told: the sum of all families.
-// Who needs one of them includes its own header.
+// The sums of all families of commands: any edit as engines receive it, and anything that an open
+// edit can be told. Code that needs one particular command includes the header of its family
+// instead.
 
-/// Of growth: growth/GrowthCommands.h, growth/SeedSpread.h.
+/// Edits of growth (growth/GrowthCommands.h, growth/SeedSpread.h).
 using GrowthEdits = TypeList<SeedPlacement, GrowBurst, ShrinkGrowth, CutGrowth, SpreadLabels>;
-/// Under the pen. DrillCut, ShellPeel, OutlineCut (sculpt/DrillCut.h and so on): cut into the
-/// coverage of one sculpt layer with a mask that is pressed into the volume along the view;
-/// LaserCut: along the surface's normals. CapsuleCut, PaintLabel, PaintBarrier: with a brush.
+/// Edits under the pen.
+/// - DrillCut, ShellPeel, OutlineCut (sculpt/DrillCut.h and so on) cut into the coverage of one
+///   sculpt layer with a mask that is pressed into the volume along the view, LaserCut along the
+///   normals of the surface.
+/// - CapsuleCut, PaintLabel and PaintBarrier work with a brush.
 using StrokeEdits =
     TypeList<DrillCut, LaserCut, ShellPeel, OutlineCut, CapsuleCut, PaintLabel, PaintBarrier>;
-/// Of whole labels and layers, of places that are listed, of values
-/// (sculpt/labels/LabelThreshold.h), and of what lies under a curve
-/// (sculpt/labels/LabelScissors.h). CoverLabel, FoldLayer: sculpt/labels/LayerWrites.h, as
-/// LabelWrites, which give labels to voxels (and LabelOutlined.h).
+/// Edits of whole labels and layers, of listed voxels, by values (sculpt/labels/LabelThreshold.h),
+/// and of what lies under a curve (sculpt/labels/LabelScissors.h). CoverLabel and FoldLayer are in
+/// sculpt/labels/LayerWrites.h, and so is LabelWrites, a list of edits that give labels to voxels
+/// (LabelOutlined.h belongs to it, too).
 using WholeEdits =
     TypeList<EraseLabel, CoverLabel, FoldLayer, BarrierListed, LabelThreshold, LabelScissors>;
 
 using EngineEditVariant =
     JoinedTypes<GrowthEdits, StrokeEdits, WholeEdits, LabelWrites>::List::Variant;
 
-/// Any one of them; like Edit (core/edits/kinds/Edit.h), its copies are compiled once.
+/// Any one of these edits. As with Edit (core/edits/kinds/Edit.h), copying is compiled only once.
 struct EngineEdit : EngineEditVariant {
     using EngineEditVariant::variant;
     EngineEdit();
@@ -55,14 +58,14 @@ struct EngineEdit : EngineEditVariant {
     ~EngineEdit();
 };
 
-/// Whether an edit could begin in a volume. Errors: InvalidField.
+/// Checks whether an edit may begin in a volume of this grid. Errors: InvalidField.
 [[nodiscard]] Result<void> checkEdit(const EngineEdit& edit, const BrickGrid& grid);
 
 /// What an open edit can be told while it runs.
 using EngineExtensionVariant = std::variant<DrillPath, GrowAdvance, GrowPause, CapsulePath,
     PeelDepth, ShrinkTo, GrowAnew, ForgetSpread, CutFurther>;
 
-/// Any one of them; a struct, so that headers can name it without knowing them.
+/// Any one of them. It is a struct so that headers can declare it without including the commands.
 struct EngineExtension : EngineExtensionVariant {
     using EngineExtensionVariant::variant;
 };

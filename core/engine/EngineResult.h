@@ -17,7 +17,8 @@
 
 namespace core {
 
-/// The statistics of a result that has no edit of its own; all others are zero.
+/// The statistics of a result that belongs to no edit, such as that of SwapBricks: only voxels and
+/// bricks that changed are counted.
 [[nodiscard]] EditStatistics statisticsOf(const ChangeFacts& facts);
 
 /// The result of one command. BeginEdit and ExtendEdit have a result only if they fail.
@@ -28,17 +29,20 @@ struct EngineResult {
     std::vector<BrickChange> changes;
     ChangeFacts facts; ///< of these changes; empty for bricks that were only read
     EditStatistics statistics;
-    std::uint32_t generation = 0; ///< EndEdit of a growth or shrinking: the generation at its end
-    bool atClosure = false; ///< EndEdit of a growth: a step was requested and found nothing to add
-    std::optional<LeakAlarm> alarm{}; ///< EndEdit of a growth: why it stopped
+    /// After EndEdit of a growth or shrinking, the generation at its end.
+    std::uint32_t generation = 0;
+    /// After EndEdit of a growth, whether a step was requested that found nothing to add.
+    bool atClosure = false;
+    std::optional<LeakAlarm> alarm{}; ///< after EndEdit of a growth, the alarm that stopped it
     std::vector<std::uint32_t> seedWords{}; ///< ReadSeedWords
     std::vector<std::uint16_t> codes{}; ///< ReadCodes
     std::vector<ProbedVoxel> probes;
-    std::vector<ProbedSeeds> seeds; ///< groups in their order, then the seeds in none, by label;
-                                    ///< only those that have voxels
+    /// Groups in their order, then by label the seeds that are in no group; only those that have
+    /// voxels.
+    std::vector<ProbedSeeds> seeds;
     std::vector<std::optional<glm::ivec3>> picks; ///< one per ray
-    std::vector<std::uint32_t> generationSizes; ///< place g: members of generation g; ends with the
-                                                ///< last that has any
+    /// At index g, the number of members of generation g, up to the last generation that has any.
+    std::vector<std::uint32_t> generationSizes;
     std::optional<ToleranceCurve> tolerance{}; ///< TraceTolerance, once it is done
     std::optional<CutPreview> cutPreview{}; ///< PreviewCut, once it is done
     std::optional<GrowthComparison> growthComparison{}; ///< CompareGrowth

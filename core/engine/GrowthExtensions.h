@@ -7,7 +7,7 @@ namespace core {
 
 // What an open growth can be told while it runs. GrowAdvance: core/growth/GrowthProgress.h.
 
-/// Cancels growth steps that were requested and not yet done.
+/// Cancels growth steps that were requested but not carried out yet.
 struct GrowPause { };
 
 /// Begins the open growth again, as if it had been rolled back and opened with this burst. Steps

@@ -13,8 +13,8 @@
 
 namespace core {
 
-// Edits of one label, as an engine sees them: integers only, everything they read is in them.
-// Further ones: sculpt/labels/LayerWrites.h.
+// Edits of one label, as an engine receives them: plain data, every number an integer, with
+// everything that they read. Further ones are in sculpt/labels/LayerWrites.h.
 
 /// Remove a label from its plane: every voxel that holds it becomes 0, and every seed word that has
 /// it, of a member or a pending seed, becomes seedWord::unvisited. So no growth continues from it;

@@ -12,8 +12,8 @@
 
 namespace core {
 
-// Of sculpt layers, as an engine sees them. Cuts with other tools: sculpt/DrillCut.h and so on;
-// what writes whole layers: sculpt/labels/LayerWrites.h.
+// Commands for sculpt layers, as an engine receives them. Cuts with other tools are in
+// sculpt/DrillCut.h and the like, commands that write whole layers in sculpt/labels/LayerWrites.h.
 
 /// Carve along a path: coverage = max(coverage, cut) with the cut of CapsuleSweep.h, rule 5. To
 /// restore, coverage is refilled as described at the end of CutFrame.h, rule 6. Hidden voxels are

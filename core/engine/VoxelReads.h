@@ -10,7 +10,7 @@
 
 namespace core {
 
-// Commands that read single voxels, a box of them, or what a ray meets. They change nothing.
+// Commands that read single voxels or a box of them, or find what a ray meets. They change nothing.
 
 /// Reads the seed words of voxels, in their order (`seedWords`).
 struct ReadSeedWords {
@@ -22,21 +22,23 @@ struct ReadSeedWords {
 struct ReadCodes {
     VoxelBox box;
 };
-/// Reads codes, labels and pending seeds at voxels, for readouts, and tolerances if there is a
-/// tolerance field. `labels` are those of all planes.
+/// Reads codes, labels of all planes and pending seeds at voxels, for readouts; and tolerances if
+/// there is a tolerance field (TraceTolerance).
 struct ProbeVoxels {
     std::vector<glm::ivec3> voxels;
-    std::uint8_t plane = 0; ///< of `label` and `seedOf`
+    std::uint8_t plane = 0; ///< the plane that `label` and `seedOf` are read from
 };
 
-/// Casts rays to find what is visible; all integers, so a pick is the same on every machine. A hit
-/// is the voxel nearest to the sample found: (P + 2¹⁵) >> 16. Material, inside, carved and Z are
-/// those of CutFrame.h, rule 3, with the radiation at the time of this command, which includes what
-/// an open stroke has cut so far. Opacity: each sample that is inside and not carved adds o =
-/// opacityOfCode[Z >> 24] (0 … 65535, per sample) front to back: T = T·(65535 − o) / 65535 from T =
-/// 65535; visible when T ≤ 32767. BrightestVoxel: Z over samples that are inside and not carved.
-/// Segment: the first sample that is inside and whose nearest voxel has one of `segments` in any
-/// plane.
+/// Casts rays to find which voxel is visible along each. All computed in integers, so that a pick
+/// is the same on every machine. A hit is the voxel nearest to the sample found: (P + 2¹⁵) >> 16.
+/// "Material", "inside", "carved" and Z are those of CutFrame.h, rule 3, with the radiation at the
+/// time of this command, which includes what an open stroke has cut so far. `seenBy` decides:
+/// - Opacity: front to back, each sample that is inside and not carved adds o = opacityOfCode[Z >>
+///   24] (0 … 65535, per sample): T = T·(65535 − o) / 65535, beginning with T = 65535. The first
+///   sample with T ≤ 32767 is hit.
+/// - BrightestVoxel: the sample with the greatest Z among those that are inside and not carved.
+/// - Segment: the first sample that is inside and whose nearest voxel has one of `segments` in any
+///   plane.
 struct PickVoxels {
     std::vector<PickRay> rays{};
     SeenBy seenBy = SeenBy::Surface;

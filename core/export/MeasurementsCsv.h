@@ -11,16 +11,16 @@
 
 namespace core {
 
-// What was measured, as a table: RFC 4180, UTF-8, a line of names, then one line per measurement.
-// Cells without a number are empty. Sizes are in the unit of their line, "mm" or "voxels"; points
-// are at their true places, LPS mm, "x y z; x y z".
+// Exports measurements as a table: CSV by RFC 4180, UTF-8, a line of column names, then one line
+// per measurement. Cells without a number are empty. Sizes are in the unit that their line states,
+// "mm" or "voxels"; points are at their true places (truePlace()), LPS mm, "x y z; x y z".
 
 [[nodiscard]] QByteArray measurementsCsv(const std::vector<Measured>& all, const Volume& volume);
 
-/// Writes the table, reads it again from the disk and compares every number. The file appears
-/// under its name only after that. Errors: FileExists, FileUnwritable, FileUnreadable,
+/// Writes the table, reads it back from the disk and compares every number. The file appears under
+/// its name only after that. Blocks. Errors: FileExists, FileUnwritable, FileUnreadable,
 /// ExportMismatch.
-/// @param force replaces a file of that name
+/// @param force replaces an existing file of that name
 [[nodiscard]] Result<void> exportMeasurements(
     const std::vector<Measured>& all, const Volume& volume, const QString& file, bool force);
 

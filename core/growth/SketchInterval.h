@@ -10,41 +10,44 @@
 
 namespace core {
 
-/// Seeds as they were sketched.
+/// Seeds that a user sketched with one stroke.
 struct SeedSketch {
     std::vector<glm::ivec3> voxels{}; ///< inside the volume
-    /// The direction of view, in voxels, of a sketch on the 3D view; none: of one on a slice.
+    /// For a sketch on the 3D view, the direction of view in index space, away from the user; none
+    /// for a sketch on a slice.
     std::optional<glm::dvec3> inward{};
 };
 
-/// The codes of what was sketched, and of what lies beside it.
+/// The codes of the sketched structure, and of the tissues beside it.
 struct SketchedCodes {
-    int centre = 0; ///< the median
-    int deviation256 = 0; ///< 256ths of a code; robust, and never below the noise
-    int voxels = 0; ///< number that were looked at
-    /// the median of what lies beside it and is darker, or brighter; none: there is nothing
+    int centre = 0; ///< median code of the structure
+    /// Deviation of its codes, in 256ths of a code; robust, and never below the noise.
+    int deviation256 = 0;
+    int voxels = 0; ///< number of voxels from which these were computed; 0: there were none
+    /// The median code of a darker or brighter tissue beside it; none: there is no such tissue.
     std::optional<int> darker{};
     std::optional<int> brighter{};
-    std::vector<int> seeds{}; ///< codes of the sketched voxels, ascending
+    std::vector<int> seeds{}; ///< codes of the sketched voxels, ascending (of at most 64 of them)
 };
 
-/// Finds out which codes a sketch means, so that the first growth from it needs no setting. An
-/// interval is only offered; growth takes the one that its edit names.
+/// Finds out which interval of codes a sketch means, so that a first growth from it needs no
+/// settings. The interval is only offered; a growth uses the one that its edit states.
 ///
-/// 1. Of a sketch on a slice its own voxels count. Those of a sketch on the 3D view are edge
-///    values; in their place count the voxels 1 to 3 inward, against the gradient's direction that
-///    the user looks from, or along the view where there is no gradient.
-/// 2. Fewer than 30 voxels are widened along the structure, nearest first: to face neighbours
-///    within `reach` whose codes are at most 2½ deviations from the centre. So one seed is enough.
-/// 3. The centre is the median, the deviation the median distance from it, scaled to that of a
-///    normal distribution, and at least the noise: what second differences along the axes say of
-///    it, and half a code.
-/// 4. What lies within `reach` and is farther than two deviations from the centre is another
-///    tissue, if it is a tenth of all voxels there or more. In the middle of a structure values
-///    differ less than in the rest: the deviation becomes a 16th of the distance to the nearer
-///    tissue if that is more, but at most 2½ times as large.
+/// 1. The voxels that count: of a sketch on a slice, its own. Those of a sketch on the 3D view lie
+///    on an edge; instead of each, the voxels 1 to 3 steps inward count, along the gradient (in the
+///    direction that leads away from the user), or along the view where the gradient is across it.
+/// 2. If these are fewer than 30, face neighbours within `reach` are added, nearest first, whose
+///    codes are at most 2½ deviations from the centre, up to about 100. So a single seed is enough.
+/// 3. The centre is the median of the codes. The deviation is the median distance from it, scaled
+///    to the standard deviation of a normal distribution. It is at least the noise, which is
+///    estimated from second differences along the axes, and at least half a code.
+/// 4. Codes within `reach` that are more than two deviations darker (or brighter) than the centre
+///    belong to another tissue if they make up at least a tenth of all voxels there. Values in the
+///    middle of a structure vary less than those in all of it. Therefore the deviation is raised to
+///    a 16th of the distance to the nearer tissue if that is more, but at most to 2½ times its
+///    value.
 ///
-/// Pure functions; at most some hundred thousand voxels are read, for sketches of any length.
+/// Pure functions; at most some hundred thousand voxels are read, however long the sketches are.
 class SketchInterval {
 public:
     SketchInterval(const std::vector<SeedSketch>& sketches, const glm::ivec3& volumeSize);
@@ -57,19 +60,20 @@ public:
 private:
     class Neighbourhood;
 
-    std::vector<SeedSketch> m_sketches; ///< thinned out
+    std::vector<SeedSketch> m_sketches; ///< thinned out to at most 64 seeds
     glm::ivec3 m_volumeSize{0};
     int m_reach = 0;
     std::vector<glm::ivec3> m_voxels; ///< ascending by z, y, x
 };
 
-/// The codes within so many deviations of the centre, but of what lies between it and another
-/// tissue only the three quarters next to the centre. If fewer than a quarter of the seeds are in
-/// it, it is extended to the nearest quarter, for growth could not begin.
-/// @param sigmas256 256ths of a deviation
+/// The interval that is offered: the codes within a number of deviations of the centre. On the side
+/// of another tissue it ends at the latest at three quarters of the distance to that tissue. If
+/// fewer than a quarter of the seeds lie in it, it is extended to the nearest quarter of them,
+/// because growth could not begin otherwise.
+/// @param sigmas256 number of deviations, in 256ths
 [[nodiscard]] CodeInterval offeredInterval(const SketchedCodes& sketched, int sigmas256);
 
-/// How much of the seeds an interval holds.
+/// How many of the sketched seeds have codes in an interval.
 [[nodiscard]] int seedsWithin(const SketchedCodes& sketched, const CodeInterval& interval);
 
 } // namespace core

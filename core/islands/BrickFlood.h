@@ -16,44 +16,48 @@
 
 namespace core {
 
-/// The voxels that hang together with a first one, found brick by brick, so that only bricks are
-/// read which they reach. What is found depends neither on the order in which bricks are given nor
-/// on how many are given at once. Memory ∝ these bricks.
+/// Finds the region of voxels that is connected with a first voxel, brick by brick, so that only
+/// bricks that it reaches need to be read. The result does not depend on the order in which bricks
+/// are given. Memory ∝ these bricks.
 class BrickFlood {
 public:
     struct Rule {
-        bool corners = false; ///< voxels also hang together at an edge or a corner
+        bool corners = false; ///< voxels are also neighbours if they share only an edge or a corner
         std::optional<SliceAxis> within{}; ///< only in the first voxel's slice across this axis
     };
-    /// @param first a voxel of the volume
+    /// @param first index of the first voxel, in the volume
     BrickFlood(const glm::ivec3& volumeSize, const glm::ivec3& first, const Rule& rule);
 
-    /// Bricks that were reached and not given yet, ascending; none: everything is found.
+    /// Numbers of the bricks that the region has reached and that were not given yet, ascending.
+    /// Empty: the region is complete (after spread()).
     [[nodiscard]] const std::set<std::uint32_t>& wanted() const { return m_wanted; }
     [[nodiscard]] bool wasGiven(std::uint32_t brick) const;
-    /// Each brick once, wanted or not. @param voxels those that may belong
+    /// Provides a brick. Each brick is given once at most, whether it is wanted or not.
+    /// @param voxels those voxels of the brick that may belong to the region
     void give(std::uint32_t brick, const BrickBits& voxels);
-    /// Goes on as far as the given bricks allow. @return false: cancelled
+    /// Extends the region as far as the given bricks allow.
+    /// @return false: cancelled
     bool spread(const Progress& progress);
 
-    /// What hangs together with the first voxel, by brick; empty if that one may not belong.
+    /// The voxels of the region, by brick; empty if the first voxel itself may not belong to it.
     [[nodiscard]] std::map<std::uint32_t, BrickBits> found() const;
 
 private:
     struct Brick {
         bool given = false;
         BrickBits possible;
-        BrickBits reached; ///< from a neighbour, and not looked at yet
+        BrickBits reached; ///< reached from a neighbour, not examined yet
         BrickBits found;
     };
     void reach(const glm::ivec3& voxel);
     void spreadIn(std::uint32_t number);
 
     BrickGrid m_grid;
-    std::vector<glm::ivec3> m_steps; ///< to the neighbours
+    std::vector<glm::ivec3> m_steps; ///< steps from a voxel to its neighbours
     std::map<std::uint32_t, Brick> m_bricks;
     std::set<std::uint32_t> m_wanted;
-    std::vector<std::uint32_t> m_due; ///< given, with voxels that were reached
+    /// Given bricks with voxels that were reached and not examined yet.
+    std::vector<std::uint32_t> m_due;
 };
 
 } // namespace core

@@ -12,36 +12,37 @@
 
 namespace core {
 
-/// The runs of voxels in the rows of a box, and which of them hang together. Memory ∝ the runs.
+/// The runs of voxels in the rows of a box, joined to connected parts. Use: beginRow() and add()
+/// for all rows, endRows(), join(); then ask. Memory ∝ the runs.
 class RunParts {
 public:
-    /// Voxels of one row that hang together: columns [begin, end).
+    /// Consecutive voxels of one row: columns [begin, end).
     struct Run {
         int begin = 0;
         int end = 0;
     };
 
-    /// @param touch by how many columns runs of neighbouring rows may miss each other and still
-    /// touch: 1 with 26 neighbours, 0 with 6
+    /// @param touch by how many columns runs of neighbouring rows may miss each other and still be
+    /// connected: 1 for 26 neighbours, 0 for 6
     RunParts(const glm::ivec3& size, int touch);
 
-    /// Rows in the order of memory, all of them, also those without runs.
+    /// Begins the next row. All rows must be begun in the order of memory, also those without runs.
     void beginRow(std::size_t row) { m_firstOfRow[row] = m_runs.size(); }
     void add(int begin, int end);
     void endRows() { m_firstOfRow.back() = m_runs.size(); }
 
-    /// Joins the runs of each row with those of its neighbours before it.
+    /// Joins connected runs of neighbouring rows.
     /// @return false: cancelled
     bool join(const Progress& progress);
 
     [[nodiscard]] std::size_t count() const { return m_runs.size(); }
     [[nodiscard]] const Run& run(std::size_t at) const { return m_runs[at]; }
-    /// The part of a run: the number of its first run in memory.
+    /// The part that a run belongs to, named by the index of the part's first run in memory.
     [[nodiscard]] std::uint32_t partOf(std::size_t run);
-    /// The part that holds a voxel; none if no run does.
+    /// The part that contains a voxel; none if it is in no run.
     [[nodiscard]] std::optional<std::uint32_t> partAt(const glm::ivec3& voxel);
 
-    /// Calls @p visit(run, y, z) for all of them in the order of memory.
+    /// Calls @p visit(index of the run, y, z) for all runs in the order of memory.
     template <class Visit> void forEach(const Visit& visit)
     {
         for (int z = 0; z < m_size.z; ++z) {
@@ -63,7 +64,8 @@ private:
 
     glm::ivec3 m_size;
     int m_touch;
-    std::vector<std::size_t> m_firstOfRow; ///< and the end of the last one
+    /// For each row, the index of its first run; at the end, the number of runs.
+    std::vector<std::size_t> m_firstOfRow;
     std::vector<Run> m_runs;
     std::vector<std::uint32_t> m_parent;
 };

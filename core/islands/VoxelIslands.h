@@ -11,8 +11,8 @@
 
 namespace core {
 
-/// The parts of a set of voxels that do not touch each other, not even at a corner (26 neighbours),
-/// in the order of their first voxels. Cost ∝ its runs and the volume's rows. Any thread.
+/// The connected parts of a set of voxels (26 neighbours), in the order of their first voxels in
+/// memory. Cost ∝ the runs of the set and the rows of the volume. Any thread.
 /// Errors: Cancelled.
 /// @param size of the volume
 /// @param least parts of fewer voxels are left out

@@ -8,11 +8,12 @@
 
 namespace core {
 
-/// The segments of masks as they were imported, the newest mask first; a name that a newer one has
-/// stands for the newer one. Cost ∝ their runs. Any thread.
+/// The segments of imported masks as they were imported, the newest mask first. A segment of an
+/// older mask is left out if a newer mask has one of the same name. Cost ∝ the runs. Any thread.
 /// @param imports in the order of the history, with their voxels
-/// @param names by label: what was taken into one segment (ImportMask::as) has that segment's name
-/// @param voxels of the volume
+/// @param names present names of segments, by label: a mask that was imported into one segment
+/// (ImportMask::as) appears under that segment's name
+/// @param voxels number of voxels of the volume
 [[nodiscard]] MaskOnVolume importedMasks(const std::vector<ImportMask>& imports,
     const std::map<int, QString>& names, std::uint64_t voxels);
 

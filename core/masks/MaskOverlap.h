@@ -13,30 +13,33 @@ struct ImportMask;
 struct MaskSegment;
 struct VolumeGeometry;
 
-// Where segments of one mask overlap: which label planes they need to keep what they share, and
-// which of them gets the voxels of one plane, where a voxel has one segment.
+// Segments of one mask that overlap: which label planes they need if all of them are to keep their
+// voxels, or which segment gets the voxels if they all go into one plane, where a voxel has one
+// segment.
 
-/// Voxels that several segments have, and no other one.
+/// The voxels that exactly these segments share.
 struct MaskOverlap {
-    std::vector<std::size_t> segments; ///< their places in the mask, ascending; at least two
+    /// Indices of the segments in the mask, ascending; at least two.
+    std::vector<std::size_t> segments;
     std::uint64_t voxels = 0;
     bool operator==(const MaskOverlap&) const = default;
 };
 
-/// Ascending by the places of the segments. The cost is that of the runs, whatever the number of
-/// segments.
+/// All overlaps of a mask, in ascending order of the indices. Cost ∝ the runs, regardless of the
+/// number of segments.
 [[nodiscard]] std::vector<MaskOverlap> overlapsOf(const std::vector<MaskSegment>& segments);
 
-/// The voxels in all of them.
+/// The number of voxels in all of these overlaps together.
 [[nodiscard]] std::uint64_t voxelsOf(const std::vector<MaskOverlap>& overlaps);
 
-/// The label plane of each segment, from 0: in the order of the mask, each goes to the first plane
-/// in which none of its voxels is another one's. All 0 if none overlap.
-/// @param count of the mask's segments
+/// A label plane for each segment, numbered from 0: in the order of the mask, each goes to the
+/// first plane in which it shares no voxel with a segment that is already there. All 0 if none
+/// overlap.
+/// @param count number of segments of the mask
 [[nodiscard]] std::vector<int> planesFor(
     const std::vector<MaskOverlap>& overlaps, std::size_t count);
 
-/// How many voxels of the one segment go to the other, which goes before it.
+/// How many voxels the segment `from` gives up to the segment `to`, which takes precedence.
 struct OverlapGiven {
     std::size_t to = 0;
     std::size_t from = 0;
@@ -44,13 +47,15 @@ struct OverlapGiven {
     bool operator==(const OverlapGiven&) const = default;
 };
 
-/// Every voxel goes to the first of its segments; most voxels first.
-/// @param order places of all the mask's segments, the first one before all others
+/// What each pair of segments gives away if every voxel goes to the first of its segments in @p
+/// order; in descending order of voxels.
+/// @param order indices of all segments of the mask; a segment takes precedence over those after it
 [[nodiscard]] std::vector<OverlapGiven> givenAway(
     const std::vector<MaskOverlap>& overlaps, const std::vector<std::size_t>& order);
 
-/// That the segments of an import lie in several planes; and of those of one plane, which go before
-/// which others, a note for each pair, most voxels first. None if all segments become one.
+/// Notes for the user on overlapping segments of an import: that they lie in several planes, if
+/// they do; and for each pair that overlaps within one plane, which takes precedence, in descending
+/// order of voxels. No notes if all segments become one.
 /// @param edit holds the segments
 [[nodiscard]] std::vector<MaskNote> notesOnOverlaps(const std::vector<MaskOverlap>& overlaps,
     const ImportMask& edit, const VolumeGeometry& geometry);

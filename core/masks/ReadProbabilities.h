@@ -8,18 +8,19 @@
 
 namespace core {
 
-/// A division that contains its probability map, and no longer names the file.
+/// A division that now contains its probability map and no longer names a file.
 struct ReadProbabilities {
     DivideSegment edit;
     std::vector<MaskNote> notes; ///< what was resampled or assumed
 };
 
-/// Reads the probability map that a division names (DivideSegment::probabilityFile): NIfTI, NRRD
-/// and MetaImage are recognised by file name and hold one number a voxel, from 0 to 1, or a byte
-/// from 0 to 255; anything else is read as a DICOM SEG of type FRACTIONAL (PS3.3 C.8.20.2). If the
-/// grids differ, the nearest voxel decides (LatticeMap.h), and what lies beyond the map is 0.
-/// @param segment name of the segment that is divided: of several in a SEG, the one of that name
-/// is taken
+/// Reads the probability map that a division names (DivideSegment::probabilityFile). NIfTI, NRRD
+/// and MetaImage are recognised by file name and must contain one number per voxel, from 0 to 1, or
+/// one byte per voxel from 0 to 255; any other file is read as a DICOM SEG of type FRACTIONAL
+/// (PS3.3 C.8.20.2). If the grids differ, the nearest voxel decides (LatticeMap.h); voxels outside
+/// the map get 0.
+/// @param segment name of the segment that is divided; if a SEG contains several segments, the one
+/// of this name is used
 /// Any thread. Cost: the file, and one pass through the volume. Errors: those of the readers;
 /// UnsupportedFormat (no probabilities, several layers or segments, or nothing inside the volume).
 /// All name the file.

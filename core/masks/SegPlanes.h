@@ -14,20 +14,21 @@
 
 namespace core {
 
-// Where the frames of a DICOM SEG lie on a volume, for SegMask.cpp.
+// Where the frames of a DICOM SEG (PS3.3 A.51) lie on the grid of a volume. Used by SegMask.cpp.
 
-/// Frames whose planes lie at one place along their normal; several where a file repeats one.
+/// Frames at the same position along their normal; several if a file repeats a plane.
 struct PlaneFrames {
-    std::int64_t height = 0; ///< LatticeMap, in planes
+    /// Position along the normal as in LatticeMap, in planes of the lattice.
+    std::int64_t height = 0;
     std::vector<std::size_t> frames;
 };
 
-/// The lattice that frames span: columns and rows of the first one, and its normal.
+/// The lattice that the frames span: columns and rows of the first frame, and its normal.
 struct FrameLattice {
     glm::dvec3 normal{0.0};
-    glm::dmat4 world{1.0}; ///< with 1 mm along the normal
-    double planeMm = 1.0; ///< how far a plane reaches, from half of it below to half above
-    bool onSlices = false; ///< every plane is one of the volume's slices
+    glm::dmat4 world{1.0}; ///< lattice to world (LPS mm), where one step along the normal is 1 mm
+    double planeMm = 1.0; ///< thickness of a plane; it reaches half of this to either side
+    bool onSlices = false; ///< whether every plane coincides with a slice of the volume
 
     [[nodiscard]] glm::dmat4 toLattice() const
     {
@@ -37,25 +38,26 @@ struct FrameLattice {
     }
 };
 
-/// The frames' lattice on a volume.
+/// The lattice of the frames, and how a volume's voxels map onto it.
 struct PlacedFrames {
     FrameLattice lattice;
     glm::dmat4 toLattice;
     LatticeMap map;
 };
-/// Errors: InvalidGeometry (the first frame's), UnsupportedFormat (frames of several orientations
-/// or spacings, or out of all proportion to the volume). All name the file.
+/// Places the frames on a volume. Errors: InvalidGeometry (of the first frame), UnsupportedFormat
+/// (frames of several orientations or spacings, or out of all proportion to the volume). All name
+/// the file.
 [[nodiscard]] Result<PlacedFrames> placedFrames(
     const SegFile& seg, const VolumeGeometry& geometry, const QString& path);
 
-/// The frames of one segment, by height.
+/// The frames of one segment, sorted by height.
 class SegmentPlanes {
 public:
     SegmentPlanes(const SegFile& seg, int number, const glm::dmat4& toLattice);
 
     [[nodiscard]] bool empty() const { return m_planes.empty(); }
 
-    /// The plane that a height belongs to; null: none.
+    /// The plane that contains a height; null: none.
     [[nodiscard]] const PlaneFrames* at(std::int64_t height) const;
 
     /// Whether a place in a plane belongs to the segment.
@@ -66,7 +68,8 @@ public:
             return pixel && isIn(frame, pixel->x, pixel->y);
         });
     }
-    /// How likely a place in a plane belongs to the segment: what the frame says that says most.
+    /// How likely a place in a plane belongs to the segment, 0 … 255: the greatest probability of
+    /// the plane's frames.
     [[nodiscard]] std::uint8_t probability(
         const PlaneFrames& plane, const LatticeMap::Place& place) const
     {
@@ -80,11 +83,11 @@ public:
         return most;
     }
     [[nodiscard]] std::uint64_t pixelCount() const;
-    /// The voxels of each slice lie on pixels of its plane's frames.
+    /// Whether the voxels of every slice coincide with pixels of the frames in its plane.
     [[nodiscard]] bool areUnder(const LatticeMap& map, int slices) const;
 
 private:
-    /// The pixel of a frame nearest to a place; none: beside the frame.
+    /// The pixel of a frame nearest to a place; none: the place lies outside the frame.
     [[nodiscard]] std::optional<glm::ivec2> pixelAt(
         std::size_t frame, const LatticeMap::Place& place) const
     {
@@ -110,12 +113,13 @@ private:
 
     const SegFile& m_seg;
     int m_number;
-    std::vector<LatticeMap::Place> m_places; ///< of frames
+    /// For each frame, where its first pixel lies on the lattice.
+    std::vector<LatticeMap::Place> m_places;
     std::vector<PlaneFrames> m_planes;
 };
 
-/// Calls @p visit(slice, voxel of the volume, plane, place in it) for every voxel that lies in one
-/// of the segment's planes; slices on all cores.
+/// Calls @p visit(slice, index of the voxel in memory, plane, place on the lattice) for every voxel
+/// of the volume that lies in one of the segment's planes. Slices are distributed to all cores.
 template <class Visit>
 void forEachVoxelIn(
     const SegmentPlanes& planes, const LatticeMap& map, const glm::ivec3& size, const Visit& visit)
@@ -125,7 +129,7 @@ void forEachVoxelIn(
             const std::uint64_t row = (std::uint64_t(k) * std::uint64_t(size.y) + std::uint64_t(j))
                 * std::uint64_t(size.x);
             LatticeMap::Place place = map.rowStart(j, k);
-            // Along a line, what lies between two places of one plane belongs to it.
+            // If both ends of a row lie in one plane, the whole row does.
             const PlaneFrames* begin = planes.at(place[2]);
             const bool whole = begin == planes.at(place[2] + map.step()[2] * (size.x - 1));
             if (whole && !begin && map.step()[2] == 0)

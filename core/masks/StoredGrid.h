@@ -15,19 +15,20 @@
 
 namespace core {
 
-/// The numbers of a NIfTI, NRRD or MetaImage file as they are stored, on their own grid: labels,
-/// shares of voxels or probabilities. Several layers have several numbers a voxel.
+/// The numbers of a NIfTI, NRRD or MetaImage file as they are stored, on the file's own grid:
+/// labels, shares of voxels or probabilities. With several layers there are several numbers per
+/// voxel.
 struct StoredGrid {
     VolumeGeometry geometry;
     std::vector<VolumeProblem> problems;
-    std::unique_ptr<char[]> owned; ///< what bytes refers to, or bytesOfNifti
+    std::unique_ptr<char[]> owned; ///< owns the memory of `bytes`, unless bytesOfNifti does
     std::vector<char> bytesOfNifti;
     std::span<const char> bytes;
     ScalarType type = ScalarType::UInt8;
     double slope = 1.0; ///< value = slope · stored + intercept
     double intercept = 0.0;
     int layers = 1;
-    std::map<QByteArray, QByteArray> keyValues; ///< of an NRRD's header
+    std::map<QByteArray, QByteArray> keyValues; ///< key/value pairs from the header of an NRRD
 
     [[nodiscard]] std::size_t voxels() const
     {
@@ -39,15 +40,15 @@ struct StoredGrid {
             * storedAtFor(type)(bytes.data(), voxel * std::size_t(layers) + std::size_t(layer))
             + intercept;
     }
-    /// Programs that add up or scale in floats leave shares a little beside 0 and 1.
+    /// Tolerance for rounding: programs that compute shares in floats miss 0 and 1 by a little.
     static constexpr double slack = 1e-3;
-    /// Whether the numbers are shares of voxels or probabilities: all from 0 to 1, and not only
-    /// these two. Cost: one pass, which mostly ends early.
+    /// Whether the numbers are shares of voxels or probabilities: all lie between 0 and 1, and not
+    /// all are 0 or 1. Cost: at most one pass, which mostly ends early.
     [[nodiscard]] bool holdsShares() const;
 };
 
-/// Reads a file that its name tells to be one of the three. The file is closed afterwards. Any
-/// thread. Errors: those of the readers.
+/// Reads a file; its name tells which of the three formats it has. The file is closed afterwards.
+/// Blocks; any thread. Errors: those of the readers.
 [[nodiscard]] Result<StoredGrid> readStoredGrid(const QString& path, const Progress& progress);
 
 } // namespace core

@@ -8,31 +8,33 @@
 
 namespace core {
 
-/// What a measurement comes to by its points alone, in closed form.
+/// The size of a measurement, computed from its points alone, in closed form.
 struct MeasuredSize {
-    /// Lengths, areas and volumes are in voxels, because the source does not say how far apart
-    /// they are: "12.5 voxels", not millimetres that were assumed.
+    /// Lengths, areas and volumes are in voxels because the source does not state the spacing:
+    /// "12.5 voxels" instead of millimetres that would only be assumed.
     bool inVoxels = false;
-    std::optional<double> length{}; ///< of a distance, mm
+    std::optional<double> length{}; ///< length of a distance, mm
     std::optional<double> angleDegrees{}; ///< 0 … 180
-    std::optional<double> area{}; ///< of a region of a plane, mm²
-    std::optional<double> volume{}; ///< of a ball, mm³
-    /// Of an ellipse its axes, of a rectangle its sides, of a ball its diameter: the longer first.
+    std::optional<double> area{}; ///< area of a region of a plane, mm²
+    std::optional<double> volume{}; ///< volume of a ball, mm³
+    /// The axes of an ellipse, the sides of a rectangle, or the diameter of a ball (longAxis
+    /// alone), mm; the longer one first.
     std::optional<double> longAxis{};
     std::optional<double> shortAxis{};
 };
 
-/// What of a volume's spacing is not known.
+/// Which part of a volume's spacing is unknown.
 enum class UnknownSpacing { Nothing, BetweenSlices, Everything };
 [[nodiscard]] UnknownSpacing unknownSpacing(const Volume& volume);
 
-/// The sizes of a measurement in a volume. Views show slices that are unevenly spaced as if they
-/// were even; a size is what lies between the true places, so on such a volume an area is added up
-/// from slice to slice. If only the distance of slices is unknown, what lies in one slice has
-/// millimetres.
+/// The size of a measurement in a volume. Views show unevenly spaced slices as if they were evenly
+/// spaced; sizes are those between the true places (truePlace()), so on such a volume an area is
+/// summed from slice to slice. If only the distance between slices is unknown, measurements within
+/// one slice still have millimetres.
 [[nodiscard]] MeasuredSize measuredSize(const Measurement& measurement, const Volume& volume);
 
-/// Where a place that a view shows lies in the patient; it differs only between uneven slices.
+/// Where a place that a view shows really lies in the patient, LPS mm. It differs from the shown
+/// place only if slices are unevenly spaced.
 [[nodiscard]] glm::dvec3 truePlace(const VolumeGeometry& geometry, const glm::dvec3& shownLps);
 
 } // namespace core

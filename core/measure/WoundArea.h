@@ -8,14 +8,14 @@
 
 namespace core {
 
-// What a closed outline encloses that may cross itself: whatever it winds around, as an outline
-// that fills a segment does (core/edits/kinds/segments/FillOutline.h).
+// The inside of a closed outline that may cross itself: everything that it winds around, as for an
+// outline that fills a segment (core/edits/kinds/segments/FillOutline.h).
 
-/// Corners, in order.
+/// The four corners, in order around it.
 using Trapezoid = std::array<glm::dvec2, 4>;
 
-/// Divides the inside into trapezoids with two sides along x, which share no more than their
-/// borders. The cost is that of the corners and crossings times the corners.
+/// Divides the inside into trapezoids with two sides parallel to x, which share at most their
+/// borders. Cost ∝ (corners + crossings) × corners.
 [[nodiscard]] std::vector<Trapezoid> woundTrapezoids(const std::vector<glm::dvec2>& polygon);
 
 /// The area of the inside.

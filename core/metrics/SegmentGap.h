@@ -14,25 +14,26 @@ namespace core {
 
 struct VolumeGeometry;
 
-/// Where two segments are nearest to each other: a place on the surface of either. They are one
-/// place where the segments touch, at a corner at least, or share a voxel.
+/// Where two segments are nearest to each other: one place on the surface of each. Both are the
+/// same place if the segments share a voxel or touch, be it at a corner.
 struct SegmentGap {
     glm::dvec3 fromLps{0.0};
     glm::dvec3 toLps{0.0};
     bool operator==(const SegmentGap&) const = default;
 };
 
-/// The surface of a segment is that of its voxels' cells, so along each of the grid's axes what
-/// lies between two voxels is one step less than what lies between their centres, or nothing. On a
-/// sheared grid it is measured between the corners of cells that face each other. Squared lengths
-/// are whole numbers (MillimetreBall.h); of several places that are as near, the one with the
-/// lowest voxel of the first segment, and then of the other, in the order of memory.
+/// Finds the shortest distance between two segments. Their surfaces are those of their voxels'
+/// cells, so along each axis of the grid the distance between two voxels is one step less than that
+/// between their centres, and never less than 0. On a sheared grid the distance is measured between
+/// the facing corners of the cells. Squared lengths are whole numbers (MillimetreBall.h). If
+/// several places are equally near, the one with the lowest voxel of the first segment in the order
+/// of memory counts, then of the other.
 ///
-/// Cost: two passes over the volume, and those pairs of bricks along both surfaces that may be as
-/// near. Any thread. Errors: Cancelled.
-/// @param labels of the whole volume in the first segment's plane, x fastest
-/// @param otherLabels in the other's; it may be the same
-/// @return none: one of them has no voxel
+/// Cost: two passes over the volume, and a comparison of those pairs of bricks along both surfaces
+/// that may be nearest. Any thread. Errors: Cancelled.
+/// @param labels one for each voxel of the volume in the first segment's plane, x fastest
+/// @param otherLabels the same in the other's plane; it may be the same one
+/// @return none if one of the segments has no voxels
 [[nodiscard]] Result<std::optional<SegmentGap>> segmentGap(std::span<const std::uint8_t> labels,
     std::uint8_t label, std::span<const std::uint8_t> otherLabels, std::uint8_t otherLabel,
     const VolumeGeometry& geometry, const Progress& progress);

@@ -14,41 +14,41 @@ namespace core {
 
 struct MillimetreBall;
 
-// What a ball does to a mask, exactly and in whole numbers. Both work in place and on all cores,
-// ask every few milliseconds whether they were cancelled (then they fail with Cancelled, and the
-// mask is undefined), and need filterBytes() at most. Any thread that is no parallelFor's.
+// What a ball does to a mask, exactly and in whole numbers. dilate() and keepMajority() work in
+// place and on all cores, need at most filterBytes(), and check every few milliseconds whether they
+// were cancelled; then they fail with Cancelled, and the mask is undefined. Any thread outside a
+// parallelFor().
 
-/// Voxels of a box, x fastest: 1 or 0. What lies beyond the box is no voxel.
+/// A mask of the voxels of a box, x fastest: 1 or 0. Voxels outside the box do not belong to it.
 struct ByteMask {
     glm::ivec3 size{0};
     std::vector<std::uint8_t> voxels;
 };
 
-/// Memory for a mask of that size and one filter at work: three bytes a voxel, and what is needed
-/// for single rows and slices.
+/// Memory for a mask of this size and one filter that works on it: three bytes per voxel, and what
+/// is needed for single rows and slices.
 [[nodiscard]] double filterBytes(const glm::ivec3& size);
 
-/// A filter's place in longer work, for its progress.
+/// Which stage of longer work a filter is, so that it can report its progress.
 struct FilterStage {
     const Progress& progress;
-    int number = 0; ///< from 0
+    int number = 0; ///< number of this stage, from 0
     int of = 1;
 };
 
-/// Sets every voxel that has one of the mask in the ball around it. On a grid with axes at right
-/// angles its cost does not depend on the ball: squared distances are worked out along rows, then
-/// by lower envelopes of parabolas along columns, and each voxel reaches so many slices. On a
-/// sheared grid the voxels of the ball are counted as below.
+/// Sets every voxel that has a voxel of the mask in the ball around it. On a grid with axes at
+/// right angles the cost does not depend on the size of the ball (ReachOfMask.h). On a sheared grid
+/// the mask's voxels in the ball are counted, at the cost of keepMajority().
 [[nodiscard]] Result<void> dilate(
     ByteMask& mask, const MillimetreBall& ball, const FilterStage& stage);
 
-/// Sets the voxels with more than half of the whole ball around them in the mask, and no other.
-/// Cost ∝ voxels of the box × rows of the ball.
+/// Sets exactly those voxels for which more than half of the ball's voxels around them are in the
+/// mask. Cost ∝ voxels of the box × rows of the ball.
 [[nodiscard]] Result<void> keepMajority(
     ByteMask& mask, const MillimetreBall& ball, const FilterStage& stage);
 
-/// Sets every voxel from which no way over faces of unset ones leads to the border of the box.
-/// @param progress is only asked whether it was cancelled
+/// Sets every voxel from which no path over faces of unset voxels leads to the border of the box.
+/// @param progress is only asked whether the work was cancelled
 [[nodiscard]] Result<void> fillEnclosed(ByteMask& mask, const Progress& progress);
 
 } // namespace core

@@ -13,7 +13,8 @@
 
 namespace core {
 
-/// The rows of a box of a volume, x fastest in both. @pre the box lies within the volume
+/// Goes through the rows of a box of a volume; both are stored x fastest.
+/// @pre the box lies within the volume
 class BoxRows {
 public:
     BoxRows(const VoxelBox& box, const glm::ivec3& volumeSize)
@@ -28,7 +29,8 @@ public:
         return {.before = glm::equal(m_box.minimum, glm::ivec3(0)),
             .behind = glm::equal(m_box.maximum, m_size)};
     }
-    /// Calls @p visit(index in the volume, index in the box, width).
+    /// Calls @p visit(index in the volume, index in the box, width) for each row of the box; the
+    /// indices are those of its first voxel.
     template <class Visit> void forEach(const Visit& visit) const
     {
         const auto width = std::size_t(boxSize().x);
@@ -40,8 +42,8 @@ public:
             }
         }
     }
-    /// Calls @p visit(index in this box, index in the other one, width) for what both have of each
-    /// row.
+    /// Calls @p visit(index in this box, index in the other box, width) for the part of each row
+    /// that lies in both boxes.
     template <class Visit> void forEachWithin(const BoxRows& other, const Visit& visit) const
     {
         const glm::ivec3 from = glm::max(m_box.minimum, other.m_box.minimum);
@@ -54,7 +56,7 @@ public:
                     std::size_t(to.x - from.x));
         }
     }
-    /// Which voxels of the box have the label, or have not.
+    /// The voxels of the box that have the label, or with `own` false those that do not.
     [[nodiscard]] ByteMask mask(
         std::span<const std::uint8_t> labels, std::uint8_t label, bool own = true) const
     {
@@ -68,7 +70,8 @@ public:
         });
         return mask;
     }
-    /// In the order of memory, the voxels of a label that are chosen by their index in the box.
+    /// The voxels of a label that are chosen, in the order of memory.
+    /// @param isChosen called with the index of the voxel in the box
     template <class IsChosen>
     [[nodiscard]] VoxelRuns voxels(
         std::span<const std::uint8_t> labels, std::uint8_t label, const IsChosen& isChosen) const

@@ -7,20 +7,21 @@
 
 namespace core {
 
-/// The lower envelope of parabolas that are alike but for their lowest points: the least squared
-/// distance along a line to places of which each is already so far away across it (Felzenszwalb and
-/// Huttenlocher; Meijster, Roerdink and Hesselink). In whole numbers: where two of them meet is
-/// divided as integers and rounded up.
+/// The lower envelope of parabolas that differ only in their lowest points. Along a line it gives
+/// the least squared distance to a set of places, each of which already has a squared distance
+/// across the line (Felzenszwalb and Huttenlocher; Meijster, Roerdink and Hesselink). In whole
+/// numbers: the place where two parabolas meet is an integer division, rounded up.
 class LowerEnvelope {
 public:
     /// @param curvature squared length of one step along the line
+    /// @param most the greatest number of parabolas, for which memory is reserved
     LowerEnvelope(std::int64_t curvature, std::size_t most)
         : m_curvature(curvature)
     {
         m_parabolas.reserve(most);
     }
 
-    /// Begins anew; what is asked lies from @p begin to before @p end.
+    /// Starts again. at() will be called for places from @p begin to before @p end.
     void clear(int begin, int end)
     {
         m_begin = begin;
@@ -28,7 +29,8 @@ public:
         m_lowest = 0;
         m_parabolas.clear();
     }
-    /// Places ascending. @param least squared distance there
+    /// Adds a parabola. Places must be ascending.
+    /// @param least squared distance at that place
     void add(int place, std::int64_t least)
     {
         std::int64_t from = m_begin;
@@ -47,7 +49,9 @@ public:
             m_parabolas.push_back({.place = place, .from = int(from), .least = least});
     }
     [[nodiscard]] bool empty() const { return m_parabolas.empty(); }
-    /// Places ascending, after all were added. @pre not empty()
+    /// The least squared distance at a place. To be called after all parabolas were added, with
+    /// ascending places.
+    /// @pre not empty()
     [[nodiscard]] std::int64_t at(int place)
     {
         while (m_lowest + 1 < m_parabolas.size() && m_parabolas[m_lowest + 1].from <= place)

@@ -14,21 +14,23 @@ struct VolumeGeometry;
 /// in the ball if its squared length is at most the squared radius; a step and the opposite one are
 /// in it together.
 ///
-/// The squared length of a step (dx, dy, dz) is the quadratic form of the products of the grid's
-/// axes, so a sheared grid (gantry tilt) is measured as it lies in the patient. Millimetres become
+/// The squared length of a step (dx, dy, dz) is computed from the scalar products of the grid's
+/// axes, so distances on a sheared grid (gantry tilt) are those in the patient. Millimetres become
 /// integers once, in ballOf(): the unit is the power of two that keeps every squared length below
-/// 2⁶⁰, and the squared radius gets a millionth more, so that a radius of exactly three voxels
-/// reaches the third one. Like every edit it measures by the affine; slices that deviate from it
-/// (VolumeGeometry::slicePositions) lie where the affine puts them.
+/// 2⁶⁰. The squared radius is enlarged by a millionth, so that a radius of exactly three voxels
+/// reaches the third one. As in every edit, distances are those of the affine indexToWorld, even if
+/// the slices of the volume deviate from it (VolumeGeometry::slicePositions).
 struct MillimetreBall {
-    std::int64_t xx = 1; ///< products of the axes
+    std::int64_t xx = 1; ///< scalar products of the grid's axes
     std::int64_t yy = 1;
     std::int64_t zz = 1;
-    std::int64_t xy = 0; ///< 0, like the next two, where axes are at right angles to 0.01°
+    /// This and the next two are 0 if the axes are perpendicular to within 0.01°.
+    std::int64_t xy = 0;
     std::int64_t xz = 0;
     std::int64_t yz = 0;
     std::int64_t squaredRadius = 0;
-    glm::ivec3 extent{0}; ///< no step of the ball is longer along an axis; at least 1
+    /// The longest step of the ball along each axis at most, in voxels; at least 1.
+    glm::ivec3 extent{0};
 
     [[nodiscard]] bool isStraight() const { return xy == 0 && xz == 0 && yz == 0; }
     [[nodiscard]] std::int64_t squared(std::int64_t x, std::int64_t y, std::int64_t z) const
@@ -41,24 +43,27 @@ struct MillimetreBall {
     }
 };
 
-/// @pre mostBallVoxels() is not exceeded
+/// Makes a ball for a grid.
+/// @pre ballVoxels() is at most mostBallVoxels
 [[nodiscard]] MillimetreBall ballOf(const VolumeGeometry& geometry, double radiusMm);
 
-/// A ball has at most so many voxels from its centre along an axis; a radius with more is refused.
+/// The greatest number of voxels that a ball may reach from its centre along an axis; greater radii
+/// are refused.
 constexpr int mostBallVoxels = 4096;
-/// How many it would have along the axis where they are most.
+/// How many voxels a ball of this radius would reach, along the axis on which they are most.
 [[nodiscard]] double ballVoxels(const VolumeGeometry& geometry, double radiusMm);
 
-/// The ball's steps along x for one step along y and z.
+/// The steps along x that are in the ball, for one step along y and z.
 struct BallRow {
     int y = 0;
     int z = 0;
     int from = 0;
     int to = 0; ///< included
 };
-/// Those rows of the ball that two voxels of a box can have between them, z first.
+/// The rows of the ball that can lie between two voxels of a box of this size; ascending by z, then
+/// y.
 [[nodiscard]] std::vector<BallRow> ballRows(const MillimetreBall& ball, const glm::ivec3& box);
-/// The voxels of the whole ball.
+/// The number of voxels of the whole ball.
 [[nodiscard]] std::int64_t voxelCount(const MillimetreBall& ball);
 
 } // namespace core

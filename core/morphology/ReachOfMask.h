@@ -11,21 +11,22 @@ namespace core {
 
 class StageCounter;
 
-/// Dilation on a grid with axes at right angles, in three passes: slices, which are independent of
-/// each other, then the two directions along z.
+/// Dilation on a grid with perpendicular axes. First each slice is processed independently, then
+/// the voxels of each column along z in both directions.
 ///
-/// Within a slice each voxel's squared distance to the mask is exact: along x by counting, along y
-/// by the lower envelope of the parabolas that the rows stand for (LowerEnvelope.h).
-/// What is kept of it is one more than the slices up to which the rest of the radius reaches; 0:
-/// none. So two bytes a voxel are enough, and what is left to do along z is to take the greater of
-/// a voxel's reach and that of its neighbour less one.
+/// Within a slice, the squared distance of each voxel to the mask is exact: along x by counting,
+/// along y by the lower envelope of the parabolas of the rows (LowerEnvelope.h). Only the reach
+/// along z is stored: one more than the number of slices that the rest of the radius spans, or 0 if
+/// the distance is greater than the radius. So two bytes per voxel suffice, and along z each voxel
+/// takes the greater of its own reach and that of its neighbour less one.
 class ReachOfMask {
 public:
     ReachOfMask(ByteMask& mask, const MillimetreBall& ball);
 
-    /// Independent for each z.
+    /// Processes a slice. May run in parallel for different z.
     void lookAlongSlice(int z);
-    /// After all slices; independent for each y. The mask is then what the ball makes of it.
+    /// Processes the columns along z at one y; then their voxels in the mask are dilated. To be
+    /// called after all slices; may run in parallel for different y.
     void spreadAlongZ(int y);
 
 private:
@@ -38,7 +39,8 @@ private:
 
     ByteMask& m_mask;
     const MillimetreBall& m_ball;
-    std::vector<std::int64_t> m_upTo; ///< squared length of so many slices, as far as it matters
+    /// Squared length of 0, 1, 2 … steps along z, up to the squared radius.
+    std::vector<std::int64_t> m_upTo;
     std::vector<std::uint16_t> m_reach;
 };
 

@@ -14,49 +14,52 @@ namespace core {
 
 struct MillimetreBall;
 
-/// What is done to the shape of a whole segment, with a ball of millimetres.
+/// Operations on the shape of a whole segment, with a ball of millimetres.
 ///
-/// The image's border is no border of the segment: nothing is known beyond it, so what touches it
-/// does not shrink away from it, gets no shell there and is not opened there, as with ITK's
-/// BoundaryToForeground. A closing does not depend on it: it is what it would be in a larger volume
-/// that is empty around this one, and only then cut to it.
+/// The border of the image is no border of the segment: nothing is known beyond it. A segment that
+/// touches it does not shrink away from it, gets no shell there and is not opened there, as with
+/// ITK's BoundaryToForeground. Closing does not depend on it: the result is that in a larger volume
+/// that is empty around this one, cut to this volume.
 enum class ShapeOperation : std::uint8_t {
-    Grow, ///< voxels that have one of the segment in the ball around them become its own
-    Shrink, ///< voxels that have another one than the segment's in the ball go
-    Hollow, ///< of the segment a shell along its border remains (ShellPlace)
-    Open, ///< what no ball within the segment holds goes: spurs, bridges, specks
-    Close, ///< what no ball beside the segment holds becomes its own: clefts, holes, gaps
-    /// Voxels change sides if more than half of the whole ball around them lies on the other one.
-    /// What lies beyond the image's border counts for neither.
+    Grow, ///< free voxels join if a voxel of the segment lies in the ball around them
+    Shrink, ///< voxels leave if a voxel outside the segment lies in the ball around them
+    Hollow, ///< only a shell along the border remains (ShellPlace)
+    Open, ///< voxels that no ball within the segment covers leave: spurs, bridges, specks
+    Close, ///< free voxels that no ball outside the segment covers join: clefts, holes, gaps
+    /// Voxels change sides if more than half of the whole ball around them lies on the other side.
+    /// What lies beyond the border of the image counts for neither side.
     Median,
-    /// What the ball, rolled around the segment from outside, cannot get into becomes its own:
-    /// holes, and all that lies behind openings that are narrower than the ball. Like a closing it
-    /// does not depend on the image's border; voxels hang together by faces.
+    /// Free voxels join if the ball cannot reach them when it is rolled around the segment from
+    /// outside: holes, and everything behind openings that are narrower than the ball. Like closing
+    /// it does not depend on the border of the image. The ball moves over faces of voxels.
     Wrap,
-    /// Voxels change sides if more than half of a Gaussian around them lies on the other one. No
-    /// ball does that: see GaussianShape.h.
+    /// Voxels change sides if more than half of a Gaussian around them lies on the other side. Not
+    /// done by shapeChange(): see GaussianShape.h.
     Gaussian,
 };
 
-/// Where a shell lies that remains of a segment, from its border, which is halfway between voxels.
+/// Where the shell lies, relative to the border of the segment, which runs halfway between voxels.
 enum class ShellPlace : std::uint8_t {
-    Inside, ///< voxels of the segment as far from the border as the ball reaches
-    Centred, ///< such voxels on both sides; the ball is half as thick as the shell
-    Outside, ///< free voxels beside the segment; its own ones all go
+    Inside, ///< voxels of the segment, as far from the border as the ball reaches
+    /// Such voxels on both sides; the radius of the ball is half the thickness of the shell.
+    Centred,
+    /// Free voxels beside the segment, as far as the ball reaches; its own voxels all leave.
+    Outside,
 };
 
 /// What a segment gains and loses.
 struct ShapeChange {
-    VoxelRuns given; ///< only voxels that no segment has; what is another's stays so
+    VoxelRuns given; ///< only voxels that no segment has
     VoxelRuns taken;
 };
 
-/// Exact: no float decides. Cost of the operations but Median on grids with axes at right angles:
-/// two passes over the volume and a few over the box around the segment with the ball
-/// (BallFilters.h), of any size of ball. Any thread that is no parallelFor's.
-/// @param labels of the whole volume in the segment's plane, x fastest
-/// @param operation not Gaussian
-/// @param place of Hollow
+/// Computes what an operation changes. Exact: no floating-point number decides. Cost, except for
+/// Median and on sheared grids: two passes over the volume and a few over the box around the
+/// segment with the ball (BallFilters.h), whatever the size of the ball. Any thread outside a
+/// parallelFor().
+/// @param labels one for each voxel of the volume in the segment's plane, x fastest
+/// @param operation any but Gaussian
+/// @param place only for Hollow
 /// Errors: OutOfMemory if filterBytes() of that box are more than checkBytes() allows, Cancelled.
 [[nodiscard]] Result<ShapeChange> shapeChange(std::span<const std::uint8_t> labels,
     const glm::ivec3& size, std::uint8_t label, ShapeOperation operation, ShellPlace place,

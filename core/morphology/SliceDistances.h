@@ -13,7 +13,7 @@ namespace core {
 
 struct VolumeGeometry;
 
-/// Pixels of a rectangle in a slice, x fastest: 1 or 0.
+/// A mask of the pixels of a rectangle in a slice, x fastest: 1 or 0.
 struct SliceMask {
     glm::ivec2 size{0};
     std::vector<std::uint8_t> pixels{};
@@ -24,10 +24,10 @@ struct SliceMask {
     }
 };
 
-/// Squared lengths of a step across and down a slice, in whole numbers. Millimetres become integers
-/// once, in sliceSteps(): the unit is the power of two that keeps every squared length in a
-/// rectangle of three times the slice below 2⁶⁰. Rows and columns count as perpendicular, which
-/// they are not in slices across the acquired ones where a gantry was tilted.
+/// Squared lengths of one step along a row and along a column of a slice, in whole numbers.
+/// Millimetres become integers once, in sliceSteps(): the unit is the power of two that keeps every
+/// squared length in a rectangle of three times the slice below 2⁶⁰. Rows and columns are taken as
+/// perpendicular; they are not in slices across I or J if the gantry was tilted.
 struct SliceSteps {
     std::int64_t xx = 1;
     std::int64_t yy = 1;
@@ -39,8 +39,8 @@ struct SliceSteps {
 };
 [[nodiscard]] SliceSteps sliceSteps(const VolumeGeometry& geometry, SliceAxis axis);
 
-/// How far each pixel lies from the other side, squared: of the mask's own pixels the distance to
-/// the nearest one that is not, of all others less than 0, that to the nearest one that is. Exact.
+/// The squared distance of each pixel to the border of a mask: inside the mask, to the nearest
+/// pixel outside it; outside, the negative squared distance to the nearest pixel inside. Exact.
 /// Cost ∝ pixels.
 /// @pre the mask has pixels, and none along its border
 [[nodiscard]] std::vector<std::int64_t> signedSquares(

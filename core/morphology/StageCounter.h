@@ -7,7 +7,7 @@
 
 namespace core {
 
-/// Counts the steps of a filter that are done on several threads, and tells of whole per cents.
+/// Counts the steps of a filter that several threads carry out, and reports whole per cents.
 class StageCounter {
 public:
     StageCounter(const FilterStage& stage, std::int64_t total)

@@ -11,29 +11,30 @@
 
 namespace core {
 
-/// The cheapest ways along the sides of pixels from one corner, the anchor, to all others (Dijkstra
-/// with whole costs, in buckets as Dial has it). They are worked out once; each way is then found
-/// at the cost of its length, so that it can follow a pointer.
+/// The cheapest paths along the sides of pixels from one corner, the anchor, to all others
+/// (livewire: Dijkstra's algorithm with whole costs, in buckets as by Dial). They are computed
+/// once; finding a path then costs ∝ its length, so that it can follow the pointer.
 ///
-/// Which of several ways of the same cost is taken depends on costs and places alone: from the end
-/// backwards, each step leads to the corner nearest to the straight line from the anchor to the
-/// end, and among corners as near to the one on the right, below, on the left, above, in this
-/// order.
+/// Among several paths of the same cost, costs and positions alone decide: from the end backwards,
+/// each step leads to the corner that is nearest to the straight line from the anchor to the end;
+/// of equally near ones to that on the right, below, on the left, above, in this order.
 class CheapestWays {
 public:
-    /// Farther than this from the anchor, along columns or rows, no way is sought, so that a large
-    /// picture does not cost more than a moment.
+    /// No path is computed farther than this from the anchor, in columns or rows, so that even for
+    /// a large picture the computation takes only a moment.
     static constexpr int defaultReach = 1000;
 
+    /// Computes all paths within reach.
     /// @pre the anchor is a corner of the costs
     CheapestWays(
         std::shared_ptr<const SideCosts> costs, const glm::ivec2& anchor, int reach = defaultReach);
 
     [[nodiscard]] const glm::ivec2& anchor() const { return m_anchor; }
-    /// The sum of the costs of the sides. @pre the corner is within reach
+    /// The cost of the path to a corner: the sum over its sides.
+    /// @pre the corner is within reach
     [[nodiscard]] std::uint32_t costTo(const glm::ivec2& corner) const;
-    /// From the anchor to the corner: both ends, and the corners where it turns. Beyond the reach
-    /// it runs straight. The anchor alone, if that is the corner.
+    /// The path from the anchor to a corner: both ends, and the corners where it turns. Beyond the
+    /// reach it continues straight to the corner. Only the anchor, if it is that corner.
     [[nodiscard]] std::vector<glm::ivec2> wayTo(const glm::ivec2& corner) const;
 
 private:
@@ -49,9 +50,9 @@ private:
 
     std::shared_ptr<const SideCosts> m_costs;
     glm::ivec2 m_anchor;
-    glm::ivec2 m_low; ///< of the corners within reach
+    glm::ivec2 m_low; ///< first of the corners within reach
     glm::ivec2 m_high; ///< the last of them
-    std::vector<std::uint32_t> m_sums; ///< by corner within reach
+    std::vector<std::uint32_t> m_sums; ///< for each corner within reach, the cost of its path
 };
 
 } // namespace core

@@ -9,8 +9,8 @@
 
 namespace core {
 
-/// The longest axis of what hangs together in a slice, and the longest one across it: what
-/// bidimensional criteria of tumours measure.
+/// The longest axis of a connected region in a slice, and the longest axis perpendicular to it, as
+/// bidimensional tumour criteria measure them.
 struct SegmentAxes {
     glm::dvec3 longFromLps{0.0};
     glm::dvec3 longToLps{0.0};
@@ -18,13 +18,14 @@ struct SegmentAxes {
     glm::dvec3 shortToLps{0.0};
 };
 
-/// The pixels that hang together with one, at sides or corners, are taken as the convex hull of the
-/// middles of their sides: so a disc has its diameter to within a pixel, on average exactly. The
-/// long axis joins its two corners that lie farthest apart (the first found of several); the short
-/// one is the longest chord of the hull that is perpendicular to it. Either may leave the pixels
-/// where they form a dent.
+/// Measures the region of pixels that is connected with a pixel by sides or corners. It is
+/// represented by the convex hull of the midpoints of its pixels' sides; so the diameter of a disc
+/// is right to within a pixel, and on average exactly. The long axis joins the two corners of the
+/// hull that lie farthest apart (the first pair found, if several do). The short axis is the
+/// longest chord of the hull that is perpendicular to it. Either may leave the region where it is
+/// concave.
 ///
-/// @param inside by pixel, x fastest: 0 is outside
+/// @param inside for each pixel, x fastest; 0 is outside
 /// @return none: the pixel is outside
 [[nodiscard]] std::optional<SegmentAxes> segmentAxes(
     const SliceLattice& lattice, const std::vector<std::uint8_t>& inside, const glm::ivec2& pixel);

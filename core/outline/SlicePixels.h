@@ -9,7 +9,7 @@
 
 namespace core {
 
-/// The values of a slice as a picture, for outlines that follow it.
+/// The values of a slice as a picture, for outlines that follow its edges.
 struct SlicePixels {
     glm::ivec2 size{0}; ///< columns, rows
     std::vector<std::uint16_t> codes{}; ///< columns fastest

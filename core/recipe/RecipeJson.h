@@ -7,9 +7,9 @@
 
 namespace core {
 
-/// The object that a recipe's file holds; what it says is not looked at. Any thread. Errors:
-/// FileNotFound, FileUnreadable (also what is no file: a pipe, a device), InvalidRecipe (not JSON:
-/// the line; no object; a key that stands twice in one object).
+/// Reads the JSON object of a recipe's file, without checking its contents. Blocks; any thread.
+/// Errors: FileNotFound, FileUnreadable (also if it is not a regular file but a pipe or device),
+/// InvalidRecipe (not JSON: with the line; no object; a key that occurs twice in one object).
 [[nodiscard]] Result<QJsonObject> readRecipeJson(const QString& path);
 
 } // namespace core

@@ -12,54 +12,57 @@
 
 namespace core {
 
-/// How a brush follows edges (the adaptive brush): of what it sweeps it takes only voxels that are
-/// alike and joined to where the pen was. Both engines follow these rules exactly.
+/// How a brush follows edges (the adaptive brush): of the voxels that it sweeps, it changes only
+/// those that resemble the place where the stroke began and are connected with where the pen was.
+/// Both engines follow these rules exactly.
 ///
-/// 1. Value. Of the voxels whose index differs from `start` by at most 1 in each component, those
-///    count that lie in the volume and, for a flat brush, in its slab (CapsuleSweep.h, rule 2);
-///    `start` itself always does. The value is the lower median of their n codes: the code at place
-///    ⌊(n − 1) / 2⌋ of the ascending list, counted from 0. It holds for the whole stroke.
-/// 2. A voxel is alike if its code is one that the edit may change at all, and it is inside a
-///    capsule of the stroke (CapsuleSweep.h, rule 4) whose tolerance, ⌊tolerance · strength / 255⌋,
-///    its difference from the value does not exceed.
-/// 3. A member is an alike voxel under the pen (CapsulePath::under), or one that steps through
-///    alike voxels lead to from there. For a ball or cube a step changes one component of the index
-///    by 1. A flat brush is one voxel thick along its main axis, the one of which |perI.z|,
-///    |perJ.z| or |perK.z| (strokeStep()) is the greatest, the first of equals; there a step
-///    changes the component along the main axis by at most 1 and at most one of the others by 1, so
-///    that an oblique plane holds together while no step leads through a wall of one voxel.
+/// 1. Value. Among the voxels whose index differs from `start` by at most 1 in each component,
+///    those count that lie in the volume and, for a flat brush, in its slab (CapsuleSweep.h, rule
+///    2); `start` itself always counts. The value is the lower median of their n codes: the code at
+///    place ⌊(n − 1) / 2⌋ of the ascending list, counted from 0. It holds for the whole stroke.
+/// 2. A voxel is alike if the edit may change a voxel with its code at all, and if it is inside a
+///    capsule of the stroke (CapsuleSweep.h, rule 4) for which its code differs from the value by
+///    at most ⌊tolerance · strength / 255⌋.
+/// 3. A member is an alike voxel under the pen (CapsulePath::under), or an alike voxel that can be
+///    reached from there in steps through alike voxels. For a ball or cube a step changes one
+///    component of the index by 1. A flat brush is one voxel thick along its main axis, which is
+///    the one with the greatest of |perI.z|, |perJ.z| and |perK.z| (strokeStep()), the first if
+///    several are equal. There a step changes the component along the main axis by at most 1 and at
+///    most one of the others by 1: so an oblique plane is connected, while no step leads through a
+///    wall of one voxel.
 ///
-/// Members follow from the image and the path alone, not from any label, and each further capsule
-/// can only add some. So neither the order of capsules nor how a stroke is split matters: what is
-/// told piece by piece comes to the same as all at once.
+/// Members depend on the image and the path alone, not on any label, and each further capsule can
+/// only add members. So neither the order of capsules nor the division of a stroke into pieces
+/// matters: added piece by piece, it gives the same as all at once.
 struct EdgeRule {
-    glm::ivec3 start{0}; ///< the voxel in which the stroke begins
-    std::int32_t tolerance = 0; ///< codes
+    glm::ivec3 start{0}; ///< index of the voxel in which the stroke begins
+    std::int32_t tolerance = 0; ///< greatest difference from the value, in codes
 };
 
-/// Whether its numbers are in the range that the rules allow.
+/// Whether its numbers are in the ranges that the rules allow.
 [[nodiscard]] bool isSound(const EdgeRule& rule, const BrickGrid& grid);
 
-/// The box around the start of which rule 1 asks the codes; within the volume.
+/// The box around the start whose codes rule 1 needs; cut to the volume.
 [[nodiscard]] VoxelBox edgeValueBox(const EdgeRule& rule, const BrickGrid& grid);
-/// Rule 1. @param codes of that box, x fastest
+/// The value of a stroke (rule 1).
+/// @param codes one for each voxel of edgeValueBox(), x fastest
 [[nodiscard]] int edgeValue(const EdgeRule& rule, const CapsuleFrame& frame, const BrickGrid& grid,
     std::span<const std::uint16_t> codes);
 
-/// The members of one stroke while the pen is down (rule 3). Its cost follows what is added; each
-/// voxel is passed once.
+/// Finds the members of one stroke while the pen is down (rule 3). The cost follows what is added;
+/// each voxel is visited once.
 class EdgeRegion {
 public:
-    /// A bit for each voxel of a brick: of offset o bit o mod 32 of word o / 32.
+    /// One bit for each voxel of a brick: that of offset o is bit o mod 32 of word o / 32.
     using Bits = std::array<std::uint32_t, BrickGrid::voxelsPerBrick / 32>;
 
     EdgeRegion(const CapsuleFrame& frame, const BrickGrid& grid);
 
-    /// These voxels are alike; of voxels outside the volume no bit is set.
+    /// Adds alike voxels of a brick. No bit may be set for voxels outside the volume.
     void addAlike(std::uint32_t brick, const Bits& alike);
-    /// The pen was here. Voxels outside the volume count for nothing.
+    /// Adds voxels under the pen. Those outside the volume are ignored.
     void addUnder(const std::vector<glm::ivec3>& voxels);
-    /// The members that there were not at the last call, by brick; bricks without any are left out.
+    /// The members that were added since the last call, by brick; bricks without any are left out.
     [[nodiscard]] std::map<std::uint32_t, Bits> takeNew();
 
 private:
@@ -69,17 +72,17 @@ private:
         Bits members{};
     };
     [[nodiscard]] bool isMember(const glm::ivec3& voxel);
-    /// Makes it a member if it is alike and was none.
+    /// Makes a voxel a member if it is alike and no member yet.
     void reach(const glm::ivec3& voxel);
-    /// Null where nothing is known of it.
+    /// The brick of a voxel; null if nothing was added to it.
     [[nodiscard]] Brick* brickAt(const glm::ivec3& voxel);
 
     BrickGrid m_grid;
     std::vector<glm::ivec3> m_steps;
     std::unordered_map<std::uint32_t, Brick> m_bricks;
     std::map<std::uint32_t, Bits> m_new;
-    std::vector<glm::ivec3> m_front; ///< members whose neighbours have not been looked at
-    std::uint32_t m_lastNumber = ~0u; ///< of the brick that was asked for last
+    std::vector<glm::ivec3> m_front; ///< members whose neighbours have not been examined yet
+    std::uint32_t m_lastNumber = ~0u; ///< number of the brick that was asked for last
     Brick* m_last = nullptr;
 };
 

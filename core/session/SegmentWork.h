@@ -7,15 +7,18 @@ namespace core {
 
 class OperationQueue;
 
-/// The edit of a segment that is being worked out (CleanSegment, ReshapeSegment, FillBetweenSlices,
-/// FloodFill, MirrorSegment, EvolveContour, SplitIslands, SplitSegment). Part of EditSession.
+/// The edit of a segment that is being computed at present (CleanSegment, ReshapeSegment,
+/// FillBetweenSlices, FloodFill, MirrorSegment, EvolveContour, SplitIslands, SplitSegment). Part of
+/// EditSession.
 class SegmentWork {
 public:
     explicit SegmentWork(OperationQueue& queue);
 
-    /// How much of it is done; none: no such edit is running, or its voxels are being written.
+    /// The percentage of it that is done; none: no such edit is running, or its voxels are already
+    /// being written.
     [[nodiscard]] std::optional<int> percent() const;
-    /// Abandons it. It is reported as Cancelled, and voxels and history stay as they were.
+    /// Abandons it. The session then reports the error Cancelled; voxels and history stay as they
+    /// were. Does nothing if percent() is empty.
     void abort();
 
 private:

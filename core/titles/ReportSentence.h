@@ -12,9 +12,10 @@
 
 namespace core {
 
-/// What the report of an export says, or a part of that; ui/texts/ReportTexts.h words it.
+/// A sentence in the report of an export, or a part of one; ui/texts/ReportTexts.h puts it into
+/// words.
 enum class ReportCode : std::uint8_t {
-    // Parts of sentences, and what stands between two of them.
+    // Parts of sentences, and separators between them.
     Joined,
     Comma,
     Space,
@@ -104,17 +105,17 @@ enum class ReportCode : std::uint8_t {
 
 using ReportSentence = Said<ReportCode>;
 
-/// One line of a report: of the export itself, or of a problem that its volume has.
+/// One line of a report: a sentence about the export, or a problem of its volume.
 using ReportLine = std::variant<ReportSentence, ProblemSentence>;
 using ReportLines = QList<ReportLine>;
 
-/// Parts of a sentence, with commas.
+/// Inserts parts of a sentence as an argument, separated by commas.
 [[nodiscard]] ReportSentence::Argument inReport(std::vector<ReportSentence> parts);
 [[nodiscard]] ReportSentence::Argument inReport(ReportSentence part);
-/// Names, with commas.
+/// Inserts names as an argument, separated by commas.
 [[nodiscard]] ReportSentence::Argument namesInReport(const QStringList& names);
-/// "1 frame", "2 frames".
-/// @param noun one that is a count
+/// Inserts a count with its noun as an argument, such as "1 frame" or "2 frames".
+/// @param noun a code whose sentence is a counted noun, such as ReportCode::Frames
 [[nodiscard]] ReportSentence::Argument countedInReport(ReportCode noun, std::int64_t count);
 
 } // namespace core

@@ -11,25 +11,28 @@
 
 namespace core {
 
-/// What is said of a problem of a volume, or a part of that: ProblemSentences.def lists them.
+/// A sentence about a problem of a volume, or a part of one. ProblemSentences.def lists all of them
+/// with their English forms.
 enum class ProblemCode : std::uint8_t {
 #define PROBLEM_SENTENCE(code, ...) code,
 #include "core/volume/ProblemSentences.def"
 #undef PROBLEM_SENTENCE
 };
 
-/// One sentence about a problem; ui/texts/ProblemTexts.h words it.
+/// A code with its arguments, such as the number of missing slices. ui/texts/ProblemTexts.h puts it
+/// into words.
 using ProblemSentence = Said<ProblemCode>;
 
-/// Several parts of a sentence, with commas.
+/// Inserts parts of a sentence as one argument, separated by commas: "two slices are missing, their
+/// distances are uneven".
 [[nodiscard]] ProblemSentence::Argument withCommas(std::vector<ProblemSentence> parts);
-/// Names, with what stands between two of them.
+/// Inserts names as one argument, with the separator @p joiner between them.
 [[nodiscard]] ProblemSentence::Argument namesIn(
     const Clauses& names, ProblemCode joiner = ProblemCode::Comma);
-/// A sentence in another one.
+/// Inserts a sentence as an argument of another one.
 [[nodiscard]] ProblemSentence::Argument asPart(ProblemSentence sentence);
 
-/// The English that session files keep. It never changes.
+/// The English text that session files store. It must never change.
 [[nodiscard]] QString storedText(const ProblemSentence& sentence);
 
 } // namespace core

@@ -6,12 +6,12 @@
 
 namespace core {
 
-/// What was imported as these segments, found by their labels, since names are not unique and a
-/// segment that was drawn may have the name of an imported one that is gone. The newest import of a
-/// segment counts; segments that were not imported are left out. Cost ∝ the runs of the imported
-/// masks. Any thread.
+/// The voxels that were imported into these segments. They are found by label, since names are not
+/// unique, and a segment that was drawn may have the name of an imported one that was deleted. If a
+/// segment was imported several times, the newest import counts; segments that were not imported
+/// are left out. Cost ∝ the runs of the imported masks. Any thread.
 /// @param imports in the order of the history, with their voxels
-/// @param voxels of the volume
+/// @param voxels number of voxels of the volume
 [[nodiscard]] std::vector<ImportedVoxels> importedAs(const std::vector<Segment>& segments,
     const std::vector<DoneImport>& imports, std::uint64_t voxels);
 

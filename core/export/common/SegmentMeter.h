@@ -10,21 +10,23 @@
 
 namespace core {
 
-/// Measures one segment whose values may come in portions: exports hand over the whole volume, the
-/// window the boxes that it reads. It counts in whole numbers, so both find the same to the bit.
-/// Any thread, one at a time.
+/// Measures one segment. Its values may come in portions: exports pass the whole volume, the window
+/// passes the boxes that it reads. Values and positions are counted in whole numbers, so both get
+/// exactly the same results. Any thread, one at a time.
 class SegmentMeter {
 public:
-    /// @param labels of the segment's plane, x fastest; they must outlive this
+    /// @param labels one for each voxel of the volume in the segment's plane, x fastest; they must
+    /// outlive this
     SegmentMeter(const VolumeGeometry& geometry, const VoxelEncoding& encoding,
         const Segment& segment, std::span<const std::uint8_t> labels);
 
     /// Counts the segment's voxels in a box. Boxes must not overlap.
-    /// @param codes of the box, x fastest
+    /// @param codes one for each voxel of the box, x fastest
     void count(const VoxelBox& box, std::span<const std::uint16_t> codes);
-    /// The measurements of what was counted. Its surface is that of all labels, so everything is
-    /// right once boxes around all voxels were counted. What was changed since an import is not in
-    /// it. @pre a voxel was counted
+    /// The measurements of the voxels that were counted. The surface is measured from all labels,
+    /// so the result is consistent only after boxes around all voxels of the segment were counted.
+    /// Changes since an import are not included.
+    /// @pre a voxel was counted
     [[nodiscard]] SegmentStatistics statistics() const;
 
 private:

@@ -12,11 +12,12 @@
 
 namespace core {
 
-/// A cut backwards (GrowthCut.h, rule 12) that can be taken further while it is open.
+/// A CutGrowth with How::Backwards (GrowthCut.h, rule 12) that can be taken further while it is
+/// open.
 class BackwardCut {
 public:
-    /// Does the steps of the command.
-    /// @param words linked; all bricks of the plane that hold any words; must outlive this
+    /// Begins the cut and carries out the steps of the command.
+    /// @param words linked; contain all bricks of the plane with seed words; must outlive this
     /// Errors: SeedsStay, NothingGrown (rule 1), EverythingGrown (rule 12).
     static Result<std::unique_ptr<BackwardCut>> begin(
         const WordBricks& words, const CutGrowth& command);
@@ -24,13 +25,15 @@ public:
     BackwardCut(const BackwardCut&) = delete;
     BackwardCut& operator=(const BackwardCut&) = delete;
 
-    /// Goes on until so many steps are done, the steps end, or the next one would take everything.
+    /// Continues until this number of steps is done, the steps end, or the next one would remove
+    /// everything that has grown. It cannot go back.
     void advanceTo(std::uint32_t steps);
     [[nodiscard]] BackwardProgress progress() const;
 
-    /// All that leaves by the steps so far, and the new words of members that stay.
+    /// All members that leave by the steps so far, by label.
+    /// @param changes receives the new words of members that stay (rule 10)
     [[nodiscard]] LeavingVoxels leaving(LabelCut::WordChanges& changes);
-    /// What becomes of the growth, as if it had been cut at once.
+    /// What the growth becomes, the same as if it had been cut in one go.
     [[nodiscard]] GrowthCutOutcome outcome();
 
 private:
@@ -41,8 +44,8 @@ private:
 
     const WordBricks& m_words;
     CutGrowth m_command;
-    std::vector<std::uint8_t> m_marks; ///< of each voxel, those of LabelCut
-    std::vector<std::unique_ptr<Label>> m_labels; ///< that have a sketch
+    std::vector<std::uint8_t> m_marks; ///< for each voxel, the marks that LabelCut uses
+    std::vector<std::unique_ptr<Label>> m_labels; ///< one for each label that has a sketch
     std::uint32_t m_steps = 1;
     BackwardProgress::Bound m_bound = BackwardProgress::Bound::None;
 };

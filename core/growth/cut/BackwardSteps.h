@@ -10,29 +10,30 @@
 
 namespace core {
 
-/// The members of one label that a cut takes backwards, step by step (GrowthCut.h, rule 12). The
-/// search of a step costs as much as what it takes; what becomes of the growth is worked out anew
-/// from all that leaves (GrowthCut.h).
+/// Finds, step by step, the members of one label that a backward cut removes (GrowthCut.h, rule
+/// 12). Finding a step costs as much as what it removes; how the growth changes (rules 10 and 11)
+/// is not computed here.
 class BackwardSteps {
 public:
     using Voxels = std::vector<WordBricks::Voxel>;
 
-    /// Does the first step.
+    /// Carries out the first step.
     /// @param members must outlive this
     /// @param sketch members of which none is a root, each once; not empty
     BackwardSteps(const LabelMembers& members, const Voxels& sketch);
 
-    /// Does one step more. @return false if the steps have ended and it took nothing
+    /// Carries out one more step.
+    /// @return false if the steps have ended; then nothing was removed
     bool advance();
-    /// Takes the last step back, which must not be the first. It can be done once for each step.
+    /// Undoes the last step, which must not be the first. Only one step can be undone in a row.
     void stepBack();
 
-    /// What leaves, each once; what a step takes comes after what those before it took.
+    /// The members that leave, each once, in the order of the steps.
     [[nodiscard]] const Voxels& leaving() const { return m_leaving; }
-    /// The members that have a parent that leaves, or would by the step that was taken back, and do
-    /// not leave; each once.
+    /// Members that stay although they have a parent that leaves (or that left by a step that was
+    /// undone); each once.
     [[nodiscard]] const Voxels& rim() const { return m_rim; }
-    /// Whether only roots stay.
+    /// Whether all members but the roots leave.
     [[nodiscard]] bool takesEverything() const { return m_leaving.size() == m_members.grown(); }
 
 private:
@@ -45,7 +46,7 @@ private:
 
     const LabelMembers& m_members;
     NearerMembers m_nearer;
-    std::vector<std::uint8_t> m_marks; ///< of each voxel
+    std::vector<std::uint8_t> m_marks; ///< for each voxel, the flags above
     Voxels m_leaving;
     Voxels m_rim;
     Voxels m_latest; ///< ancestors that the last step added

@@ -11,7 +11,8 @@
 
 namespace core {
 
-/// The voxels of one brick as an engine hands them over. No bytes mean that all voxels are empty.
+/// The contents of one brick as an engine hands them over. Empty words, labels or overwritten
+/// labels mean that all of its voxels have none.
 struct GrowthBrick {
     std::vector<std::uint8_t> words{}; ///< 4096 seed words, little-endian
     std::vector<std::uint8_t> labels{};
@@ -19,30 +20,31 @@ struct GrowthBrick {
     std::vector<std::uint16_t> codes{}; ///< 4096; whatever lies outside the volume is not read
 };
 
-/// A voxel that was changed, as kernels read it (growChange.comp).
+/// A changed voxel, in the layout that the kernel growChange.comp reads.
 struct GrowthChange {
     std::uint32_t voxel = 0; ///< brick << 12 | offset in the brick
     std::uint32_t word = 0;
-    std::uint32_t labels = 0; ///< that of the plane | the overwritten one << 8
+    std::uint32_t labels = 0; ///< label of the plane | overwritten label << 8
 };
 
-/// Reads bricks, in the order in which they are listed.
+/// Reads bricks; the results are in the order of the list.
 using ReadGrowthBricks =
     std::function<std::vector<GrowthBrick>(std::span<const std::uint32_t> bricks)>;
 
-/// A growth in memory, brick by brick: words, labels and codes of all bricks that hold members or
-/// seeds, and of those that such voxels touch. What is written can be taken back at once, at the
-/// cost of what was written.
+/// A growth in memory, brick by brick: seed words, labels and codes of all bricks that contain
+/// members or seeds, and of the bricks that such voxels touch. Everything that was written since
+/// keep() can be reverted, at a cost ∝ what was written.
 ///
-/// In words(), voxels outside the volume are barriers, so nobody need ask where the volume ends.
+/// In words(), voxels outside the volume are barriers, so callers need not check where the volume
+/// ends.
 class GrowthBricks {
 public:
     using Voxel = WordBricks::Voxel;
 
-    /// What an edit changes at one voxel.
+    /// What an edit can change at one voxel.
     struct State {
         std::uint32_t word = seedWord::unvisited;
-        std::uint8_t label = 0; ///< that the label plane holds
+        std::uint8_t label = 0; ///< label of the plane
         std::uint8_t overwritten = 0;
         bool operator==(const State&) const = default;
     };
@@ -61,9 +63,9 @@ public:
     }
 
     void write(Voxel voxel, const State& state);
-    /// The present state becomes the one to which revert() returns.
+    /// Makes the present state the one to which revert() returns.
     void keep();
-    /// @param onWord called with the word that is there and the one that returns
+    /// @param onWord called for each voxel with its present word and the one that is restored
     template <class OnWord> void revert(const OnWord& onWord)
     {
         for (auto former = m_log.rbegin(); former != m_log.rend(); ++former) {
@@ -73,13 +75,13 @@ public:
         m_log.clear();
     }
 
-    /// What was written since it was read and not reverted, as it is now. A voxel that was written
-    /// twice may be told twice.
+    /// The present contents of all voxels that were written since they were read and not reverted.
+    /// A voxel that was written several times may occur several times.
     [[nodiscard]] std::vector<GrowthChange> changes() const;
 
 private:
     void add(std::span<const std::uint32_t> bricks, const ReadGrowthBricks& read);
-    /// Bricks that were not added and that members or seeds touch.
+    /// Bricks that are not here yet and are touched by members or seeds.
     [[nodiscard]] std::vector<std::uint32_t> touchedBricks() const;
     [[nodiscard]] std::uint32_t sidesTouched(std::size_t place) const;
     void put(Voxel voxel, const State& state);

@@ -11,38 +11,40 @@
 
 namespace core {
 
-/// A growth as it is when a burst with another interval has opened, before its first step.
+/// The state of a growth after a burst with another interval was opened, before its first step.
 struct OpenedInterval {
     std::uint8_t label = 0; ///< the one that grows
     std::uint32_t kept = 0; ///< the greatest generation of a member that stayed
-    /// Seeds that were admitted; they are of generation kept + 1.
+    /// Seeds that became members at the opening, with generation kept + 1.
     std::vector<LeakGuard::Voxel> admitted{};
     /// All members that can claim a neighbour in the first step, ascending.
     std::vector<LeakGuard::Voxel> front{};
-    std::size_t withdrawn = 0; ///< members that left
+    std::size_t withdrawn = 0; ///< number of members that left
 };
 
-/// Opens one growth under one interval after the other (GrowOpening::Narrow in GrowthCommands.h),
-/// each time from the same beginning, word for word as opening a burst does, at a cost that follows
-/// what leaves and what is let in instead of all that has grown:
-/// - What an interval excludes leaves, and then, over and over, whatever has no neighbour left that
-///   it followed. Support leads from earlier to later generations only, so the order does not
-///   matter, and nothing else need be asked.
-/// - What can be claimed next is what suspended voxels or voxels that have left touch. Suspended
-///   voxels lie in a list by value (SuspendedSeeds).
+/// Opens a growth again and again under different intervals (GrowOpening::Narrow in
+/// GrowthCommands.h), each time from the same initial state. The result equals that of opening a
+/// burst, word for word. But the cost is ∝ the voxels that leave or are let in, not ∝ all that has
+/// grown:
+/// - Members that the interval excludes leave; then, repeatedly, members that have lost their last
+///   supporting neighbour. Support leads from earlier to later generations only, so the order does
+///   not matter, and no other members need to be examined.
+/// - Voxels that can be claimed next are suspended voxels or voxels that have just left. Suspended
+///   voxels are kept in a list sorted by value (SuspendedSeeds).
 ///
-/// It serves growths of a single label whose criterion at a voxel is that voxel's code alone.
+/// It works for growths of a single label whose criterion at a voxel depends on that voxel's code
+/// alone.
 class IntervalOpener {
 public:
     using Voxel = GrowthBricks::Voxel;
 
-    /// Whether a burst may be opened by it: it narrows, and only codes, a box and the label plane
-    /// decide. Whether a single label grows, prepare() finds out.
+    /// Whether it can be used for a burst: the opening is Narrow, and only codes, a box and the
+    /// label plane decide. (Whether a single label grows is found out by prepare().)
     [[nodiscard]] static bool suits(const GrowBurst& burst);
-    /// Reads the growth and drops, whatever the interval, what no longer qualifies: the only work
-    /// that grows with all that has grown. All cores take part.
+    /// Reads the growth and removes members that do not qualify under any interval. Only this step
+    /// costs ∝ all that has grown. It uses all cores.
     /// @param held all bricks of the plane with seed words
-    /// @return null where more than one label grows, or none
+    /// @return null if more than one label grows, or none
     [[nodiscard]] static std::unique_ptr<IntervalOpener> prepare(const GrowBurst& burst,
         const BrickGrid& grid, std::span<const std::uint32_t> held, const ReadGrowthBricks& read);
 
@@ -52,7 +54,7 @@ public:
     [[nodiscard]] OpenedInterval open(int lowCode, int highCode);
 
     [[nodiscard]] const SuspendedSeeds& suspended() const { return m_suspended; }
-    /// The growth as open() has made it.
+    /// The growth in the state in which the last open() left it.
     [[nodiscard]] const GrowthBricks& bricks() const { return m_bricks; }
 
 private:
@@ -64,7 +66,7 @@ private:
     void listSuspended();
     void measureBrick(std::size_t place);
 
-    /// Takes members out, and all that depends on them.
+    /// Removes members, and all that depend on them.
     void withdraw(std::vector<Voxel> leaving);
     void leave(Voxel voxel);
     [[nodiscard]] std::vector<Voxel> excluded() const;
@@ -78,11 +80,11 @@ private:
     [[nodiscard]] bool isInside(int code) const { return m_low <= code && code <= m_high; }
     [[nodiscard]] bool mayHold(std::uint8_t label) const;
     [[nodiscard]] bool isInBox(Voxel voxel) const;
-    /// Whether a word is a member that grows; those of locked labels stand still.
+    /// Whether a word is a member of the label that grows; members of locked labels do not grow.
     [[nodiscard]] bool grows(std::uint32_t word) const;
-    /// Whether a word is a member that another interval may take out.
+    /// Whether a word is a member that may leave under another interval.
     [[nodiscard]] bool mayLeave(std::uint32_t word) const;
-    /// Whether all but its code lets the label into a voxel that is no member.
+    /// Whether everything except its code admits the label to a voxel that is no member.
     [[nodiscard]] bool isOpen(Voxel voxel) const;
     [[nodiscard]] bool qualifies(Voxel member) const;
     /// The lowest direction from a growing neighbour of an earlier generation, or noParent.
@@ -101,11 +103,13 @@ private:
     std::uint32_t m_label = 0;
     int m_low = 0;
     int m_high = -1;
-    std::vector<std::uint32_t> m_perGeneration; ///< members, those of locked labels included
-    std::vector<Voxel> m_pending; ///< seeds that wait
+    /// Number of members by generation, those of locked labels included.
+    std::vector<std::uint32_t> m_perGeneration;
+    std::vector<Voxel> m_pending; ///< pending seeds of the label
     SuspendedSeeds m_suspended;
-    std::vector<CodeRange> m_ranges; ///< by brick: codes of members that may leave
-    std::vector<Voxel> m_left; ///< by the last withdraw()
+    /// For each brick, the range of codes of members that may leave.
+    std::vector<CodeRange> m_ranges;
+    std::vector<Voxel> m_left; ///< voxels that left by the last withdraw()
 };
 
 } // namespace core

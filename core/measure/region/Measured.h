@@ -9,15 +9,17 @@
 
 namespace core {
 
-/// All that a measurement comes to.
+/// A measurement with all its results.
 struct Measured {
     Measurement measurement{};
     MeasuredSize size{};
-    /// None: no voxel of the volume lies there, or it is no region.
+    /// The statistics of the values; none: it is no region or probe, or it contains no voxel of the
+    /// volume.
     std::optional<RegionStatistics> values{};
 };
 
-/// @param codes of the whole volume, x fastest
+/// Measures a measurement.
+/// @param codes one for each voxel of the volume, x fastest
 [[nodiscard]] inline Measured measuredIn(
     const Measurement& measurement, const Volume& volume, std::span<const std::uint16_t> codes)
 {

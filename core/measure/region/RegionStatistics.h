@@ -11,10 +11,11 @@
 
 namespace core {
 
-/// The values in a region, in modality units, exactly those of the voxels' codes. They are worked
-/// out from counts of codes, so they depend on no order.
+/// Statistics of the values in a region, in modality units, exact for the voxels' codes. They are
+/// computed from counts of codes, so they do not depend on any order.
 struct RegionStatistics {
-    std::int64_t voxels = 0; ///< or samples of an oblique plane (RegionVoxels.h)
+    /// Number of voxels, or of samples in an oblique plane (RegionVoxels.h)
+    std::int64_t voxels = 0;
     double mean = 0.0;
     double deviation = 0.0; ///< population standard deviation (divided by the number of voxels)
     double minimum = 0.0;
@@ -28,8 +29,8 @@ public:
     /// None if nothing was counted.
     [[nodiscard]] std::optional<RegionStatistics> statistics(const VoxelEncoding& encoding) const;
 
-    /// The least value that is as great as so many percent of what was counted, at least; one of
-    /// those values. None if nothing was counted.
+    /// The smallest counted value that is not exceeded by at least this percentage of all counted
+    /// values. None if nothing was counted.
     /// @param percent 0 … 100
     [[nodiscard]] std::optional<double> percentile(
         int percent, const VoxelEncoding& encoding) const;
@@ -38,9 +39,9 @@ private:
     std::vector<std::int64_t> m_ofCode = std::vector<std::int64_t>(VoxelEncoding::codeCount, 0);
 };
 
-/// Those of a region or a probe, by the rule of RegionVoxels.h; none: no voxel of the volume lies
-/// in it, or it is no region.
-/// @param codes of the whole volume, x fastest
+/// The statistics of a region or a probe, by the rule of RegionVoxels.h; none: it is neither, or it
+/// contains no voxel of the volume.
+/// @param codes one for each voxel of the volume, x fastest
 [[nodiscard]] std::optional<RegionStatistics> regionStatistics(
     const Measurement& measurement, const Volume& volume, std::span<const std::uint16_t> codes);
 

@@ -15,33 +15,35 @@
 
 namespace core {
 
-/// Which voxels a region or a probe holds.
+/// Decides which voxels belong to a region or a probe.
 ///
-/// - A ball: those whose centres lie within its radius, at their true places.
-/// - A region in a slice along the grid: those of the nearest slice whose centres lie in it, as
-///   that slice is seen.
-/// - A region in any other plane: samples of that plane, as far apart in two directions as voxels
-///   are where they are closest, around the middle of the region. Each that lies in the region and
-///   in the volume counts once, with the value of the nearest voxel. More than `mostSamples` would
-///   lie less densely.
-/// - A probe: the nearest voxel.
+/// - Ball: the voxels whose centres lie within its radius, at their true places.
+/// - Region in a slice along the grid: the voxels of the nearest slice whose centres lie in the
+///   region, as that slice is shown.
+/// - Region in any other plane: samples of that plane, on a square grid around the middle of the
+///   region, spaced like voxels along their finest axis. Each sample inside the region and the
+///   volume counts once, with the value of the nearest voxel. If there would be more than
+///   `mostSamples`, they are spaced wider.
+/// - Probe: the nearest voxel.
 ///
-/// A centre on the border lies inside. What lies outside of the volume does not count.
+/// A centre on the border is inside. Nothing outside the volume counts.
 class RegionVoxels {
 public:
     static constexpr int mostSamples = 1 << 20;
-    static constexpr int mostVoxelsOfBox = 1 << 20; ///< so that frames come between their reads
+    /// Boxes are split, so that frames can be drawn between the reads.
+    static constexpr int mostVoxelsOfBox = 1 << 20;
 
     /// @param measurement a region or a probe; any other holds no voxels
     RegionVoxels(const Measurement& measurement, const VolumeGeometry& geometry);
 
-    /// Boxes to be read, without gaps from slice to slice; empty if there are samples or nothing.
+    /// Boxes to be read, in the order of slices; empty if there are samples or nothing to read.
     [[nodiscard]] const std::vector<VoxelBox>& boxes() const { return m_boxes; }
-    /// Voxels to be read one by one; some may be there several times.
+    /// Voxels to be read one by one; a voxel may occur several times.
     [[nodiscard]] const std::vector<glm::ivec3>& samples() const { return m_samples; }
-    /// Whether a voxel of a box belongs to it.
+    /// Whether a voxel of a box belongs to the region.
     [[nodiscard]] bool contains(const glm::ivec3& voxel) const;
-    /// The codes of the voxels of one of the boxes that belong to it.
+    /// The codes of those voxels of a box that belong to the region.
+    /// @param codes one for each voxel of the box, x fastest
     [[nodiscard]] std::vector<std::uint16_t> codesInside(
         const VoxelBox& box, std::span<const std::uint16_t> codes) const;
 
@@ -53,9 +55,9 @@ private:
 
     VolumeGeometry m_geometry;
     std::optional<PlaneShape> m_shape;
-    int m_axis = -1; ///< of a region in a slice along the grid: the one across it
-    double m_place = 0.0; ///< of that region along this axis, in voxels
-    glm::dvec3 m_centreLps{0.0}; ///< of a ball, true
+    int m_axis = -1; ///< for a region in a slice along the grid, the index axis across that slice
+    double m_place = 0.0; ///< position of that region along this axis, in voxels
+    glm::dvec3 m_centreLps{0.0}; ///< true centre of a ball
     double m_radiusMm = 0.0;
     std::vector<VoxelBox> m_boxes;
     std::vector<glm::ivec3> m_samples;

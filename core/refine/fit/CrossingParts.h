@@ -8,26 +8,27 @@
 
 namespace core {
 
-/// What became of the parts of a surface that pass through themselves or each other.
+/// The result of layCrossingsAnew().
 struct LaidAnew {
-    std::size_t before = 0; ///< pairs of faces
-    std::size_t left = 0; ///< pairs; if there are any, nothing was changed
-    std::size_t parts = 0; ///< connected parts that were laid anew
+    std::size_t before = 0; ///< pairs of faces that passed through each other before
+    /// Pairs that could not be avoided; if there are any, nothing was changed.
+    std::size_t left = 0;
+    std::size_t parts = 0; ///< connected parts that were replaced
 };
 
-/// Lays the connected parts of a surface anew that pass through themselves or each other: around
-/// the voxels that they enclose together (SurfaceVoxels.h), with about as many vertices as they had
-/// (MeasuredFit.h, kept apart). They are as many then, and of such genus, as their voxels tell. All
-/// other parts stay as they are, with their ids, unless what was laid meets them: then they are
-/// laid with it, as are all parts if one that is laid is a hollow.
+/// Replaces the connected parts of a surface that pass through themselves or each other. New parts
+/// are laid around the voxels that the old ones enclose together (SurfaceVoxels.h), with about as
+/// many vertices (MeasuredFit.h, kept apart). Their number and genus follow from these voxels. All
+/// other parts stay as they are, with their ids. But if a new part meets one of these, that one is
+/// replaced, too, and if one that is replaced bounds a hollow, all are.
 ///
-/// Whole parts: a rim at which new and old faces are joined would have to be free of crossings
-/// itself, and near them it rarely is. New vertices have the mark of an old one nearby, green ones
-/// too: what is laid lies where the old surface encloses voxels, up to their size. A part that
-/// encloses no voxel of the volume goes.
+/// Whole parts are replaced because the rim at which new and old faces would be joined would have
+/// to be free of crossings itself, and near crossings it rarely is. Each new vertex gets the mark
+/// of an old one nearby, even if that is green (approved): the new surface lies where the old one
+/// encloses voxels, to within their size. A part that encloses no voxel of the volume disappears.
 ///
-/// It takes as long as laying them. Errors: Cancelled; those of fillSurface(); InvalidField if
-/// nothing would be left. Then nothing was changed.
+/// It takes as long as laying such a surface. Errors: Cancelled; those of fillSurface();
+/// InvalidField if nothing would be left. After an error nothing was changed.
 [[nodiscard]] Result<LaidAnew> layCrossingsAnew(
     SimplexMeshEdit& edit, const VolumeGeometry& geometry, const Progress& progress);
 

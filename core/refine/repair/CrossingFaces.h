@@ -16,10 +16,11 @@ struct CrossingFaces {
     auto operator<=>(const CrossingFaces&) const = default;
 };
 
-/// Looks at a number of places on several threads, if they are worth it, and collects the pairs
-/// that were found: ascending, each once, independent of the number of threads.
-/// @param look looks at the places from begin to before end, and appends what it finds; a pair may
-/// be found more than once
+/// Searches a number of items on several threads, if there are enough of them, and collects the
+/// pairs that were found: ascending, each once, independent of the number of threads.
+/// @param places number of items
+/// @param look searches the items from begin to before end and appends what it finds; a pair may be
+/// found more than once
 [[nodiscard]] std::vector<CrossingFaces> collectCrossings(std::size_t places,
     const std::function<void(
         std::size_t begin, std::size_t end, std::vector<CrossingFaces>& found)>& look);

@@ -8,10 +8,10 @@
 
 namespace core {
 
-/// The places of a face on the lattice, from its lowest to its highest.
+/// The box around a face on the lattice, both corners included.
 struct FaceBox {
     glm::ivec3 low{0};
-    glm::ivec3 high{-1}; ///< below low: there is no face
+    glm::ivec3 high{-1}; ///< less than low: there is no face
     [[nodiscard]] bool empty() const { return high.x < low.x; }
     [[nodiscard]] bool meets(const FaceBox& other) const
     {
@@ -20,13 +20,13 @@ struct FaceBox {
     }
 };
 
-/// A face on the lattice: its corners, and its middle, which is the third corner of each of its
-/// triangles (TriangleCrossing.h), one for each edge of the ring.
+/// A face on the lattice: its corners and its middle. It consists of one triangle for each edge of
+/// the ring, with the middle as third corner (TriangleCrossing.h).
 struct FaceFan {
     FaceBox box;
     LatticeCorner middle;
     std::span<const VertexId> ring;
-    const glm::ivec3* points = nullptr; ///< by vertex
+    const glm::ivec3* points = nullptr; ///< positions, by vertex id
     [[nodiscard]] LatticeCorner corner(std::size_t i) const
     {
         const VertexId id = ring[i < ring.size() ? i : 0];
@@ -38,12 +38,12 @@ struct FaceFan {
     }
 };
 
-/// Whether a triangle of the one passes through one of the other. Where a plane divides the two, as
-/// it nearly always does, no triangle is looked at.
+/// Whether a triangle of one face passes through a triangle of the other. If a plane separates the
+/// faces, as is nearly always the case, no triangles are compared.
 [[nodiscard]] bool passThroughEachOther(const FaceFan& one, const FaceFan& other);
 
-/// Whether triangles of a face pass through each other. Where it is seen whole from somewhere, no
-/// pair is looked at.
+/// Whether triangles of a face pass through each other. If the whole face is visible from some
+/// direction, no triangles are compared.
 [[nodiscard]] bool passesThroughItself(const FaceFan& fan);
 
 } // namespace core

@@ -13,20 +13,21 @@ namespace core {
 
 class Progress;
 
-/// The faces of a mesh in a spatial grid that is kept up to date face by face, to find those that
-/// pass through each other exactly as SelfIntersections.h does, at a cost ∝ the faces asked about.
+/// The faces of a mesh in a spatial grid that is kept up to date face by face. It finds faces that
+/// pass through each other, exactly as SelfIntersections.h does, at a cost ∝ the faces asked about.
 class FaceGrid {
 public:
     /// @param mesh, geometry must outlive this. Cost ∝ the faces.
-    /// @param progress once it is cancelled no pairs are looked for; null: it never is; must
-    /// outlive this
+    /// @param progress once it is cancelled, no pairs are searched; null: it is never cancelled;
+    /// must outlive this
     FaceGrid(const SimplexMesh& mesh, const VolumeGeometry& geometry,
         const Progress* progress = nullptr);
 
-    /// To be called for faces whose vertices moved or changed, or that were made or removed.
+    /// Must be called for faces whose vertices moved or changed, and for those that were added or
+    /// removed.
     void refresh(std::span<const FaceId> faces);
 
-    /// The pairs that pass through each other of which at least one is among @p faces.
+    /// The pairs of faces that pass through each other, at least one of them in @p faces.
     /// @param faces ascending, each once
     [[nodiscard]] std::vector<CrossingFaces> crossingsOf(std::span<const FaceId> faces);
 
@@ -45,7 +46,7 @@ private:
             }
         }
     }
-    /// Chooses the width of a cell for the faces as they are, and enters them.
+    /// Chooses the width of the cells for the present faces, and enters all of them.
     void build();
     void enter(FaceId face);
     void leave(FaceId face);
@@ -61,19 +62,19 @@ private:
     std::vector<glm::ivec3> m_points; ///< by vertex
     std::vector<glm::ivec3> m_middles; ///< by face
     std::vector<FaceBox> m_boxes; ///< by face
-    int m_cellBits = 0; ///< of the width of a cell
-    /// A face in a cell, and the place of the next one there.
+    int m_cellBits = 0; ///< cells are 2 to the power of this wide
+    /// A face in a cell, and the index of the next entry there.
     struct Entry {
         FaceId face = noId;
         std::uint32_t next = noEntry;
     };
     static constexpr std::uint32_t noEntry = ~std::uint32_t(0);
     std::vector<Entry> m_entries;
-    std::uint32_t m_free = noEntry; ///< the first that is not used
-    std::size_t m_mostEntries = 0; ///< of more than these the cells are too narrow
-    /// The first by a hash of the cell, so that entries of several cells may follow each other.
+    std::uint32_t m_free = noEntry; ///< first entry that is not in use
+    std::size_t m_mostEntries = 0; ///< with more entries than this, the cells are too narrow
+    /// The first entry by a hash of the cell; entries of several cells may follow each other.
     std::vector<std::uint32_t> m_firsts;
-    std::vector<std::uint64_t> m_asked; ///< by face: the last question that was about it
+    std::vector<std::uint64_t> m_asked; ///< for each face, the number of the last question about it
     std::uint64_t m_question = 0;
 };
 

@@ -8,10 +8,11 @@
 
 namespace core {
 
-// Whether two triangles of a surface pass through each other, exactly. Corners are integers below
-// 2²⁹ (SurfaceFill.h), so no product reaches 2⁹⁶. Triangles that only touch do not count.
+// Decides exactly whether two triangles of a surface pass through each other. Corners are integers
+// below 2²⁹ (SurfaceFill.h), so no product reaches 2⁹⁶. Triangles that only touch do not count.
 
-/// A corner: the number of the point, by which shared ones are recognised, and its place.
+/// A corner of a triangle: the number of its point, by which shared corners are recognised, and its
+/// position.
 struct LatticeCorner {
     std::uint32_t point = 0;
     glm::ivec3 place{0};
@@ -27,11 +28,12 @@ using LatticeTriangle = std::array<LatticeCorner, 3>;
     return u.x * v.x + u.y * v.y + u.z * v.z;
 }
 
-/// On which side of the plane through a triangle a place lies: −1, 0 or 1.
+/// On which side of the plane through a, b and c a place lies: −1, 0 (on it) or 1.
 [[nodiscard]] int sideOf(
     const glm::ivec3& a, const glm::ivec3& b, const glm::ivec3& c, const glm::ivec3& place);
 
-/// Of two that share an edge: never; of two that share a corner: by what lies beyond it.
+/// Whether two triangles pass through each other. Two that share an edge never do. For two that
+/// share a corner, what lies beyond that corner decides.
 [[nodiscard]] bool passThroughEachOther(const LatticeTriangle& one, const LatticeTriangle& other);
 
 } // namespace core

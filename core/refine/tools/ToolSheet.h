@@ -9,11 +9,14 @@
 namespace core {
 
 /// The sheet of a surface under a tool: the vertices within the tool that are connected there with
-/// the vertex under the pen. Once a tool has touched a sheet it stays with that while any of it, or
-/// of what is next to it, is within the tool, so it does not change to the opposite wall.
+/// the vertex nearest to the pen. Once a tool has touched a sheet, it stays with it as long as any
+/// of its vertices, or a neighbour of them, is within the tool. So it does not jump to the opposite
+/// wall of a structure.
 class ToolSheet {
 public:
-    /// Finds it anew. Cost ∝ the sheet, or the vertices of the mesh while the tool touches none.
+    /// Updates the sheet for a new position. Cost ∝ the sheet, or ∝ the vertices of the mesh while
+    /// the tool touches none.
+    /// @param penLps where the pen is, LPS mm
     /// @param isWithin whether a place is within the tool
     template <typename IsWithin>
     void find(const SimplexMesh& mesh, const glm::dvec3& penLps, const IsWithin& isWithin)
@@ -48,12 +51,12 @@ public:
             spread(mesh, from, isWithin);
     }
 
-    /// Whether it is held by the tool as of the last find(). Any thread.
+    /// Whether a vertex belongs to the sheet found by the last find(). Any thread.
     [[nodiscard]] bool contains(VertexId id) const
     {
         return m_isTouching && id < m_stamps.size() && m_stamps[id] == m_stamp;
     }
-    /// Those that contains() confirms; none while the tool touches nothing.
+    /// The vertices of the sheet; none while the tool touches nothing.
     [[nodiscard]] std::vector<VertexId> vertices() const
     {
         return m_isTouching ? m_vertices : std::vector<VertexId>();
@@ -78,8 +81,9 @@ private:
         std::sort(m_vertices.begin(), m_vertices.end());
     }
 
-    std::vector<VertexId> m_vertices; ///< of the last one that was touched, ascending
-    std::vector<std::uint32_t> m_stamps; ///< by vertex: the find() that found it
+    std::vector<VertexId> m_vertices; ///< vertices of the sheet that was touched last, ascending
+    /// For each vertex, the number of the find() that found it last.
+    std::vector<std::uint32_t> m_stamps;
     std::uint32_t m_stamp = 0;
     bool m_isTouching = false;
 };

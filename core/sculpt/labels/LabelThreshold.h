@@ -10,22 +10,23 @@
 
 namespace core {
 
-/// Give a label to the voxels with some values, or remove it from them. Both engines follow these
-/// rules to the bit; each voxel decides for itself.
+/// Give a label to the voxels with certain values, or remove it from them. Both engines follow
+/// these rules to the bit; each voxel is decided independently of the others.
 ///
-/// 1. A voxel is in range if it lies in the box, where there is one, and, with `onlyVisible`, if
-///    its coverage is < 128 in all layers that are not muted. Any other voxel stays as it is.
+/// 1. A voxel is in range if it lies in the box, if there is one, and, with `onlyVisible`, if its
+///    coverage is < 128 in all layers that are not muted. Any other voxel does not change.
 /// 2. A voxel in range is chosen if lowCode ≤ code ≤ highCode.
-/// 3. Add: chosen voxels follow the rule of LabelTarget. Subtract: chosen voxels follow that of the
-///    voxels which RelabelListed takes. Replace: chosen voxels as for Add, and all others in range
-///    as for Subtract.
+/// 3. Add: chosen voxels follow the rule of LabelTarget. Subtract: chosen voxels follow the rule
+///    for voxels that RelabelListed takes. Replace: chosen voxels as for Add, and all others in
+///    range as for Subtract.
 ///
-/// An engine may carry it out brick by brick after it has begun; it is whole when it is committed.
+/// After it has begun, an engine may carry it out brick by brick; it is complete at the latest when
+/// it is committed.
 struct LabelThreshold {
     enum class How : std::uint8_t { Replace, Add, Subtract };
     LabelTarget target{};
     How how = How::Replace;
-    int lowCode = 0; ///< above highCode: no voxel is chosen
+    int lowCode = 0; ///< greater than highCode: no voxel is chosen
     int highCode = 65535;
     bool onlyVisible = false;
     std::optional<VoxelBox> box{}; ///< none: the whole volume
@@ -34,7 +35,7 @@ struct LabelThreshold {
 
 [[nodiscard]] Result<void> checkSound(const LabelThreshold& edit, const BrickGrid& grid);
 
-/// The bricks of a grid that have a voxel in a box, ascending.
+/// Numbers of the bricks that have a voxel in a box, ascending.
 [[nodiscard]] std::vector<std::uint32_t> bricksMeeting(const VoxelBox& box, const BrickGrid& grid);
 
 } // namespace core

@@ -11,35 +11,36 @@
 
 namespace core {
 
-/// How a nudge begins: a disc in one slice that pushes the border of a segment, outwards if it
-/// begins in the segment, inwards if it begins beside it. Pushing is a stroke of that disc
-/// (PaintStroke::Tool): outwards what it sweeps becomes the segment's, inwards it is the segment's
-/// no more. So where the disc begins wholly on one side of the border, the border goes exactly as
-/// far as the disc is pushed against it, and nothing changes before it touches.
+/// How a nudge begins. A nudge pushes the border of a segment with a disc in one slice: outwards if
+/// it begins inside the segment, inwards if it begins outside. It is a stroke of that disc
+/// (PaintStroke::Tool): outwards the segment receives what the disc sweeps, inwards it loses it. So
+/// if the disc begins wholly on one side of the border, the border moves exactly as far as the disc
+/// is pushed against it, and nothing changes before the disc touches it.
 ///
-/// The rule is in integers, and the coordinates are those of CapsuleSweep.h:
+/// The rule is in integers, with the coordinates of CapsuleSweep.h:
 ///
-/// 1. Voxels. Those of the slab (rule 2 there) whose d² = (p.x − centre.x)² + (p.y − centre.y)²,
-///    exact in 64 bits, is at most (radius + margin)², where margin = 2 << shift.
-/// 2. Side. It begins inside if one of these voxels is the segment's and none of the others has a
+/// 1. Voxels. Those in the slab (rule 2 there) count whose d² = (p.x − centre.x)² + (p.y −
+///    centre.y)², exact in 64 bits, is at most (radius + margin)², where margin = 2 << shift.
+/// 2. Side. It begins inside if the segment has one of these voxels and none of the others has a
 ///    smaller d².
-/// 3. Distance. Let D² be the smallest d² of the voxels on the other side: inside, of those that
-///    are not the segment's; else, of those that are. The distance is ⌊√D²⌋ − margin; if there is
-///    no such voxel, it is the radius. The margin covers what rules 3 and 4 there round off, so a
-///    disc of this radius holds no voxel of the other side.
-/// 4. Radius that fits. The lesser of the radius and the distance, the distance counting at least
-///    max(⌊rampHalfWidth / 2⌋, 1024), which is a quarter of the finest spacing or 1/64 mm; rounded
-///    down to a multiple of 64, since edits have radii in 1/1024 mm.
+/// 3. Distance. Let D² be the smallest d² of the voxels on the other side, which are those outside
+///    the segment if it begins inside, and those of the segment otherwise. The distance is ⌊√D²⌋ −
+///    margin, or the radius if there is no such voxel. The margin covers what rules 3 and 4 there
+///    round off, so a disc with this radius contains no voxel of the other side.
+/// 4. Fitting radius. The lesser of the radius and the distance, where the distance counts as at
+///    least max(⌊rampHalfWidth / 2⌋, 1024), that is a quarter of the finest spacing or 1/64 mm. It
+///    is rounded down to a multiple of 64, because radii of edits are multiples of 1/1024 mm.
 struct NudgeStart {
     bool isInside = false;
-    std::int32_t fittingRadius = 0; ///< mm16
+    std::int32_t fittingRadius = 0; ///< the radius of rule 4, mm16
     bool operator==(const NudgeStart&) const = default;
 };
 
-/// @param frame of the disc with the radius that was chosen, flat and sound
-/// @param centre where it begins, stroke coordinates; z does not count
-/// @param near labels of the segment's plane, at least of the bricks that bricksNear() lists for a
-/// point there, each once; bricks without bytes hold voxels of no segment
+/// Finds out how a nudge begins.
+/// @param frame that of the disc with the radius that the user chose; flat and sound
+/// @param centre where the disc begins, in stroke coordinates; z does not count
+/// @param near labels of the segment's plane, at least of the bricks that bricksNear() lists for
+/// this place, each brick once; bricks without bytes contain no segment
 [[nodiscard]] NudgeStart nudgeStart(const CapsuleFrame& frame, const glm::ivec3& centre,
     const BrickGrid& grid, std::uint8_t label, const std::vector<BrickImage>& near);
 

@@ -13,9 +13,9 @@
 
 namespace core {
 
-/// A contour that evolves (EvolveContour). It reads the labels of the plane, then the codes around
-/// the segment as far as the contour can come, slab by slab; the side thread works out the
-/// generations, and the engine writes what they changed, as one row.
+/// Carries out an EvolveContour. It reads the labels of the plane, then, slab by slab, the codes
+/// around the segment as far as the contour can come. The side thread computes the generations, and
+/// the engine writes what they changed, as one row.
 class ContourOperation final : public WorkedOutOperation {
 public:
     /// @param again as in VoxelOperation
@@ -25,10 +25,10 @@ public:
     void takeResult(SessionState& state, EngineResult&& result) override;
 
 private:
-    /// Of one thread at a time.
+    /// Used by one thread at a time.
     struct Work {
         ContourGround ground;
-        std::vector<std::vector<std::uint16_t>> slabs; ///< codes of the ground, one after the other
+        std::vector<std::vector<std::uint16_t>> slabs; ///< codes of the ground, slab by slab
     };
     void readLabels(SessionState& state);
     void findGround(SessionState& state);
@@ -40,8 +40,8 @@ private:
     EvolveContour m_edit;
     std::shared_ptr<Work> m_work;
     std::optional<LabelReader> m_reader;
-    std::optional<Ticket> m_asked; ///< for labels or codes
-    int m_nextSlice = 0; ///< whose codes are asked for next
+    std::optional<Ticket> m_asked; ///< question for labels or codes that is not answered yet
+    int m_nextSlice = 0; ///< index of the slice whose codes are read next
 };
 
 } // namespace core

@@ -14,9 +14,10 @@
 
 namespace core {
 
-/// A flood fill. It reads what it reaches, codes or labels, in blocks: in a slice of so many bricks
-/// that most slices are one, in all directions of 64³ voxels. The side thread goes on in them until
-/// the region ends; then the engine writes it, as one row.
+/// Carries out a FloodFill. It reads what the region reaches, codes or labels, in blocks: within a
+/// slice, blocks so large that most slices are a single one; in all directions, blocks of 64³
+/// voxels. The side thread extends the region in them until it is complete; then the engine writes
+/// it, as one row.
 class FloodOperation final : public WorkedOutOperation {
 public:
     /// @param again as in VoxelOperation
@@ -26,21 +27,23 @@ public:
     void takeResult(SessionState& state, EngineResult&& result) override;
 
 private:
-    /// What was read of a block.
+    /// The contents of one block.
     struct Reading {
         VoxelBox box;
-        std::vector<std::uint32_t> bricks; ///< that it covers and were not given yet
+        /// Bricks in the block that the flood did not have before.
+        std::vector<std::uint32_t> bricks;
         std::vector<std::uint16_t> codes; ///< x fastest; none for labels
         std::vector<BrickImage> labels; ///< those that are not empty
     };
-    /// Shared with the side thread.
+    /// Used by this thread and the side thread, never at the same time.
     struct Work {
         FloodFill edit;
         BrickGrid grid;
         glm::ivec3 first;
         BrickFlood flood;
         VoxelEncoding encoding;
-        std::optional<CodeInterval> interval{}; ///< known with the first block
+        /// Codes within the tolerance; known from the first block on.
+        std::optional<CodeInterval> interval{};
     };
     void askNext(SessionState& state);
     void goOn(SessionState& state);
@@ -49,9 +52,9 @@ private:
 
     FloodFill m_edit;
     std::shared_ptr<Work> m_work; ///< null before it starts
-    std::map<Ticket, Reading> m_asked; ///< no answer yet
+    std::map<Ticket, Reading> m_asked; ///< questions that are not answered yet
     std::vector<Reading> m_read;
-    std::optional<Error> m_failed; ///< of an answer, while others are outstanding
+    std::optional<Error> m_failed; ///< error of an answer, while other answers are outstanding
 };
 
 } // namespace core

@@ -10,8 +10,8 @@
 
 namespace core {
 
-/// An edit of a segment as a whole that is worked out from all labels of its plane (CleanSegment,
-/// ReshapeSegment, FillBetweenSlices, MirrorSegment, SplitIslands, SplitSegment).
+/// Carries out an edit of a whole segment that is computed from all labels of its plane
+/// (CleanSegment, ReshapeSegment, FillBetweenSlices, MirrorSegment, SplitIslands, SplitSegment).
 class IslandOperation final : public WorkedOutOperation {
 public:
     /// @param again as in VoxelOperation
@@ -24,11 +24,13 @@ public:
 
     void start(SessionState& state) override;
     void takeResult(SessionState& state, EngineResult&& result) override;
-    /// How many segments are made of islands is known when they have been counted.
+    /// As Operation::foresee(). Returns false for a SplitIslands that does not list its segments,
+    /// because its islands must be counted first.
     [[nodiscard]] bool foresee(Document& document) const override;
 
 private:
-    /// @param edit may be completed by what is found
+    /// Computes what to write.
+    /// @param edit may be completed by the result (SplitIslands)
     using LabelWork = std::function<Result<Listed>(const Document& document,
         std::span<const std::uint8_t> labels, const Progress& progress, Edit& edit)>;
 
@@ -39,7 +41,7 @@ private:
     int m_segment; ///< label
     LabelWork m_workOut;
     std::optional<LabelReader> m_reader;
-    std::optional<Ticket> m_asked; ///< for labels
+    std::optional<Ticket> m_asked; ///< question for labels that is not answered yet
 };
 
 } // namespace core

@@ -11,19 +11,20 @@ namespace core {
 struct LabelListed;
 struct RelabelListed;
 
-/// How operations end that work out voxel by voxel what to relabel: one engine transaction, and one
-/// row if it changed anything. Part of such an operation, which is done when this is.
+/// The last part of operations that have computed for each voxel how to relabel it: one engine
+/// transaction, and one row if it changed anything. The operation that contains it is done when
+/// this is.
 class Relabelling {
 public:
     /// @param again as in VoxelOperation
     explicit Relabelling(RowId again);
 
     /// Lets the engine write.
-    /// @param edit what its row says
-    /// @param relabel without bricks there is nothing to be done
+    /// @param edit the edit that the row will contain
+    /// @param relabel without bricks nothing is written, as by leaveNoRow()
     void write(SessionState& state, Edit edit, RelabelListed&& relabel);
     void write(SessionState& state, Edit edit, LabelListed&& label);
-    /// Ends without having written.
+    /// Ends without a row, because nothing has changed.
     void leaveNoRow(SessionState& state);
     void giveUp(SessionState& state, const Error& error);
     void takeResult(SessionState& state, EngineResult&& result);
@@ -38,7 +39,7 @@ private:
     Edit m_edit;
     std::optional<Ticket> m_begun;
     std::optional<Ticket> m_ended;
-    bool m_failed = false; ///< which has been told
+    bool m_failed = false; ///< whether it failed and the error was reported
     bool m_done = false;
 };
 

@@ -14,11 +14,12 @@
 
 namespace core {
 
-/// An operation that works out on the side thread, from voxels that it has read, what an edit of a
-/// segment relabels, and then lets the engine write that: one row if it changed anything.
+/// An operation that reads voxels, computes on the side thread what an edit of a segment relabels,
+/// and then lets the engine write it: one row if it changed anything.
 class WorkedOutOperation : public AbortableOperation {
 public:
-    /// What is to be written; one segment receives voxels, or several do.
+    /// What is to be written: RelabelListed if one segment gains or loses voxels, LabelListed if
+    /// several receive some.
     using Listed = std::variant<RelabelListed, LabelListed>;
 
     [[nodiscard]] bool done() const final { return m_relabelling.done(); }
@@ -30,25 +31,28 @@ protected:
     /// What the side thread shares with the session's.
     struct Watch {
         Watch();
-        std::atomic<int> percent = -1; ///< of what the progress is told, if it is told anything
+        std::atomic<int> percent = -1; ///< as reported by `progress`; −1: nothing was reported yet
         Progress progress;
     };
 
     /// @param again as in VoxelOperation
     explicit WorkedOutOperation(RowId again);
 
-    /// What waited in line may meet another document than the one it was checked against.
-    /// @return false: it has given up
+    /// Checks the edit again, because the document may have changed while the operation waited in
+    /// the queue.
+    /// @return false: the edit is refused, and the operation has given up
     [[nodiscard]] bool mayStart(SessionState& state, const Edit& edit);
-    /// Whether it was not aborted. @return false: it has given up
+    /// Checks whether the operation was aborted.
+    /// @return false: it was, and it has given up
     [[nodiscard]] bool mayGoOn(SessionState& state);
-    /// Gives up if the work throws.
+    /// Runs work on the side thread. If it throws, the operation gives up.
     void workAside(SessionState& state, SideThread::Work work);
-    /// The last step: the engine writes, unless nothing could be worked out or it was aborted.
+    /// The last step: lets the engine write, unless the computation failed or the operation was
+    /// aborted.
     void write(SessionState& state, const Edit& edit, Result<Listed>&& listed);
     void leaveNoRow(SessionState& state) { m_relabelling.leaveNoRow(state); }
     void giveUp(SessionState& state, const Error& error) { m_relabelling.giveUp(state, error); }
-    /// An answer that is none to what the operation has read.
+    /// Takes a result that does not answer one of the operation's own questions.
     void takeWritten(SessionState& state, EngineResult&& result);
 
     [[nodiscard]] const std::shared_ptr<Watch>& watch() const { return m_watch; }

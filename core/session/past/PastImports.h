@@ -8,12 +8,11 @@
 
 namespace core {
 
-/// The imports of masks among the steps that led to the present state, oldest first, with their
-/// voxels.
+/// The imports of masks on the path to the present position, oldest first, with their voxels.
 [[nodiscard]] std::vector<ImportMask> importsOf(const History& history);
 
-/// The same with the labels that they gave, which stay when a segment gets another name, and which
-/// no other segment gets.
+/// The same, with the labels that each import gave. Labels identify segments even after they were
+/// renamed, and are never given to another segment.
 [[nodiscard]] std::vector<DoneImport> doneImports(const History& history);
 
 } // namespace core

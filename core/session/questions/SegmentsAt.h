@@ -8,22 +8,23 @@
 
 namespace core {
 
-// Which segments have a voxel, by what VoxelQuestions::probe() says of it. There is one at most in
-// each label plane.
+// Which segments contain a voxel, according to VoxelQuestions::probe(). In each label plane there
+// is one at most.
 
-/// All of them, those of lower planes first.
+/// All segments that contain the voxel, in ascending order of their planes.
 [[nodiscard]] std::vector<const Segment*> segmentsAt(
     const Document& document, const ProbedVoxel& voxel);
 
-/// The one that is meant by pointing at the voxel: the active segment if it has it; else that of
-/// the highest plane that is shown; else that of the highest plane. Null: none has it.
-/// @param active a label; 0: none
+/// The segment that a user means by pointing at a voxel: the active one if it contains the voxel;
+/// otherwise, of those that are shown, the one in the highest plane; if none is shown, the one in
+/// the highest plane. Null: no segment contains it.
+/// @param active label of the active segment; 0: none
 [[nodiscard]] const Segment* segmentMeant(
     const Document& document, const ProbedVoxel& voxel, int active);
 
-/// The one to go on to from there: as segmentMeant(), but if the active segment has the voxel and
-/// others that are shown have it, too, the next lower one of these, and after the lowest the
-/// highest.
+/// The segment to be made active next if the user asks again at the same voxel: as segmentMeant(),
+/// but if the active segment contains the voxel, the next lower one of those that are shown there
+/// (of all, if none is shown), and after the lowest the highest.
 [[nodiscard]] const Segment* segmentNext(
     const Document& document, const ProbedVoxel& voxel, int active);
 
