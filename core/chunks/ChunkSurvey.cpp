@@ -14,12 +14,12 @@ namespace {
 
 using Border = ChunkSurvey::Border;
 
-/// More deviations than these make no difference; in units of ChunkField::deviation.
+/// Greater differences count like this one; in units of ChunkField::deviation.
 constexpr std::int64_t mostApart = 1023;
 constexpr std::size_t bordersLookedBack = 24;
 constexpr std::int64_t lastCode = std::numeric_limits<std::uint16_t>::max();
 
-/// By difference of codes; the last stands for all greater ones.
+/// The alikeness for each difference of codes; the last entry stands for all greater ones.
 std::vector<std::uint16_t> alikenessTable(int noise)
 {
     constexpr auto one = std::int64_t(ChunkField::deviation);
@@ -73,7 +73,7 @@ public:
         return middle;
     }
 
-    /// The borders of the voxels of a slice with each other and with the next slice.
+    /// The borders between chunks within a slice, and between it and the next slice.
     [[nodiscard]] std::vector<Border> bordersOf(int z) const
     {
         std::vector<Border> all;
@@ -126,7 +126,7 @@ private:
                 .second = std::max(one, other),
                 .faces = 1,
                 .bond = alikenessOf(apart)};
-            // Faces between the same two mostly follow each other.
+            // Consecutive faces mostly belong to the same two chunks.
             const auto end = all.rbegin() + std::ptrdiff_t(std::min(bordersLookedBack, all.size()));
             const auto known = std::find_if(all.rbegin(), end,
                 [&](const Border& before) { return before.pair() == border.pair(); });

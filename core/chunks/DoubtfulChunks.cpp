@@ -11,28 +11,30 @@ namespace core {
 
 namespace {
 
-constexpr std::int64_t whole = 256; ///< of a share
+constexpr std::int64_t whole = 256; ///< shares are in 256ths
 /// So that a neck with a sixth of the faces of a cube's side counts half.
 constexpr std::int64_t narrowTimes = 4;
 /// So that a contact with twice the faces of a cube's side counts half.
 constexpr std::int64_t wideTimes = 2;
-/// What is likelier outside by so much leaves nothing to be added: less than one deviation, since
-/// missing parts of organs are about as likely on both sides, and their neighbours a bit less.
+/// A chunk whose likelihood speaks for the outside by this much is not in doubt. It is less than
+/// one deviation, because missing parts of organs are about as likely on both sides, and their
+/// neighbours only slightly less.
 constexpr std::int64_t lostLead = 40;
-/// Of a chunk at least such a part must be left as doubt.
+/// The doubt of a chunk must be at least its voxels divided by this.
 constexpr std::int64_t leastShare = 16;
-/// Less doubt than this part of the segment is not worth a look, and less than so many voxels.
+/// Doubt below the segment's voxels divided by leastPart, or below leastDoubt voxels, is ignored.
 constexpr std::int64_t leastPart = 4000;
 constexpr std::int64_t leastDoubt = 16;
-/// How many of the most doubtful chunks the suggested number of chunks goes by.
+/// For how many of the most doubtful chunks the number of chunks is suggested.
 constexpr std::size_t suggestedBy = 3;
-/// The others if they are at least this part as doubtful as the first, and if the number is at most
-/// so many times the first one's, or one that nobody minds.
+/// The second and third count only if their doubt is at least that of the first divided by
+/// doubtfulPart, and if the number of chunks that they need is at most timesAsMany times the one
+/// that the first needs, or at most fewEnough.
 constexpr std::int64_t doubtfulPart = 8;
 constexpr int timesAsMany = 2;
 constexpr int fewEnough = 60;
 
-/// The faces of one side of a cube of so many voxels.
+/// The number of voxel faces on one side of a cube with this number of voxels.
 std::int64_t facesOfCube(std::int64_t voxels)
 {
     std::int64_t edge = 1;
@@ -41,7 +43,7 @@ std::int64_t facesOfCube(std::int64_t voxels)
     return edge * edge;
 }
 
-/// One of several, in parts of `whole`; nothing of nothing is nothing.
+/// The share of a part, in units of 1/whole; 0 if there is nothing at all.
 std::int64_t shareOf(std::int64_t part, std::int64_t all)
 {
     return all > 0 ? whole * part / all : 0;
@@ -97,8 +99,9 @@ std::vector<bool> DoubtfulChunks::ownedBy(const ChunkTree& tree, std::uint8_t se
     return owned;
 }
 
-/// By chunk. A border lies around a chunk unless both of its leaves are in it: all borders of its
-/// leaves are added up, and those within taken off again.
+/// For each chunk, the sums over its outer borders. A border is an outer one unless both of its
+/// leaves are in the chunk: the borders of all leaves are added up, then those within are
+/// subtracted.
 std::vector<DoubtfulChunks::Around> DoubtfulChunks::lookAround() const
 {
     std::vector<Around> around(m_tree.chunkCount());
@@ -113,7 +116,8 @@ std::vector<DoubtfulChunks::Around> DoubtfulChunks::lookAround() const
         };
         around[border.first] += seenFrom(border.second);
         around[border.second] += seenFrom(border.first);
-        // The first chunk that has both; each stands before the one that it is joined into.
+        // The first chunk that contains both leaves; chunks have smaller numbers than the one that
+        // they are joined into.
         std::optional<Chunk> one = border.first;
         std::optional<Chunk> other = border.second;
         while (one && other && *one != *other)
@@ -148,7 +152,7 @@ std::int64_t DoubtfulChunks::doubtOf(Chunk chunk, const Around& around) const
     const bool inside = isInside(chunk);
     if (voxels > (inside ? m_allHeld / 2 : m_allHeld))
         return 0;
-    // The likelihood is that of the side on which the chunk was when it was divided.
+    // The tree's likelihood is that for the owner at the time of the division.
     const bool stays = inside == (owner == m_segment);
     const std::int64_t likelihood = stays ? m_tree.likelihood(chunk) : -m_tree.likelihood(chunk);
     const std::int64_t cube = facesOfCube(voxels);

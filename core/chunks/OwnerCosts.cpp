@@ -16,7 +16,7 @@ constexpr int highestCost = ChunkField::most;
 constexpr int highestCode = std::numeric_limits<std::uint16_t>::max();
 constexpr std::size_t voxelsBetweenReports = std::size_t(1) << 13;
 
-/// inDeviations() of every difference up to the first that is clamped, and of that.
+/// inDeviations() for each difference, up to and including the first one that is clamped.
 std::vector<std::uint8_t> deviationsTable(int greatest, int deviation)
 {
     std::vector<std::uint8_t> table;
@@ -38,8 +38,8 @@ int inDeviations(int difference, int deviation)
 BorderedBox::BorderedBox(const ChunkSource& source)
     : size(source.size)
 {
-    // Paths go through them in all directions, so that with small pages hardly any step finds its
-    // page's address at hand.
+    // Paths go through them in all directions, so with small pages nearly every step would miss the
+    // cache of page addresses (TLB).
     resizeInLargePages(codes, slice() * (std::size_t(size.z) + 2));
     resizeInLargePages(costs, codes.size());
     std::size_t from = 0;
@@ -66,8 +66,8 @@ std::vector<std::uint8_t> OwnerCosts::of(
     std::vector<std::uint8_t> costs;
     reserveInLargePages(costs, box.costs.size());
     costs.assign(box.costs.begin(), box.costs.end());
-    // A bucket for each cost, so the order within one does not matter; the last comes first, since
-    // it lies near the one before.
+    // One bucket for each cost; the order within a bucket does not matter. The last voxel is taken
+    // first, because it lies near the previous one.
     std::array<std::vector<std::uint32_t>, std::size_t(highestCost)> buckets;
     for (const std::uint32_t voxel : cores)
         costs[voxel] = 0;

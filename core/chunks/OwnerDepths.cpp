@@ -12,7 +12,7 @@ namespace core {
 namespace {
 
 using Depth = std::uint16_t;
-/// No other owner is known. The box is small enough that no way through it has as many steps.
+/// No other owner has been found yet. Boxes are so small that no path has this many steps.
 constexpr Depth unknown = std::numeric_limits<Depth>::max();
 
 void lower(Depth& depth, Depth neighbour)
@@ -27,7 +27,7 @@ void lowerRow(Depth* row, const Depth* from, std::size_t count)
         lower(row[i], from[i]);
 }
 
-/// 1 where a neighbour at this distance in memory is of another owner.
+/// Sets 1 where the neighbour at this distance in memory has another owner.
 void markBorders(const std::uint8_t* one, const std::uint8_t* other, std::size_t count, Depth* to,
     Depth* toOther)
 {
@@ -48,7 +48,8 @@ std::vector<std::uint16_t> ownerDepths(const ChunkSource& source)
     const auto slices = std::size_t(source.size.z);
     std::vector<Depth> depth;
     resizeInLargePages(depth, source.owners.size(), unknown);
-    // The steps between two voxels are those along each axis added up, so axes follow each other.
+    // The number of steps between two voxels is the sum over the axes, so the axes can be processed
+    // one after the other.
     parallelFor(source.size.z, [&](int z) {
         Depth* here = depth.data() + std::size_t(z) * slice;
         const std::uint8_t* owners = source.owners.data() + std::size_t(z) * slice;

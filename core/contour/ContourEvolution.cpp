@@ -18,7 +18,7 @@ std::size_t voxelsOf(const VoxelBox& box)
     return std::size_t(extent.x) * std::size_t(extent.y) * std::size_t(extent.z);
 }
 
-// Voxels, before it looks whether it is cancelled.
+// Numbers of voxels between two checks whether the work was cancelled.
 constexpr std::size_t askedBetweenLooks = 4096;
 constexpr std::size_t lookedAtBetweenLooks = 65536;
 
@@ -69,8 +69,8 @@ glm::ivec3 ContourEvolution::voxelAt(Place place) const
             int(place % columns), int(place / columns % rows), int(place / columns / rows));
 }
 
-/// The six that lie in the volume, or eighteen. Those of a voxel that may be reached lie in the
-/// box.
+/// Visits the six neighbours within the box, or the eighteen if @p isWide. For a voxel that the
+/// contour can reach, the box contains all neighbours that lie in the volume.
 template <class Visit>
 void ContourEvolution::visitNeighbours(Place place, bool isWide, Visit&& visit) const
 {
@@ -175,7 +175,7 @@ std::size_t ContourEvolution::classOf(Place place) const
     return std::size_t(in.x + m_period.x * (in.y + m_period.y * in.z));
 }
 
-/// Voxels of the segment, and those next to them.
+/// Finds the front among the voxels of the segment and their neighbours.
 bool ContourEvolution::findFront(const Progress& progress)
 {
     const auto come = [this](Place place) { comeToFront(place); };
@@ -199,7 +199,8 @@ void ContourEvolution::comeToFront(Place place)
     }
 }
 
-/// After the changed voxels changed: only they and their neighbours come to the front or leave it.
+/// To be called after voxels were changed: only they and their neighbours can come to the front or
+/// leave it.
 void ContourEvolution::moveFront(std::span<const Place> changed)
 {
     const auto come = [this](Place place) { comeToFront(place); };

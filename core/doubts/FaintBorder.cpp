@@ -15,8 +15,8 @@ namespace core {
 namespace {
 
 constexpr int rimVoxels = 2;
-constexpr int asideQuarters = 9; // of a squared voxel: a voxel and a half
-constexpr std::int64_t finely = 16; // parts of a code in which means are told
+constexpr int asideQuarters = 9; // quarters of a squared voxel: the square of 1½ voxels
+constexpr std::int64_t finely = 16; // means are computed in 16ths of a code
 constexpr std::int64_t faintPart = 4; // of the median
 constexpr std::int64_t leastVoxels = 9;
 constexpr std::int64_t leastPartOfBorder = 1000;
@@ -88,8 +88,9 @@ private:
             + std::size_t(in.x)];
     }
 
-    /// A slanting border has steps, whose faces are more than its area: they count as the sides of
-    /// a right angle do for the long side.
+    /// A slanting border consists of steps whose faces have a larger area than the border itself.
+    /// Therefore areas across the three axes are added like the sides of a right angle, not as
+    /// numbers.
     [[nodiscard]] std::int64_t areaAt(const glm::ivec3& at) const
     {
         glm::i64vec3 area(0);
@@ -104,7 +105,7 @@ private:
         return wholeRoot(area.x * area.x + area.y * area.y + area.z * area.z);
     }
 
-    /// Where the faces of a voxel of the border look, together; 0 if they look in opposite ways.
+    /// The sum of the directions in which the faces of a border voxel point; 0 if they cancel out.
     [[nodiscard]] glm::ivec3 outward(const glm::ivec3& at) const
     {
         glm::ivec3 out(0);
@@ -119,7 +120,8 @@ private:
         return out;
     }
 
-    /// Visits what lies near the line through a voxel in a direction; all around if that is 0.
+    /// Visits the voxels near the line through a voxel in a direction, or all around it if the
+    /// direction is 0.
     template <class Visit>
     void forEachNear(const glm::ivec3& at, const glm::ivec3& way, const Visit& visit) const
     {
@@ -133,7 +135,7 @@ private:
                     const glm::ivec3 off = near - at;
                     const int along = off.x * way.x + off.y * way.y + off.z * way.z;
                     const int apart = off.x * off.x + off.y * off.y + off.z * off.z;
-                    // The square of the distance from the line, times that of the way's length.
+                    // Both sides are multiplied by the square of the direction's length.
                     if (asideQuarters * length >= 4 * (apart * length - along * along))
                         visit(isOwn(near) ? 1U : 0U, codeAt(near));
                 }
@@ -144,7 +146,8 @@ private:
     [[nodiscard]] std::int64_t contrastAt(const glm::ivec3& at) const
     {
         const glm::ivec3 way = outward(at);
-        // Outside, inside. The voxel itself is inside, and that before one of its faces outside.
+        // Index 0: outside, 1: inside. Neither is empty: the voxel itself is inside, and the one
+        // beyond one of its faces outside.
         std::int64_t counts[2] = {0, 0};
         std::int64_t sums[2] = {0, 0};
         forEachNear(at, way, [&](unsigned side, std::int64_t code) {
@@ -185,7 +188,7 @@ Result<std::vector<BorderVoxel>> borderOf(const BorderSource& source, const Prog
     return border;
 }
 
-/// Less than this is no edge.
+/// The contrast below which there is no edge.
 std::int64_t faintLimit(const std::vector<BorderVoxel>& border)
 {
     std::vector<std::int64_t> contrasts;

@@ -13,8 +13,8 @@ namespace {
 
 using Why = DoubtfulPlace::Why;
 
-/// A border lies up to so many voxels beside the core of what differs there: the outer layer of the
-/// difference, and a voxel of the segment.
+/// How many voxels the border may lie beside the core of a difference: the outer layer of the
+/// difference, and one voxel of the segment.
 constexpr int besideVoxels = 2;
 
 DoubtfulPlace placeAt(const VoxelRuns& voxels, const VolumeGeometry& geometry, Why why)
@@ -24,7 +24,7 @@ DoubtfulPlace placeAt(const VoxelRuns& voxels, const VolumeGeometry& geometry, W
     return place;
 }
 
-/// What differs, with its neighbourhood.
+/// The listed disagreements, to recognise places beside them.
 class Disagreements {
 public:
     explicit Disagreements(const glm::ivec3& size)
@@ -32,7 +32,7 @@ public:
     {
     }
     void add(const VoxelRuns& voxels) { m_all = united(m_all, voxels); }
-    /// Whether more than half of some voxels lie beside what differs.
+    /// Whether more than half of the voxels lie beside a listed disagreement.
     [[nodiscard]] bool hold(const VoxelRuns& voxels, const Progress& progress) const
     {
         if (m_all.empty())
@@ -109,7 +109,7 @@ Result<std::vector<DoubtfulPlace>> placesToLookAt(
 {
     const VolumeGeometry& geometry = source.geometry;
     std::vector<DoubtfulPlace> places;
-    // What has no voxel differs from everything, and that says nothing.
+    // An empty segment would differ everywhere from the second mask, which is of no use.
     if (source.box.empty())
         return places;
     std::vector<Difference> differences;

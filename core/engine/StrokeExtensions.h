@@ -19,8 +19,8 @@ struct DrillPath {
 /// Further pieces of the path of a PaintLabel, PaintBarrier or CapsuleCut.
 struct CapsulePath {
     std::vector<Capsule> capsules;
-    /// Of a PaintLabel that follows edges: the voxels under the pen along these pieces. The order
-    /// does not matter, and what is outside the volume counts for nothing.
+    /// For a PaintLabel that follows edges: indices of the voxels under the pen along these pieces,
+    /// in any order. Those outside the volume are ignored.
     std::vector<glm::ivec3> under{};
 };
 

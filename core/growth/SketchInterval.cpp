@@ -14,14 +14,15 @@ namespace core {
 
 namespace {
 
-constexpr std::size_t mostSeeds = 64; ///< of all sketches; more tell nothing new
-constexpr std::size_t fewSeeds = 8; ///< so few need to be widened more
+constexpr std::size_t mostSeeds = 64; ///< of all sketches together; more would add no information
+constexpr std::size_t fewSeeds = 8; ///< up to this many seeds use the greater reach
 constexpr int reachOfMany = 3;
 constexpr int reachOfFew = 6;
 constexpr int mostInward = 3;
 constexpr std::size_t enough = 30; ///< voxels of a sketch
 constexpr std::size_t mostWidened = 100; ///< voxels that fewer are widened to
-constexpr int leastContrast = 16; ///< a tissue differs from its neighbour by as many deviations
+/// The deviation is at least the distance to a neighbouring tissue divided by this.
+constexpr int leastContrast = 16;
 
 bool isBefore(const glm::ivec3& a, const glm::ivec3& b)
 {
@@ -89,7 +90,7 @@ std::size_t seedCount(const std::vector<SeedSketch>& sketches)
 
 } // namespace
 
-/// The codes that were read, by place.
+/// The codes that were read, to be looked up by voxel.
 class SketchInterval::Neighbourhood {
 public:
     Neighbourhood(const SketchInterval& question, const std::vector<int>& codes)
@@ -171,7 +172,8 @@ public:
         spread.deviation256 = std::max({spread.deviation256, noise256(places), std::int64_t(128)});
         return spread;
     }
-    /// What hangs together with the places and resembles them, of the voxels that may be taken.
+    /// The region of similar voxels that is connected with the given ones, among the voxels that
+    /// may be taken.
     [[nodiscard]] std::vector<std::size_t> widened(const std::vector<std::size_t>& places,
         const Spread& spread, const std::vector<bool>& near) const
     {
@@ -294,7 +296,8 @@ SketchedCodes SketchInterval::look(const std::vector<int>& codes) const
         return result;
     Spread spread = around.spreadAt(places);
     if (places.size() < enough) {
-        // What a sketch of several tissues has in common is too little to go by.
+        // If a sketch touches several tissues, only few of its voxels resemble the median; then it
+        // is not widened.
         const std::vector<std::size_t> wide = around.widened(places, spread, near);
         if (wide.size() > places.size() / 2) {
             places = wide;

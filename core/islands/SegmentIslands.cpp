@@ -40,7 +40,7 @@ RunParts partsIn(const VoxelBox& box, std::span<const std::uint8_t> labels, cons
     return parts;
 }
 
-/// Of each part, by its first run; 0 for numbers that are none.
+/// The number of voxels of each part, indexed by its first run; 0 for runs that begin no part.
 std::vector<std::int64_t> sizesOf(RunParts& parts)
 {
     std::vector<std::int64_t> sizes(parts.count(), 0);
@@ -49,7 +49,7 @@ std::vector<std::int64_t> sizesOf(RunParts& parts)
     return sizes;
 }
 
-/// Of an index in memory, x fastest.
+/// The voxel with an index in memory, x fastest.
 glm::ivec3 voxelAt(std::size_t index, const glm::ivec3& size)
 {
     const auto columns = std::size_t(size.x);

@@ -9,7 +9,7 @@ namespace core {
 
 namespace {
 
-/// By rows of the whole volume, at whose ends runs are cut.
+/// The runs by rows of the whole volume; runs that continue over the end of a row are cut there.
 RunParts partsOfRuns(const VoxelRuns& voxels, const glm::ivec3& size)
 {
     RunParts parts(size, 1);

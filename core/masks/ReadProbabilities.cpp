@@ -16,7 +16,7 @@ namespace core {
 
 namespace {
 
-/// Of a grid's own voxels. Errors: UnsupportedFormat.
+/// The probabilities of the grid's own voxels. Errors: UnsupportedFormat.
 Result<std::vector<std::uint8_t>> probabilitiesIn(const StoredGrid& stored, const QString& path)
 {
     if (stored.layers != 1)

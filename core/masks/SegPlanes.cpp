@@ -50,8 +50,9 @@ bool isAcross(const FrameLattice& lattice, const VolumeGeometry& geometry)
     return true;
 }
 
-/// Only frames that hold something are there, so that their distances do not say how thick a plane
-/// is: where all of them are slices of the volume each belongs to its slice and to no other.
+/// A file may contain only frames that are not empty, so the distances between frames do not tell
+/// how thick a plane is. If all frames coincide with slices of the volume, each belongs to its
+/// slice and to no other.
 Result<FrameLattice> latticeOf(
     const SegFile& seg, const VolumeGeometry& geometry, const QString& path)
 {

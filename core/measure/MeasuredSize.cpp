@@ -13,7 +13,7 @@ namespace core {
 
 namespace {
 
-/// So far from a slice a point still lies in it: points are rounded.
+/// A point up to this far from a slice counts as lying in it, because points are rounded.
 constexpr double inSliceVoxels = 0.05;
 /// The corners that stand for an ellipse between uneven slices; they lack 0.001 % of its area.
 constexpr int finelyCornered = 1024;
@@ -76,7 +76,7 @@ double unevenArea(const PlaneShape& shape, const VolumeGeometry& geometry)
             corners.push_back(geometry.toIndex(shape.toLps(corner)));
         const auto [low, high] = std::minmax_element(corners.begin(), corners.end(),
             [](const glm::dvec3& a, const glm::dvec3& b) { return a.z < b.z; });
-        // Beyond the outermost slices it goes on as before them.
+        // Beyond an outermost slice the spacing continues as before it.
         const int from = std::clamp(int(std::floor(low->z)), 0, std::max(0, last - 1));
         const int to = std::clamp(int(std::floor(high->z)), 0, std::max(0, last - 1));
         for (int k = from; k <= to; ++k) {
@@ -86,7 +86,8 @@ double unevenArea(const PlaneShape& shape, const VolumeGeometry& geometry)
             if (k < to)
                 part = clipped(part, k + 1, -1.0);
             for (glm::dvec3& corner : part) {
-                // Of the places of this slab, that of its upper border too.
+                // Computed by this slab's own step, also at its upper border, where the next slab
+                // begins.
                 const glm::dvec3 below =
                     worldBetweenSlices(geometry, {corner.x, corner.y, double(k)});
                 const glm::dvec3 middle =

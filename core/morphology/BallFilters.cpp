@@ -12,8 +12,8 @@ namespace core {
 
 namespace {
 
-/// How many voxels of a mask the ball holds around each voxel, row by row: the voxels of each row
-/// are added up from its beginning, so that a row of the ball costs two of these sums.
+/// Counts the voxels of a mask in the ball around each voxel. The voxels of each row are summed
+/// from its beginning, so that a row of the ball costs only two of these sums.
 class CountInBall {
 public:
     CountInBall(ByteMask& mask, const MillimetreBall& ball)
@@ -32,7 +32,8 @@ public:
         for (std::size_t x = 0; x < m_width; ++x)
             before[x + 1] = std::uint16_t(before[x] + voxels[x]);
     }
-    /// After all rows were added up: the row's voxels that have so many of the mask in the ball.
+    /// Sets those voxels of a row that have at least this many voxels of the mask in the ball. To
+    /// be called after addUp() for all rows.
     void choose(int row, std::int64_t atLeast, const StageCounter& counter)
     {
         const int y = row % m_mask.size.y;
@@ -60,7 +61,8 @@ public:
     }
 
 private:
-    /// Adds before[x + shift] to counts[x]; there is nothing before the row, and no more behind it.
+    /// Adds before[x + shift] to counts[x]. Before the row the sum is 0, behind it that of the
+    /// whole row.
     void addShifted(std::vector<std::int64_t>& counts, const std::uint16_t* before, int shift,
         std::int64_t sign) const
     {

@@ -58,7 +58,8 @@ bool isInside(std::int64_t lower, int fromLower, std::int64_t upper, int fromUpp
     return lower > 0 ? lowerShare >= upperShare : upperShare >= lowerShare;
 }
 
-/// What part of a way lies behind, rounded to whole pixels, halves up.
+/// The part of a way that is covered after `done` of `of` slices, rounded to whole pixels, halves
+/// up.
 int partOfWay(int way, int done, int of)
 {
     const std::int64_t twice = 2 * std::int64_t(way) * done + of;
@@ -111,11 +112,12 @@ private:
     {
         if (each.overlap || each.lower.empty() || each.upper.empty())
             return glm::ivec2(0);
-        // Only one of either does not overlap.
+        // If parts do not overlap, there is only one in each slice.
         return m_upper.parts[std::size_t(each.upper.front())].centroid
             - m_lower.parts[std::size_t(each.lower.front())].centroid;
     }
-    /// Without parts it begins where the slice ends, and makes no other one larger.
+    /// The rectangle around the chosen parts. Without parts it is an empty one that does not
+    /// enlarge another by union.
     static DrawnShape boxOf(const SliceParts& slice, const std::vector<int>& chosen)
     {
         DrawnShape box{.begin = slice.size};
@@ -146,7 +148,8 @@ private:
         const glm::ivec2 way = wayOf(each);
         const DrawnShape lowerBox = boxOf(m_lower, each.lower);
         const DrawnShape upperBox = boxOf(m_upper, each.upper);
-        // Both where the lower one lies, with a border in which nothing is.
+        // The upper parts are moved onto the lower ones; the rectangle around both gets an empty
+        // border of one pixel.
         const glm::ivec2 first = glm::min(lowerBox.begin, upperBox.begin - way) - 1;
         const glm::ivec2 end = glm::max(lowerBox.end, upperBox.end - way) + 1;
         const glm::ivec2 size = end - first;

@@ -30,7 +30,8 @@ public:
 
     [[nodiscard]] int first(int at) const { return std::max(0, at - reach()); }
     [[nodiscard]] int last(int at) const { return std::min(m_length - 1, at + reach()); }
-    /// What the place @p of adds to the one at @p at; the outermost ones stand for what is beyond.
+    /// The weight with which the voxel at @p of contributes to the one at @p at. The outermost
+    /// voxels also have the weights of those beyond the border, if they are continued there.
     [[nodiscard]] std::uint32_t weight(int of, int at) const
     {
         std::uint32_t its =
@@ -41,7 +42,7 @@ public:
             its += from(m_length - at);
         return its;
     }
-    /// All weights up to a step, which may be negative.
+    /// The sum of all weights up to a step, which may be negative.
     [[nodiscard]] std::uint32_t upTo(int step) const
     {
         return step < 0 ? from(-step) : GridGaussian::whole - from(step + 1);
@@ -51,7 +52,7 @@ public:
 
 private:
     [[nodiscard]] int reach() const { return int(m_weights.size()) - 1; }
-    /// All weights from a step on, which is positive.
+    /// The sum of all weights from a positive step on.
     [[nodiscard]] std::uint32_t from(int step) const
     {
         return m_from[std::min(std::size_t(step), m_weights.size())];
@@ -64,8 +65,8 @@ private:
     std::vector<std::uint32_t> m_from;
 };
 
-/// Rows of a mask blurred along x: each run of it adds what the weights up to its end have more
-/// than those up to its beginning.
+/// Blurs rows of a mask along x. To each voxel, a run of the mask adds the sum of all weights up to
+/// the step from its beginning to the voxel, less that up to the step from its end.
 class RowBlur {
 public:
     explicit RowBlur(const AxisWeights& axis, int width)
@@ -94,8 +95,8 @@ public:
     }
 
 private:
-    /// A voxel's step to one of the run is of the same weight as the step back: those up to which
-    /// they lie are counted from the voxel, from the run's beginning to its end.
+    /// Weights are symmetric, so steps may be counted from the run to the voxel instead of from the
+    /// voxel to the run.
     void addRun(std::vector<std::uint32_t>& sums, int begin, int end) const
     {
         const bool isEndless = begin == 0 && m_axis.goesOnBefore();
@@ -112,9 +113,9 @@ private:
     std::vector<std::uint32_t> m_upTo; ///< from the step −width on
 };
 
-/// Lines of rows, one row after the other, blurred across them.
-/// @param rows as they were, each of @p width values
-/// @param into where a row of the result goes
+/// Blurs across rows: each row of the result is a weighted sum of the given rows.
+/// @param rows the given rows, each of @p width values
+/// @param into returns where a row of the result is to be written
 template <class Into, class Stop>
 void blurAcross(const std::vector<std::uint16_t>& rows, int width, int length,
     const AxisWeights& axis, const Into& into, const Stop& stop)

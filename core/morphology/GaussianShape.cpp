@@ -26,7 +26,7 @@ struct Competitor {
     VoxelBox box{};
 };
 
-/// Who has the greatest value in each voxel of a box, so far.
+/// Which label has had the greatest value so far, for each voxel of a box.
 class Winners {
 public:
     Winners(std::span<const std::uint8_t> labels, const BoxRows& rows)
@@ -40,8 +40,8 @@ public:
         });
     }
 
-    /// Labels ascending, so that of equal values the lowest label's was there first.
-    /// @param rows of the values; what lies beside the box is left out
+    /// Must be called with ascending labels, so that on a tie the lowest label wins.
+    /// @param rows of the values; those outside the box are ignored
     void compete(std::uint8_t label, const BoxRows& rows, const BoxValues& values)
     {
         rows.forEachWithin(m_rows, [&](std::size_t in, std::size_t here, std::size_t width) {
@@ -91,7 +91,8 @@ private:
     std::span<const std::uint8_t> m_labels;
     const BoxRows& m_rows;
     std::vector<std::uint16_t> m_most;
-    std::vector<std::uint8_t> m_winners; ///< who has the voxel, where nobody has a value
+    /// Initially the present label, which stays if all values are 0.
+    std::vector<std::uint8_t> m_winners;
 };
 
 } // namespace
@@ -135,7 +136,8 @@ Result<JointChange> jointGaussianChange(std::span<const std::uint8_t> labels,
     }
     if (all.empty())
         return change;
-    // No segment has a value farther away; and what is free counts from as far again.
+    // Farther away no segment has a value; free space must be known as far again, to be blurred in
+    // that box.
     const BoxRows rows(widened(all, gaussian.reach(), size), size);
     competitors.front().box = widened(all, 2 * gaussian.reach(), size);
     const BoxRows widest(competitors.front().box, size);

@@ -137,8 +137,9 @@ int stagesOf(ShapeOperation operation, ShellPlace place)
     return 1;
 }
 
-/// Whether all that matters is which of the segment's own voxels are near others. On a grid with
-/// axes at right angles the nearest of those is one that touches its box, or in it.
+/// Whether an operation only asks which of the segment's own voxels are near voxels outside it. On
+/// a grid with perpendicular axes the nearest of those always lies in the segment's box or touches
+/// it, so a margin of one voxel suffices.
 bool looksOnlyInside(ShapeOperation operation, ShellPlace place)
 {
     return operation == ShapeOperation::Shrink || operation == ShapeOperation::Open
@@ -173,15 +174,15 @@ Result<ShapeChange> openedOrClosed(Reshaping& work, Side first)
             return tl::unexpected(done.error());
         work.invert();
     }
-    // The mask is what was spread first, without its own spurs: of the rest, all that a ball
-    // within the segment does not hold.
+    // The mask is now the closing of what was spread first. The closing of the rest contains, of
+    // the segment, the voxels that no ball within the segment covers.
     if (first == Side::Rest)
         return ShapeChange{.given = {}, .taken = work.ownIn()};
     return ShapeChange{.given = work.freeIn(), .taken = {}};
 }
 
-/// Where the ball's centre can come from outside is what the segment, grown by the ball, does not
-/// enclose; the ball there reaches all but what is wrapped.
+/// The centre of the ball can reach, from outside, every voxel that the segment grown by the ball
+/// does not enclose. From there the ball covers everything except what is wrapped.
 Result<ShapeChange> wrapped(Reshaping& work)
 {
     work.fill(Side::Segment);

@@ -15,9 +15,10 @@ namespace core {
 
 namespace {
 
-/// What steps along a line add to what is known across it: for each place the least over all before
-/// it, of a parabola that begins at its own place. Two of those meet once at most, and from there
-/// on the later one is lower, so that they follow each other as in LowerEnvelope.
+/// The least sum of a squared distance across a line, which is known at each place, and the square
+/// of the steps along it, taken in one direction only. Each place thus contributes half a parabola
+/// that begins there. Two of these meet once at most, and from there on the later one is lower, so
+/// they form an envelope as in LowerEnvelope.
 class HalfEnvelope {
 public:
     void clear(std::int64_t curvature)
@@ -25,7 +26,7 @@ public:
         m_curvature = curvature;
         m_parabolas.clear();
     }
-    /// Places ascending; asked for is the present one alone.
+    /// The value at the place to which moveTo() went last.
     [[nodiscard]] std::int64_t at(int place) const
     {
         const Parabola& lowest = m_parabolas[m_lowest];
@@ -51,7 +52,7 @@ public:
         if (from < never)
             m_parabolas.push_back({.place = place, .from = from, .least = least});
     }
-    /// To the parabola that is the lowest at a place.
+    /// Selects the parabola that is lowest at a place.
     void moveTo(int place)
     {
         m_lowest = std::min(m_lowest, m_parabolas.size() - 1);
@@ -80,8 +81,8 @@ private:
     std::vector<Parabola> m_parabolas;
 };
 
-/// Spreads a mask by the body, in place: along the rows of each slice, then along its columns, and
-/// from slice to slice. A sum that is more than the whole is none.
+/// Spreads a mask by the body, in place: along the rows of each slice, then along its columns, then
+/// from slice to slice. Sums greater than `whole` count as unreachable.
 class SidedSpread {
 public:
     SidedSpread(ByteMask& mask, const SidedBall& ball)
@@ -155,7 +156,7 @@ private:
         return (std::size_t(z) * std::size_t(m_mask.size.y) + std::size_t(y))
             * std::size_t(m_mask.size.x);
     }
-    /// The square of so many steps to one side of an axis.
+    /// The squared share of the margin that a number of steps to one side of an axis has.
     [[nodiscard]] std::int64_t squaredAlong(int axis, std::size_t side, int steps) const
     {
         const int most = side == 0 ? m_ball.before[axis] : m_ball.behind[axis];
@@ -203,7 +204,7 @@ private:
             least[y] = std::min(least[y], envelope.at(step));
         }
     }
-    /// One more than the slices up to which what is left of the whole reaches; 0: none.
+    /// One more than the number of slices that the rest of `whole` spans; 0: not even this slice.
     [[nodiscard]] std::uint16_t reachOf(std::size_t side, std::int64_t sum) const
     {
         const std::vector<std::int64_t>& upTo = m_upTo.at(side);
@@ -257,8 +258,9 @@ Result<ShapeChange> sidedMarginChange(std::span<const std::uint8_t> labels, cons
     const VoxelBox own = boxOfLabel(labels, size, label);
     if (own.empty())
         return ShapeChange();
-    // What others have is looked for beside the segment's box alone: instead of a voxel farther
-    // away the nearest one of that rim does, by steps that are shorter and go to the same sides.
+    // To shrink, voxels outside the segment are looked for in its box and a rim of one voxel around
+    // it. Beyond that, for every such voxel there is one in the rim that is reached by shorter
+    // steps to the same sides.
     const glm::ivec3 before = grows ? ball.before : glm::ivec3(1);
     const glm::ivec3 behind = grows ? ball.behind : glm::ivec3(1);
     const BoxRows rows({.minimum = glm::max(own.minimum - before, glm::ivec3(0)),
@@ -271,8 +273,8 @@ Result<ShapeChange> sidedMarginChange(std::span<const std::uint8_t> labels, cons
     if (progress.cancelled())
         return failure(ErrorCode::Cancelled);
     ByteMask mask = rows.mask(labels, label, grows);
-    // A voxel is lost by what lies on its own side of the border: seen from there the step is
-    // backwards.
+    // A voxel is lost if the body around it reaches a voxel outside; seen from the latter, the step
+    // is the opposite one.
     if (const Result<void> done = spread(mask, grows ? ball : reversed(ball), progress); !done)
         return tl::unexpected(done.error());
     const auto isReached = [&](std::size_t voxel) { return mask.voxels[voxel] != 0; };

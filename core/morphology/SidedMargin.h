@@ -15,8 +15,8 @@ namespace core {
 ///
 /// Exact: no floating-point number decides. The cost does not depend on the margins; the method is
 /// that of ReachOfMask.h, with half parabolas.
-/// @param labels one for each voxel of the volume in the segment's plane, x fastest Any thread
-/// outside a parallelFor(). Errors: OutOfMemory, Cancelled.
+/// @param labels one for each voxel of the volume in the segment's plane, x fastest
+/// Any thread outside a parallelFor(). Errors: OutOfMemory, Cancelled.
 [[nodiscard]] Result<ShapeChange> sidedMarginChange(std::span<const std::uint8_t> labels,
     const glm::ivec3& size, std::uint8_t label, bool grows, const SidedBall& ball,
     const Progress& progress);

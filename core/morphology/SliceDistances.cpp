@@ -36,7 +36,7 @@ std::vector<int> stepsAlongRows(const SliceMask& mask, std::uint8_t value)
     return steps;
 }
 
-/// Adds to each pixel that has not the value how far the nearest one with it is.
+/// Adds to each pixel without the value its signed squared distance to the nearest pixel with it.
 void addSquares(const SliceMask& mask, const SliceSteps& steps, std::uint8_t value,
     std::vector<std::int64_t>& squares)
 {
@@ -78,7 +78,7 @@ SliceSteps sliceSteps(const VolumeGeometry& geometry, SliceAxis axis)
 std::vector<std::int64_t> signedSquares(const SliceMask& mask, const SliceSteps& steps)
 {
     std::vector<std::int64_t> squares(mask.pixels.size(), 0);
-    // A pixel is 0 from its own side, so that the two do not meet.
+    // The distance of a pixel to its own side is 0, so each pixel gets only one of the two.
     addSquares(mask, steps, 0, squares);
     addSquares(mask, steps, 1, squares);
     return squares;

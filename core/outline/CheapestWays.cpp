@@ -15,7 +15,8 @@ constexpr std::array<glm::ivec2, 4> waySteps{
     glm::ivec2(1, 0), glm::ivec2(0, 1), glm::ivec2(-1, 0), glm::ivec2(0, -1)};
 constexpr int wayDirections = 4;
 
-/// How far a corner is from the straight line through the anchor, times the length of the latter.
+/// The distance of a corner from the straight line from the anchor to the end, times the length of
+/// that line.
 std::int64_t besideLine(const glm::ivec2& corner, const glm::ivec2& anchor, const glm::ivec2& end)
 {
     const glm::ivec2 line = end - anchor;
@@ -60,7 +61,7 @@ void CheapestWays::spread()
     const glm::ivec2 size = m_high - m_low + 1;
     m_sums.assign(
         std::size_t(size.x) * std::size_t(size.y), std::numeric_limits<std::uint32_t>::max());
-    // A sum is at most one side dearer than the least that is open, so these buckets are enough.
+    // Open sums differ by at most the cost of one side, so this many buckets suffice.
     constexpr std::size_t bucketCount = SideCosts::greatest + 1;
     std::array<std::vector<glm::ivec2>, bucketCount> buckets;
     std::size_t open = 1;

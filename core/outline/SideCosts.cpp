@@ -19,8 +19,9 @@ std::vector<int> brightnessOf(const SlicePixels& picture, int lowCode, int highC
     return brightness;
 }
 
-/// One row of sides whose differences are known, along which they are evened out.
-/// @param every corner of @p costs is written
+/// Writes the costs of one row of sides, from the differences across them, which are averaged along
+/// the row (rule 2).
+/// @param costs where the first is written; the next ones follow at distances of @p step
 template <class Difference>
 void writeSides(int count, std::size_t step, std::uint8_t* costs,
     const std::array<std::uint8_t, SideCosts::greatestContrast + 1>& costOf,

@@ -11,7 +11,7 @@ namespace core {
 namespace {
 
 constexpr std::size_t pointsOfALeaf = 16;
-/// Bounds are computed with rounding, so they are taken for a little more than they are.
+/// Bounds are computed with rounding errors, so they are enlarged a little.
 constexpr double boundSlack = 1.0 + 1e-9;
 
 double squaredDistance(const glm::dvec3& a, const glm::dvec3& b)
@@ -82,8 +82,8 @@ private:
         return at;
     }
 
-    /// From a point to the farthest from it, and on: a long distance to begin with, so that much is
-    /// passed over at once.
+    /// Goes from a point to the point farthest from it, several times. This yields a long distance
+    /// at the start, so that many pairs can be skipped.
     void startFromFarPoints()
     {
         glm::dvec3 from = m_points.front();
@@ -97,7 +97,7 @@ private:
         }
     }
 
-    /// No point of one box is farther from one of the other.
+    /// The square of a distance that no point of one box exceeds to a point of the other.
     [[nodiscard]] double bound(const Node& a, const Node& b) const
     {
         const glm::dvec3 widest = glm::max(glm::abs(a.high - b.low), glm::abs(b.high - a.low));

@@ -8,7 +8,7 @@ namespace core {
 
 namespace {
 
-/// The bins that hold something, with what is before each of them.
+/// The bins that are not empty, with the sums over all bins before each of them.
 class FilledBins {
 public:
     explicit FilledBins(std::span<const std::uint32_t> counts)
@@ -63,7 +63,8 @@ std::vector<std::size_t> otsuBins(std::span<const std::uint32_t> counts, int thr
     const std::size_t parts = std::min(std::size_t(std::max(thresholds, 0)) + 1, size);
     if (parts < 2)
         return {};
-    // Of so many parts that end before each place: the best sum, and where the last one begins.
+    // For divisions of the bins before each place into the present number of parts: the best sum of
+    // scores, and where its last part begins.
     std::vector<std::uint64_t> best(size + 1, 0);
     for (std::size_t end = 1; end <= size; ++end)
         best[end] = filled.score(0, end);

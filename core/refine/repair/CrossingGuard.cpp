@@ -10,7 +10,8 @@ namespace core {
 
 namespace {
 
-/// Of its way, that a vertex goes if its faces cross, if they still do, and so on.
+/// The share of its way that a vertex may go: at first, after its faces have crossed once, and
+/// after they have crossed twice.
 constexpr std::array<double, 3> shareOfWay{1.0, 0.5, 0.0};
 
 template <typename Id> void sortUnique(std::vector<Id>& ids)

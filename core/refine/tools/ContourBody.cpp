@@ -10,16 +10,17 @@ namespace core {
 
 namespace {
 
-/// More would take longer to solve than they say.
+/// More points would take long to solve and add little.
 constexpr std::size_t mostDrawnPoints = 260;
 /// Steps of a contour between two of its points, for evening it out.
 constexpr int stepsBetween = 6;
 constexpr std::size_t mostSteps = 100'000;
-/// How far the body may pass a contour by, times the cube of the distance of the contour's points:
-/// what is shorter than about that distance is taken for the hand.
+/// How far the body may deviate from a contour, in units of the cube of the distance between the
+/// contour's points: details shorter than about that distance are taken for unsteadiness of the
+/// hand.
 constexpr double handGive = 1.5;
-/// A closed contour with less area than this share of its squared length runs to and fro: what
-/// area it has is rounding, or the hand. A circle has 0.08.
+/// A closed contour with less area than this share of its squared length runs to and fro; its area
+/// comes from rounding or an unsteady hand. A circle has 0.08.
 constexpr double leastArea = 1e-3;
 
 glm::dvec3 unitOf(const glm::dvec3& way)
@@ -111,7 +112,7 @@ glm::dvec3 acrossOf(const std::vector<glm::dvec3>& steps, bool isClosed)
     return glm::length(most) > straight ? unitOf(most) : glm::dvec3(0.0);
 }
 
-/// Makes one, step by step.
+/// Computes a body, step by step.
 class ContourBodyMaker {
 public:
     ContourBodyMaker(const ContourBodyPoints& given, const Progress* progress)
@@ -139,7 +140,8 @@ public:
         Result<VariationalBody> first = solve();
         if (!first)
             return tl::unexpected(first.error());
-        // Its gradient says which way is out where the planes do not stand upright on it.
+        // The gradient of the first body gives the outward directions where a contour's plane is
+        // not perpendicular to the surface.
         for (DrawnPoint& point : m_drawn) {
             const glm::dvec3 out = -unitOf(first->at(point.place).rise);
             if (glm::dot(out, point.outwards) > 0.3)
@@ -245,7 +247,8 @@ private:
             points.push_back({.place = beyond, .value = -beyondMm, .giveMm3 = give});
             m_points.push_back(place);
         };
-        // What is known exactly comes first, so that it is not left out beside what is not.
+        // Points of the border, which are exact, come first, so that they are not left out beside
+        // inexact ones.
         std::vector<glm::dvec3> border;
         for (const BorderPlace& place : m_given.border)
             take(place.placeLps, place.outwardsLps, 0.0);

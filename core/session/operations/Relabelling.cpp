@@ -33,7 +33,8 @@ void Relabelling::write(SessionState& state, Edit edit, LabelListed&& label)
 
 void Relabelling::takeResult(SessionState& state, EngineResult&& result)
 {
-    if (m_begun && result.ticket == *m_begun) { // it never opened, and its end tells so again
+    // The edit was refused; the result of EndEdit will fail again.
+    if (m_begun && result.ticket == *m_begun) {
         m_failed = true;
         state.fail(*result.error);
     } else if (m_ended && result.ticket == *m_ended)

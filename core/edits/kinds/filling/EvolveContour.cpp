@@ -89,7 +89,8 @@ RowTitle rowTitle(const EvolveContour& edit, const RowFacts& row)
         edit.segment, row);
 }
 
-/// Nobody knows how far it would have come, had labels been others.
+/// How far the contour would have come with other labels is unknown, so it depends on the whole
+/// plane.
 EditDependencies dependencies(const EvolveContour& edit, const DependencyFacts& row)
 {
     return row.alsoReading(edit.editable, dependsOn::Plane{.plane = row.planeOf(edit.segment)});

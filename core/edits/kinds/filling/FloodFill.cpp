@@ -48,8 +48,8 @@ RowTitle rowTitle(const FloodFill& edit, const RowFacts& row)
     return segmentChanged(code, edit.segment, row);
 }
 
-/// In a slice its bricks. In all directions nobody knows how far it would reach, had labels been
-/// others.
+/// Within a slice it depends on the bricks of that slice. In all directions it is unknown how far
+/// it would reach with other labels, so it depends on the whole plane.
 EditDependencies dependencies(const FloodFill& edit, const DependencyFacts& row)
 {
     const Result<glm::ivec3> first = firstVoxel(edit, row.geometry());
@@ -78,7 +78,7 @@ Result<glm::ivec3> firstVoxel(const FloodFill& edit, const VolumeGeometry& geome
 CodeInterval floodInterval(const FloodFill& edit, const VoxelEncoding& encoding, int code)
 {
     const double value = encoding.value(code);
-    // The place itself belongs to it, whatever becomes of the last digit.
+    // The code of the place itself always belongs to it, however values are rounded.
     return {.low = std::min(code, encoding.lowestCodeAtLeast(value - edit.tolerance)),
         .high = std::max(code, encoding.highestCodeAtMost(value + edit.tolerance))};
 }

@@ -19,7 +19,8 @@ using namespace rowWords;
 
 namespace {
 
-/// A voxel's number along the axis and that of its mirror image add up to `sum`.
+/// A mirror plane: the index of a voxel along the axis and that of its mirror image add up to
+/// `sum`.
 struct MirrorPlane {
     int axis = 0;
     int sum = 0;

@@ -26,7 +26,7 @@ tl::unexpected<Error> scissorsFailure(const char* field, const Clause& reason)
         QStringLiteral("segmentScissors.%1").arg(QLatin1String(field)), reason);
 }
 
-/// Where the curve lies, whatever is done there. Errors: InvalidField.
+/// The curve on the plane of the cut, without what is to be done under it. Errors: InvalidField.
 Result<LabelScissors> underCurve(const SegmentScissors& edit, const Document& document)
 {
     Result<OutlinedPlane> plane = outlinedPlane(edit.polygonMm,
@@ -41,7 +41,7 @@ Result<LabelScissors> underCurve(const SegmentScissors& edit, const Document& do
     return scissors;
 }
 
-/// Whose voxels are taken away. Errors: UnknownSegment, SegmentLocked, InvalidField.
+/// The labels that are erased. Errors: UnknownSegment, SegmentLocked, InvalidField.
 Result<std::bitset<256>> erasedLabels(
     const SegmentScissors& edit, const Segment& segment, const Document& document)
 {
@@ -143,8 +143,8 @@ RowTitle rowTitle(const SegmentScissors& edit, const RowFacts& row)
     return title;
 }
 
-/// The labels and seed words of the bricks in which the curve lies, also in front of what it
-/// changed: there its lines of sight met nothing.
+/// The labels and seed words of all bricks under the curve, including those in front of what was
+/// changed, where the lines of sight met nothing.
 EditDependencies dependencies(const SegmentScissors& edit, const DependencyFacts& row)
 {
     const Result<LabelScissors> scissors = underCurve(edit, row.document);

@@ -18,7 +18,8 @@ using namespace rowWords;
 
 namespace {
 
-/// Who gains or loses voxels. A segment that receives an island takes voxels of the segment alone.
+/// The label that gains or loses voxels. A segment that receives an island takes voxels from the
+/// edit's segment alone.
 Result<LabelTarget> targetOf(const CleanSegment& edit, const Document& document)
 {
     const Result<LabelTarget> own = segmentTarget(edit.segment, false, document);
@@ -60,7 +61,7 @@ std::optional<Error> fieldAtFault(const CleanSegment& edit)
     return std::nullopt;
 }
 
-/// Where labels of the whole volume have the clicked voxel; 0 if none is asked for.
+/// The index of the clicked voxel among the labels of the volume; 0 if the rule needs none.
 Result<std::size_t> clickedOf(const CleanSegment& edit, const VolumeGeometry& geometry)
 {
     if (!edit.islandLps)
@@ -74,7 +75,7 @@ Result<std::size_t> clickedOf(const CleanSegment& edit, const VolumeGeometry& ge
         + std::size_t(voxel->x);
 }
 
-/// IslandRule's number of voxels.
+/// The number of voxels that islandChange() expects for the rule.
 std::int64_t voxelsOf(const CleanSegment& edit, const VolumeGeometry& geometry)
 {
     if (!edit.mm3)

@@ -75,7 +75,7 @@ RowTitle rowTitle(const CombineSegments& edit, const RowFacts& row)
     return title;
 }
 
-/// What either holds decides, and whose seeds lie there.
+/// The voxels of both segments decide, and the seeds that lie there.
 EditDependencies dependencies(const CombineSegments& edit, const DependencyFacts& row)
 {
     return row.alsoReading(edit.editable, dependsOn::Plane{.plane = row.planeOf(edit.segment)});

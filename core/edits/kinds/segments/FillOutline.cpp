@@ -53,7 +53,7 @@ bool meetsVolume(const SlicePlane& slice, const glm::dvec3& normal, const Volume
     return std::abs(slice.heightMm) <= reachMm;
 }
 
-/// @param origin of the outline, from the middle of the volume, in the plane
+/// @param origin of the outline, relative to the middle of the volume, in the plane
 Result<std::vector<glm::ivec2>> cornersOf(
     const std::vector<glm::dvec2>& polygonMm, const glm::dvec2& origin)
 {
@@ -74,7 +74,7 @@ Result<std::vector<glm::ivec2>> cornersOf(
     return corners;
 }
 
-/// Where the outline lies, whatever it is done to. Errors: InvalidField.
+/// The outline in its plane, without what is to be done inside it. Errors: InvalidField.
 Result<LabelOutlined> placed(const FillOutline& edit, const VolumeGeometry& geometry)
 {
     const Result<glm::dmat3> axes = sliceAxes(edit);

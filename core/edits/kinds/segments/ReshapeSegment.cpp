@@ -28,7 +28,7 @@ Error fieldError(const char* field, const Clause& reason)
         {QStringLiteral("reshapeSegment.%1").arg(QLatin1String(field)), reason}};
 }
 
-/// How far it looks around a voxel. A centred shell lies half on either side.
+/// The radius of the ball around a voxel that decides. Half of a centred shell lies on either side.
 double ballMm(const ReshapeSegment& edit)
 {
     constexpr double half = 0.5;
@@ -127,7 +127,7 @@ Result<std::vector<std::uint8_t>> together(const ReshapeSegment& edit, const Doc
     return labels;
 }
 
-/// A number that none of these is.
+/// A number that is none of these labels.
 std::uint8_t numberBeside(const std::vector<std::uint8_t>& labels)
 {
     std::uint8_t number = 1;

@@ -11,7 +11,7 @@ namespace {
 
 constexpr int highestLabel = 255;
 
-/// So much of a name that it is none too long with a number behind it.
+/// The beginning of a name that leaves room for a number behind it.
 QString stemOf(const QString& name)
 {
     constexpr qsizetype most = 240; // a name has at most 256

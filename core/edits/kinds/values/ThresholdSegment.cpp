@@ -117,14 +117,14 @@ RowTitle rowTitle(const ThresholdSegment& edit, const RowFacts& row)
         .arguments = {segmentName(edit.segment, row.document),
             asArgument(rangeTitle(edit, row.document.volumes.front()))},
         .then = {flowTitle(flow.gained, flow.lost)}};
-    // What only takes seeds away changes no label.
+    // If only seeds were removed, no label has changed.
     if (row.statistics.voxelsChanged == 0)
         title.then = {figure(RowTitleCode::SeedVoxelsLost, row.facts.seedWordsChanged)};
     return title;
 }
 
-/// What other segments hold decides, too, and whose seeds lie where; and what is carved, where only
-/// what is visible counts.
+/// The labels of other segments and the seed words decide, too; and coverage, if only visible
+/// voxels count.
 EditDependencies dependencies(const ThresholdSegment& edit, const DependencyFacts& row)
 {
     if (!edit.onlyVisible)
