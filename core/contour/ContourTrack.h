@@ -36,6 +36,7 @@ public:
 
     /// The voxels to be flipped, generation by generation, to turn the state of one generation into
     /// that of another (ContourState::pass()).
+    /// @pre 0 ≤ from, to ≤ known()
     [[nodiscard]] std::vector<ContourPlaces> between(int from, int to) const;
 
 private:
