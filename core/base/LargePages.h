@@ -10,14 +10,14 @@ namespace core {
 /// volume then needs a hundred page faults instead of sixty thousand. It changes nothing else.
 void useLargePages(void* memory, std::size_t bytes);
 
-/// Makes room in an empty vector for @p count values, in large pages.
+/// Reserves memory for @p count values in an empty vector, in large pages.
 template <class Value> void reserveInLargePages(std::vector<Value>& values, std::size_t count)
 {
     values.reserve(count);
     useLargePages(values.data(), count * sizeof(Value));
 }
 
-/// Resizes an empty vector to @p count times a value, zero by default, in large pages.
+/// Resizes an empty vector to @p count copies of a value, zero by default, in large pages.
 template <class Value>
 void resizeInLargePages(std::vector<Value>& values, std::size_t count, const Value& value = {})
 {

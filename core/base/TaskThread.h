@@ -46,18 +46,18 @@ private:
     std::thread m_thread; ///< last, since it uses all of the above
 };
 
-/// One task that is carried out on a thread of its own while its owner does something else. Where
-/// no thread can be started it is carried out by finish(). Unlike the work of parallelFor() it runs
-/// beside calls of parallelFor().
+/// One task that runs on a thread of its own while its owner does something else. If no thread can
+/// be started, finish() carries it out. Unlike the work of parallelFor() it runs in parallel with
+/// calls of parallelFor().
 class LoneTask {
 public:
     explicit LoneTask(std::function<void()> task);
-    /// Waits for a task that has begun; one that no thread has taken is not carried out.
+    /// Waits for a task that has begun. A task that no thread has taken over is not carried out.
     ~LoneTask() = default;
     LoneTask(const LoneTask&) = delete;
     LoneTask& operator=(const LoneTask&) = delete;
 
-    /// Returns when the task is done; what it has thrown is rethrown here. Called at most once, by
+    /// Waits until the task is done, and rethrows what it has thrown. To be called once at most, by
     /// any thread.
     void finish();
 

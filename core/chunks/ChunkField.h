@@ -53,9 +53,9 @@ public:
     /// map one pass. Errors: Cancelled.
     [[nodiscard]] static Result<ChunkField> of(const ChunkSource& source, const Progress& progress);
 
-    /// By voxel of the box; 0 for those left out.
+    /// The likelihood of each voxel of the box; 0 for voxels that are left out.
     [[nodiscard]] std::span<const std::int16_t> likelihoods() const { return m_likelihoods; }
-    /// The greatest difference of two codes that is at most so much in units of mean deviations.
+    /// The greatest difference of two codes that is at most this much in units of mean deviations.
     [[nodiscard]] int codesWithin(int deviations) const;
     /// The difference of codes that is one mean deviation between neighbours of one owner; at least
     /// 1.

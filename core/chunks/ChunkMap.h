@@ -28,15 +28,15 @@ public:
     [[nodiscard]] static VoxelBox withMargin(
         const VoxelBox& box, const VolumeGeometry& geometry, double marginMm);
 
-    /// A margin in millimetres, in steps of 5, that suits a segment: a third of its diameter as if
-    /// it were a ball, since a part that is missing is rarely larger; from 10 to 60, and so that
-    /// the box has some 24 million voxels at most. No cost.
-    /// @param voxels of the segment
+    /// A margin in millimetres that suits a segment: a third of the diameter of a ball of the same
+    /// volume, because a missing part is rarely larger. It is a multiple of 5 between 10 and 60,
+    /// and limited so that the box has at most some 24 million voxels. No cost.
+    /// @param voxels number of voxels of the segment
     [[nodiscard]] static double suitableMarginMm(
         std::int64_t voxels, const VolumeGeometry& geometry);
 
-    /// @param volumeSize of the volume that contains the box
-    /// @param survey of the tree; empty: nothing is known to be in doubt
+    /// @param volumeSize size of the volume that contains the box
+    /// @param survey that of the tree; empty: no chunk is in doubt
     ChunkMap(
         const glm::ivec3& volumeSize, const VoxelBox& box, ChunkTree tree, ChunkSurvey survey = {});
 

@@ -33,7 +33,7 @@ public:
     /// All chunks of the tree are numbered 0 … chunkCount() − 1: those of the finest division, then
     /// the joins in their order, so that a chunk stands before the one that it is joined into.
     [[nodiscard]] Chunk chunkCount() const { return Chunk(m_parents.size()); }
-    /// The chunk that it is joined into; none: it is joined with no other.
+    /// The chunk into which a chunk is joined; none: it is joined with no other.
     [[nodiscard]] std::optional<Chunk> parent(Chunk chunk) const;
     /// The least and the greatest number of chunks at which a chunk stands by itself.
     [[nodiscard]] int fewestWith(Chunk chunk) const;

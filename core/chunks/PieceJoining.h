@@ -41,10 +41,12 @@ public:
     [[nodiscard]] std::uint32_t left() const { return m_left; }
 
 private:
-    /// What is asked of a piece for each of its neighbours, side by side in memory.
+    /// The properties of a piece that are needed for each of its neighbours, side by side in
+    /// memory.
     struct Node {
-        std::uint32_t became = 0; ///< the piece that it was joined into, or itself
-        std::uint32_t place = 0; ///< in the list that is being put together; 0: none
+        std::uint32_t became = 0; ///< the piece into which it was joined, or itself
+        /// Its place in the list of neighbours that is being built; 0: none.
+        std::uint32_t place = 0;
         std::int64_t voxels = 0;
         std::int32_t code = 0; ///< mean
         std::int32_t likelihood = 0; ///< mean
@@ -54,13 +56,13 @@ private:
         std::uint32_t piece = 0; ///< may have been joined since
         std::uint32_t faces = 0;
     };
-    /// The neighbours that a piece had when it came to be. A pair of pieces is offered by the one
-    /// that came later; at the beginning by both.
+    /// The neighbours that a piece had when it was made. A pair of pieces is offered by the piece
+    /// that was made later; at the beginning by both.
     struct Neighbours {
         static constexpr std::uint32_t unsorted = ~std::uint32_t(0);
         std::vector<Neighbour> all;
-        /// So many at the beginning are a heap of those that were not offered yet; unsorted: only
-        /// the cheapest was offered.
+        /// This many at the front form a heap of neighbours that were not offered yet. If it is not
+        /// a heap yet, only the cheapest was offered.
         std::uint32_t left = unsorted;
     };
     struct Offer {
@@ -75,11 +77,12 @@ private:
         const Node& one, const Node& other, std::uint32_t faces) const;
     [[nodiscard]] std::uint32_t nowOf(std::uint32_t piece);
     [[nodiscard]] bool isLeft(std::uint32_t piece) const { return m_nodes[piece].became == piece; }
-    /// Has the memory of both brought near, for when they are joined.
+    /// Prefetches the memory of both pieces, before they are joined.
     void fetch(const Offer& offer) const;
     /// Prices all neighbours of a new piece and offers the cheapest.
     void offerFirst(std::uint32_t piece);
-    /// Offers the cheapest neighbour that is left, once the one before was joined with another.
+    /// Offers the cheapest remaining neighbour, after the previous one was joined with another
+    /// piece.
     void offerNext(std::uint32_t piece);
     [[nodiscard]] std::vector<Neighbour> neighboursOfBoth(
         std::uint32_t first, std::uint32_t second, std::uint32_t joined);
@@ -89,7 +92,8 @@ private:
     std::vector<Neighbours> m_neighbours; ///< by piece
     LeastFirst<Offer> m_offers;
     std::uint32_t m_left = 0;
-    std::vector<std::uint16_t> m_deviations; ///< by difference of codes; the last: and more
+    /// For each difference of codes; the last entry stands for all greater ones.
+    std::vector<std::uint16_t> m_deviations;
 };
 
 } // namespace core

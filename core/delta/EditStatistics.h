@@ -23,10 +23,10 @@ struct EditStatistics {
     /// The edit changed voxels of the segment that is refined as a surface. Engines leave it false,
     /// and sessions before 2026-11-25 do not have it.
     bool surfaceMaskChanged = false;
-    /// Of a ThresholdSegment: all that its segment has then is what the interval gave it, so that
-    /// the segment follows the interval until something else changes its voxels
-    /// (Segment::followsRow). Engines leave it false, and sessions before 2026-11-27 do not have
-    /// it: their segments follow none.
+    /// For a ThresholdSegment: the segment consists of exactly what the interval gave it, so it
+    /// follows the interval until another edit changes its voxels (Segment::followsRow). Engines
+    /// leave this false. Sessions from before 2026-11-27 do not contain it; their segments follow
+    /// no interval.
     bool followsInterval = false;
     /// Labels of segments that followed an interval until this edit changed their voxels. Engines
     /// leave it empty.

@@ -28,17 +28,18 @@ struct CodedConcept {
     bool operator==(const CodedConcept&) const = default;
 };
 
-/// Label planes that a session may have. Segments that share voxels lie in different ones: masks of
-/// one file that overlap are taken in so (ImportMask::planes). A plane costs a byte for each voxel.
+/// The greatest number of label planes of a session. Segments that share voxels lie in different
+/// planes; overlapping masks of one file are imported in this way (ImportMask::planes). A plane
+/// costs a byte per voxel.
 inline constexpr int mostLabelPlanes = 4;
 
 /// One structure of the result: the voxels of `plane` that hold `label`.
 ///
-/// Whatever edits a segment acts on its plane: there, a voxel is free if no other segment of that
-/// plane has it, whatever segments of other planes do. Only an import asks all planes.
+/// Edits of a segment act on its plane. A voxel is free there if no other segment of this plane has
+/// it; segments of other planes do not matter. Only an import looks at all planes.
 struct Segment {
-    /// 1 … 255, unique in the document, whatever the plane, and never used again: a label alone
-    /// says which segment is meant.
+    /// 1 … 255, unique in the document regardless of the plane, and never used again. So a label
+    /// alone identifies a segment.
     std::uint8_t label = 0;
     std::uint8_t plane = 0; ///< below mostLabelPlanes; a segment never leaves its plane
     QString name;
@@ -48,9 +49,9 @@ struct Segment {
     bool uncarvable = false; ///< protected from sculpting: no tool carves where it is
     bool visible = true; ///< display only: neither a step of undo nor part of the hash
     std::int64_t voxels = 0; ///< kept up to date by the session; derived, not part of the hash
-    /// The row of the ThresholdSegment whose interval it follows: nothing else has changed its
-    /// voxels since; 0: it follows none. It is derived from rows (EditStatistics::followsInterval),
-    /// and not part of the hash.
+    /// The row of the ThresholdSegment whose interval the segment follows, because nothing else has
+    /// changed its voxels since; 0: it follows none. It is derived from rows
+    /// (EditStatistics::followsInterval) and is not part of the hash.
     std::int64_t followsRow = 0;
 };
 

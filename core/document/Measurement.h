@@ -11,11 +11,11 @@
 
 namespace core {
 
-/// Something that is measured or noted at places of the patient. The points are the true ones even
-/// if they are shown elsewhere, on a piece that was moved or zoomed. What follows from them stands
-/// in core/measure: sizes in closed form, values from the voxels; neither is stored.
+/// Something that is measured or noted at places in the patient. The points are the true ones, even
+/// if they are shown elsewhere, on a piece that was moved or zoomed. Results are not stored:
+/// core/measure computes sizes from the points and statistics from the voxels.
 struct Measurement {
-    /// By it the points mean:
+    /// The kind decides what the points mean.
     enum class Kind {
         Distance, ///< both ends
         Angle, ///< one end, the vertex, the other end
@@ -31,26 +31,27 @@ struct Measurement {
     int id = 0; ///< 1, 2, 3 …, unique and never used again
     Kind kind = Kind::Distance;
     std::vector<glm::dvec3> pointsLps{};
-    /// the piece on which all points were picked and with which they move in 3D; 0: none
+    /// The piece on which all points were picked, and with which they move in 3D; 0: none.
     int piece = 0;
     QString text{}; ///< what an arrow or a text says
-    /// It was drawn over a picture that has no depth of its own (a thick slab, a projection of the
-    /// volume): a length is that of its projection.
+    /// Whether it was drawn over a picture without depth (a thick slab, a projection of the
+    /// volume). Its length is then that of its projection.
     bool projected = false;
 
-    /// Of a distance, as the points lie; with uneven slices see core/measure/MeasuredSize.h.
+    /// The length of a distance between its points as stored; for uneven slices see
+    /// core/measure/MeasuredSize.h.
     [[nodiscard]] double lengthMm() const { return glm::distance(pointsLps[0], pointsLps[1]); }
-    /// Whether it has an inside in a plane.
+    /// Whether it encloses a region of a plane.
     [[nodiscard]] bool isPlaneRegion() const
     {
         return kind == Kind::Ellipse || kind == Kind::Rectangle || kind == Kind::Outline;
     }
-    /// Whether voxels lie in it.
+    /// Whether it encloses voxels.
     [[nodiscard]] bool isRegion() const { return isPlaneRegion() || kind == Kind::Ball; }
     bool operator==(const Measurement&) const = default;
 };
 
-/// How many points a kind has; an outline may have more.
+/// The number of points of a kind; an outline may have more.
 [[nodiscard]] constexpr std::size_t pointsOf(Measurement::Kind kind)
 {
     switch (kind) {

@@ -56,8 +56,8 @@ public:
 
     [[nodiscard]] virtual GrowthProgress growthProgress() const = 0;
 
-    /// Tells that edits may follow that leave some voxels alone (EditableVoxels.h), so that an
-    /// engine which compiles for them can do so beforehand. Does not wait, and changes nothing.
+    /// Announces that edits with an editable range may follow (EditableVoxels.h), so that an engine
+    /// that compiles shaders for them can do so in advance. Does not wait, and changes nothing.
     virtual void expectEditableRanges() { }
 };
 

@@ -21,12 +21,12 @@ struct GrowAdvance {
 /// How far an open CutGrowth with How::Backwards has come.
 struct BackwardProgress {
     enum class Bound : std::uint8_t {
-        None, ///< it can go on
-        Seeds, ///< all that is left before it is nearer to the seeds
-        Everything, ///< the next step would take all that has grown
+        None, ///< a further step is possible
+        Seeds, ///< everything that remains before the cut is nearer to the seeds
+        Everything, ///< the next step would remove all that has grown
     };
     std::uint32_t steps = 0;
-    std::int64_t members = 0; ///< that leave the growth
+    std::int64_t members = 0; ///< number of members that leave the growth
     Bound bound = Bound::None;
     bool operator==(const BackwardProgress&) const = default;
 };
@@ -41,7 +41,8 @@ struct GrowthProgress {
     /// voxels added by each generation, that of the opening first
     std::vector<std::uint32_t> frontSizes;
     std::optional<LeakAlarm> alarm{};
-    std::optional<BackwardProgress> backwards{}; ///< of such a cut; all others are of a growth
+    /// Only for such a cut; all other members are about a growth.
+    std::optional<BackwardProgress> backwards{};
 };
 
 } // namespace core

@@ -66,9 +66,9 @@ public:
         }
     }
 
-    /// The lowest of the directions below @p last (an even number) that leads to the voxel from a
-    /// neighbour in a brick that was added and for whose word @p holds is true; otherwise
-    /// seedWord::directions. It looks no further than to the first.
+    /// The lowest direction below @p last (an even number) that leads to the voxel from a neighbour
+    /// whose brick was added and for whose word @p holds is true; seedWord::directions if there is
+    /// none. It stops at the first one.
     template <class Holds>
     [[nodiscard]] std::uint32_t lowestDirectionTo(
         Voxel voxel, std::uint32_t last, const Holds& holds) const

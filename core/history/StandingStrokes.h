@@ -25,12 +25,12 @@ struct StandingStroke {
 /// Empty if the row is no cut.
 [[nodiscard]] std::vector<SculptEdit> formsOf(const History& history, RowId row);
 
-/// Whether a stroke of the present state carves and can be taken out of its layer without a trace:
-/// since then nothing was restored in the layer, nor was it written otherwise than by strokes.
+/// Whether a stroke of the present state carves and can be removed from its layer without a trace:
+/// since then, nothing was restored in the layer, and it was written only by strokes.
 [[nodiscard]] bool canBeTaken(const History& history, RowId cut);
 
-/// The last carving stroke of a layer, if it can be taken out of it and is not all that the layer
-/// holds; else 0.
+/// The last carving stroke of a layer, if it can be removed and the layer contains other coverage,
+/// too; otherwise 0.
 [[nodiscard]] RowId lastPartialCut(const History& history, int layer);
 
 } // namespace core

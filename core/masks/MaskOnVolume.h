@@ -27,7 +27,8 @@ struct MaskSegment {
 struct MaskOnVolume {
     std::vector<MaskSegment> segments; ///< in the file's order; at least one
     std::vector<MaskNote> notes; ///< what was resampled, left out or assumed
-    std::vector<MaskOverlap> overlaps{}; ///< of the segments; told in the notes as one number
+    /// Overlaps of the segments; the notes state only their number of voxels.
+    std::vector<MaskOverlap> overlaps{};
 };
 
 /// Reads a mask in any known format. NIfTI, NRRD (also .seg.nrrd) and MetaImage labels and STL,

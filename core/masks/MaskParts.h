@@ -15,10 +15,10 @@ struct MaskFit {
     double labelledMl = 0.0; ///< in the file
     double takenMl = 0.0; ///< in the volume
 };
-/// None if everything is as in the file.
+/// A note on the difference; none if everything is as in the file.
 [[nodiscard]] std::vector<MaskNote> notesOn(const MaskFit& fit);
 
-/// On where the mask's patient or frame of reference differs from the study's.
+/// Notes if the mask's patient or frame of reference differs from the study's.
 [[nodiscard]] std::vector<MaskNote> notesOnOrigin(
     const QString& patientId, const QString& frameOfReferenceUid, const Volume& volume);
 
@@ -32,7 +32,8 @@ struct ProbabilitiesOnVolume {
     std::vector<std::uint8_t> probabilities; ///< ProbabilityMap, a byte a voxel
     std::vector<MaskNote> notes;
 };
-/// Of one segment of a FRACTIONAL SEG: the only one, or of several the one of that name.
+/// Reads the probabilities of one segment of a FRACTIONAL SEG: the only one, or if there are
+/// several, the one of that name.
 [[nodiscard]] Result<ProbabilitiesOnVolume> readSegProbabilities(
     const QString& path, const QString& segment, const Volume& volume, const Progress& progress);
 

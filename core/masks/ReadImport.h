@@ -10,12 +10,14 @@ namespace core {
 struct ReadImport {
     ImportMask edit;
     std::vector<MaskNote> notes; ///< MaskOnVolume::notes
-    /// Which segments get the voxels, notesOnOverlaps() tells. Empty if all become one segment.
+    /// Overlaps of its segments; notesOnOverlaps() says which segments get the voxels. Empty if all
+    /// become one segment.
     std::vector<MaskOverlap> overlaps{};
-    /// The plane of each segment if all keep what they share (planesFor()). Empty if none overlap.
+    /// The label plane of each segment if all are to keep their voxels (planesFor()). Empty if none
+    /// overlap.
     std::vector<int> planes{};
 
-    /// How many label planes the segments need to keep what they share.
+    /// The number of label planes that are needed for this.
     [[nodiscard]] int planesNeeded() const;
 };
 
@@ -28,8 +30,9 @@ struct ReadImport {
 [[nodiscard]] Result<ReadImport> readImport(const ImportMask& edit, const Volume& volume,
     std::size_t segmentsBefore, const Progress& progress);
 
-/// Whether an import says what becomes of voxels that several segments have, for whoever cannot
-/// ask. Errors: UnsupportedFormat (the segments need too many planes, and no order is given).
+/// Checks that an import states what happens to voxels that several segments share. For callers
+/// that cannot ask the user. Errors: UnsupportedFormat (the segments need too many planes, and no
+/// order is given).
 [[nodiscard]] Result<void> checkOverlaps(const ReadImport& read);
 
 } // namespace core

@@ -18,9 +18,9 @@ namespace core {
 /// Adapts a recipe that was recorded on one study to another one. Steps bound to places are left
 /// out (isBoundToStudy()). An object that a step made has, on this study, the number that the same
 /// step gave it here. Steps that need an object that was not made here are also left out, so that
-/// no step acts on another segment, layer, piece, bookmark or measurement than it did. So are those
-/// that need a segment that was made of islands which the recipe does not name, or later than
-/// these.
+/// no step acts on another segment, layer, piece, bookmark or measurement than it did. The same
+/// holds for steps that need a segment that was made of islands if the recipe does not list these
+/// segments, and for segments that were made after them.
 ///
 /// Steps are processed in their order: here() for each of them, and carriedOut() for each that was
 /// carried out.

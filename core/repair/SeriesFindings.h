@@ -14,15 +14,15 @@ namespace core {
 /// Something that can be done about a finding; ui::repairTitle() and ui::repairEffect() word it.
 struct RepairOffer {
     enum class Kind : std::uint8_t {
-        ShearTilt, ///< the picture grows by columns and rows
+        ShearTilt, ///< the tilt is sheared away; the picture gets more columns and rows
         FillGaps, ///< `made` slices are interpolated, `kept` keep their values
-        EvenSpacing, ///< interpolated between the `kept` slices that there are
-        Part, ///< slices first to last, the part-th of parts
+        EvenSpacing, ///< slices are interpolated at even distances from the `kept` existing ones
+        Part, ///< only slices first to last are opened: part number `part` of `parts`
         FirstDuplicates,
         LastDuplicates,
-        GivenSpacing, ///< as stated on opening
-        OtherStack, ///< of the series: stack
-        AsRepaired, ///< on opening, by what is no single offer: repair
+        GivenSpacing, ///< with the spacing that was stated on opening
+        OtherStack, ///< another stack of the series is opened: `stack`
+        AsRepaired, ///< repaired on opening by something that is no single offer: `repair`
     };
     Kind kind = Kind::AsRepaired;
     QString repair{}; ///< in the form of `--repair`; empty: another series is opened instead

@@ -31,9 +31,9 @@ constexpr float greatestSurfaceShift = 0.45F;
 [[nodiscard]] SegmentSurface segmentSurface(
     std::span<const std::uint8_t> labels, std::uint8_t label, const glm::ivec3& size);
 
-/// The same borders as they are, not smoothed. A face between voxels is cut in two from its corner
-/// of the lowest indices to that of the highest, unless it lies at an edge along which voxels
-/// touch.
+/// The same borders without smoothing. Each face between voxels is divided into two triangles along
+/// the diagonal from its corner with the lowest indices to that with the highest, unless it lies at
+/// an edge along which voxels touch.
 [[nodiscard]] SegmentSurface segmentBorders(
     std::span<const std::uint8_t> labels, std::uint8_t label, const glm::ivec3& size);
 

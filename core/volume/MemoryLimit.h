@@ -13,10 +13,10 @@ namespace core {
 /// Checks that a volume of that many voxels, with 2 bytes each, fits into 60 % of the machine's
 /// memory. The error OutOfMemory says how much is needed and how much there is.
 [[nodiscard]] Result<void> checkMemory(std::size_t voxels);
-/// The same for what takes so many bytes.
-/// @param what takes them, as a clause begins with it: "the volume"
+/// The same for something that takes this number of bytes.
+/// @param what what takes them, as a clause can begin with it: "the volume"
 [[nodiscard]] Result<void> checkBytes(double bytes, const Clause& what);
-/// The most that it allows.
+/// The greatest number of bytes that it allows.
 [[nodiscard]] double allowedBytes();
 
 } // namespace core

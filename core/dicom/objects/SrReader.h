@@ -20,9 +20,9 @@ struct SrFileGroup {
     QString sourceSeriesUid;
     /// By code value: that of the derivation if a number has one, else that of its concept.
     std::map<QString, double> numbers;
-    QString graphicType; ///< of its places in the patient; empty: none
-    std::vector<float> graphicData; ///< x, y and z of each, LPS mm
-    QString frameOfReferenceUid; ///< in which they lie
+    QString graphicType; ///< graphic type of its positions in the patient; empty: it has none
+    std::vector<float> graphicData; ///< x, y and z of each position, LPS mm
+    QString frameOfReferenceUid; ///< frame of reference of these positions
 };
 
 /// The parts of a measurement report (TID 1500) that the check of exports compares.

@@ -16,7 +16,7 @@ namespace core {
 
 class Deidentifier;
 
-/// What became of a segment since it was imported.
+/// What has changed in a segment since it was imported.
 struct SrSinceImport {
     double addedMl = 0.0;
     double takenMl = 0.0;
@@ -47,7 +47,7 @@ struct SrContent {
     std::vector<SrGroup> groups;
     /// What was measured beside them; arrows and texts are left out.
     std::vector<Measured> measured{};
-    VolumeGeometry geometry{}; ///< in which it was measured
+    VolumeGeometry geometry{}; ///< the grid on which it was measured
     QString unit; ///< of values: "HU", "SUVbw" …; may be empty
     /// the one with which the SEG was written; null: the patient's identity is kept
     std::shared_ptr<const Deidentifier> deidentifier;

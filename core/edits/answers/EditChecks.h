@@ -32,8 +32,8 @@ template <class E> [[nodiscard]] Result<void> checkApplied(const E& edit, const 
     return discardValue(apply(edit, copy));
 }
 
-/// The segment with a label, whose voxels may change.
-/// @param field that names it in recipes, such as "paint.segment"
+/// The segment with a label, if its voxels may change.
+/// @param field name of the field in recipes, such as "paint.segment"
 /// Errors: UnknownSegment (argument 0: the label, 1: the field), SegmentLocked.
 [[nodiscard]] inline Result<const Segment*> unlockedSegment(
     const char* field, int label, const Document& document)
@@ -47,9 +47,9 @@ template <class E> [[nodiscard]] Result<void> checkApplied(const E& edit, const 
     return segment;
 }
 
-/// Whether a segment may gain and lose voxels, in a range that an engine understands.
-/// @param edit its name, for messages
-/// Errors: UnknownSegment, SegmentLocked, InvalidField (the range's, which comes first).
+/// Checks that the voxels of a segment may change, and that the editable range is valid.
+/// @param edit name of the edit, for messages
+/// Errors: those of the range first (editableVoxels()); UnknownSegment, SegmentLocked.
 [[nodiscard]] Result<void> checkEditable(int label, const std::optional<EditableRange>& range,
     const Document& document, const char* edit);
 

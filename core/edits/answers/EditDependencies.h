@@ -68,7 +68,7 @@ using Any = std::variant<Bricks, Plane, SeedWords, SweptMask, Fields>;
 /// (core/session/past/RowDependencies.h).
 struct EditDependencies : dependsOn::Any {
     using dependsOn::Any::variant;
-    std::bitset<256> labelPlanes{}; ///< planes of which labels are read in addition, anywhere
+    std::bitset<256> labelPlanes{}; ///< planes whose labels are read as well, in the whole volume
 };
 
 /// What such a set is computed from, in addition to the edit.
@@ -90,12 +90,12 @@ struct DependencyFacts {
     [[nodiscard]] EditDependencies wholeGrowth() const;
     /// The bricks under a brush; none if they cannot be computed.
     [[nodiscard]] std::set<std::uint32_t> under(const BrushPath& path) const;
-    /// Everything that is stored for labels in some bricks, or under a brush.
+    /// All fields of a label plane (labels, seed words, …) in some bricks, or under a brush.
     [[nodiscard]] EditDependencies labelled(
         const std::set<std::uint32_t>& bricks, std::uint8_t plane) const;
     [[nodiscard]] EditDependencies labelled(const BrushPath& path, std::uint8_t plane) const;
-    /// In addition to what an edit reads anyway, the segments that its editable range names: in the
-    /// same bricks if it keeps to some, else in their whole planes.
+    /// Adds to what an edit reads the segments that its editable range lists: in the same bricks if
+    /// the edit is limited to some, otherwise in their whole planes.
     [[nodiscard]] EditDependencies alsoReading(
         const std::optional<EditableRange>& range, EditDependencies own) const;
 };

@@ -17,7 +17,9 @@ enum class EditTask {
     Engine, ///< the engine, and the document too if changedPart() says so
     Surface, ///< the surface that is refined; writing back also uses the engine
     Chunks, ///< the chunks around a segment
-    Islands, ///< what labels or values tell about a segment's parts or shape, then the engine
+    /// The side thread computes parts or shape of a segment from labels or values, then the engine
+    /// writes.
+    Islands,
     History, ///< older rows are taken back or changed
 };
 
@@ -26,7 +28,7 @@ struct FilledSegments {
     std::optional<int> label{};
     std::optional<int> other{}; ///< a second label that receives voxels
     QString name{}; ///< those that are called so; empty: none
-    bool added = false; ///< also those that the edit itself adds
+    bool added = false; ///< whether segments that the edit itself adds count, too
 };
 
 /// What is known of an edit before it is carried out. The first two members must be given for each
@@ -52,7 +54,7 @@ struct EditEffects {
     bool boundToStudy = false;
 };
 
-/// Whether the engine has a command for it.
+/// Whether there is a command of the engine for this kind of edit.
 template <class E>
 concept hasEngineEdit = requires(const E& edit, const Document& document)
 {
@@ -61,7 +63,7 @@ concept hasEngineEdit = requires(const E& edit, const Document& document)
         } -> std::same_as<Result<EngineEdit>>;
 };
 
-/// The task of what the engine carries out.
+/// The task of an edit that the engine carries out.
 template <class E> [[nodiscard]] constexpr EditTask engineTask()
 {
     static_assert(hasEngineEdit<E>,
@@ -81,7 +83,8 @@ template <class E> [[nodiscard]] constexpr EditTask engineTask()
         .boundToStudy = boundToStudy};
 }
 
-/// The effects of an edit that gives a segment voxels, or takes some, which are worked out first.
+/// The effects of an edit that gives voxels to a segment or takes some from it, which the side
+/// thread computes first.
 [[nodiscard]] inline EditEffects workedOutEffects(int segment, bool boundToStudy)
 {
     return {.task = EditTask::Islands,

@@ -39,7 +39,8 @@ struct RowFacts {
     const Past& past; ///< before the row
     std::optional<SketchedTitle> sketched{}; ///< of a SeedStroke; none: nobody asked
 
-    /// What a segment gained and lost; if there is none, its number in the first plane.
+    /// What a segment gained and lost; if there is no such segment, the changes of its label in the
+    /// first plane.
     [[nodiscard]] LabelFlow flowOf(int label) const
     {
         const Segment* segment = document.segment(label);

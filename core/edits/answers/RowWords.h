@@ -23,8 +23,8 @@ namespace core::rowWords {
 [[nodiscard]] RowTitle flowTitle(std::int64_t gained, std::int64_t lost);
 /// "Mirror 'Liver', +12 −3 voxels": what was done to a segment, and what it gained and lost.
 [[nodiscard]] RowTitle segmentChanged(RowTitleCode code, int label, const RowFacts& row);
-/// "+12 voxels", or "−12 voxels" of what erases. What only takes seeds away changes no label: then
-/// it is their number.
+/// "+12 voxels", or "−12 voxels" for an edit that erases. If only seeds were removed, no label has
+/// changed; then their number is stated.
 [[nodiscard]] RowTitle voxelsOrSeedsLost(bool erases, const RowFacts& row);
 
 // Names; the number where there is none.

@@ -46,46 +46,49 @@ template <class Command> [[nodiscard]] Result<EngineEdit> engineEditFrom(Result<
 /// UnknownSegment, SegmentLocked.
 [[nodiscard]] Result<LabelTarget> labelTarget(
     const SegmentChoice& choice, bool overwriteUnlocked, const Document& document);
-/// The same of a segment that is there already.
+/// The same for a segment that exists already.
 [[nodiscard]] Result<LabelTarget> segmentTarget(
     int label, bool overwriteUnlocked, const Document& document);
 
-/// The frame of a brush; of its points only the first is used, and only for a flat one. Errors:
-/// InvalidField below @p name (no point, a shape without a direction that it needs).
+/// The frame of a brush. Of its points only the first is used, and only by flat shapes. Errors:
+/// InvalidField below @p name (no point, a shape without the directions that it needs).
 [[nodiscard]] Result<CapsuleFrame> capsuleFrame(
     const BrushPath& path, const VolumeGeometry& geometry, const QString& name);
 
-/// The path of a brush as capsules of a length that the frame allows; those that cannot meet the
-/// volume are left out.
-/// @param ofTolerance PartPressures has the same
+/// The path of a brush as capsules, each no longer than the frame allows. Capsules that cannot meet
+/// the volume are left out.
+/// @param ofTolerance as in PartPressures
 [[nodiscard]] std::vector<Capsule> capsules(
     const BrushPath& path, const VolumeGeometry& geometry, bool ofTolerance = false);
 
 /// How firmly the pen is pressed along a part of a path (PenPressures).
 struct PartPressures {
-    std::vector<double> atPoints{}; ///< of each point of the part; empty: the whole radius
-    double before = 1.0; ///< of the last point of the part before
-    /// The tolerance of a brush that follows edges changes with them, and the radius is whole: the
-    /// way is cut so that the shares of two capsules differ by at most an eighth.
+    std::vector<double> atPoints{}; ///< for each point of the part; empty: full pressure
+    double before = 1.0; ///< pressure at the last point of the previous part
+    /// Whether pressures change the tolerance of a brush that follows edges, instead of its radius.
+    /// The path is then cut so that the tolerances of two consecutive capsules differ by at most an
+    /// eighth.
     bool ofTolerance = false;
 };
-/// A part of the path, through @p points. @p from is the last point of the part before; null for
-/// the first part and where the path begins anew. Where the radius changes the way is cut so short
-/// that the radii of two capsules one after the other differ by at most a quarter of a voxel; each
-/// has the radius of its middle. Where it changes by more than the way is long, the larger end
-/// holds all of it and is the only capsule.
+/// The capsules of a part of the path, through @p points. @p from is the last point of the previous
+/// part; null for the first part and where the path begins anew. Where the radius changes, the path
+/// is cut into such short capsules that the radii of two consecutive ones differ by at most a
+/// quarter of a voxel; each has the radius at its middle. If the radius changes by more than the
+/// length of a piece, the ball at the larger end covers the whole piece, and it becomes the only
+/// capsule.
 [[nodiscard]] std::vector<Capsule> capsules(const BrushPath& path, const VolumeGeometry& geometry,
     const glm::dvec3* from, const std::vector<glm::dvec3>& points,
     const PartPressures& pressures = {});
 
-/// The voxels under the pen along a path, in and out of the volume those that are in it; of a flat
-/// brush, those of its slab. What CapsulePath::under says of a brush that follows edges.
+/// The voxels under the pen along a path that lie in the volume; the path may leave it. For a flat
+/// brush, only voxels of its slab. They are what CapsulePath::under states for a brush that follows
+/// edges.
 [[nodiscard]] std::vector<glm::ivec3> voxelsUnder(
     const BrushPath& path, const VolumeGeometry& geometry);
-/// Along a part of it; the parameters are those of capsules().
+/// The same for a part of a path; the parameters are those of capsules().
 [[nodiscard]] std::vector<glm::ivec3> voxelsUnder(const BrushPath& path,
     const VolumeGeometry& geometry, const glm::dvec3* from, const std::vector<glm::dvec3>& points);
-/// The voxel under the first point, or the one nearest to it where that is outside the volume.
+/// The voxel under the first point; if that is outside the volume, the nearest voxel.
 [[nodiscard]] glm::ivec3 startVoxel(const BrushPath& path, const VolumeGeometry& geometry);
 
 } // namespace core

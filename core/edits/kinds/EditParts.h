@@ -35,7 +35,7 @@ struct PenSample;
 [[nodiscard]] BrushPath* brushPathOf(Edit& edit);
 [[nodiscard]] const BrushPath* brushPathOf(const Edit& edit);
 
-/// Which voxels an edit of labels may change at all; null: of an edit that keeps to no such range.
+/// The editable range of an edit of labels; null if this kind of edit has none.
 [[nodiscard]] std::optional<EditableRange>* editableRangeOf(Edit& edit);
 [[nodiscard]] const std::optional<EditableRange>* editableRangeOf(const Edit& edit);
 

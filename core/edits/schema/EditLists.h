@@ -78,7 +78,7 @@ struct SampleList {
     [[nodiscard]] Value rounded(const Value& value) const;
 };
 
-/// [pressure, …]: of a pen, each 0 … 1, at least one.
+/// A list of pen pressures in JSON: [pressure, …], each 0 … 1, with at least one entry.
 struct PressureList {
     using Value = std::vector<double>;
 
@@ -127,7 +127,8 @@ struct CornerPair {
     [[nodiscard]] Value rounded(const Value& value) const;
 };
 
-/// [segment, …]: numbers of segments, at least one unless it may be empty, ascending.
+/// A list of segments in JSON: [segment, …], labels in ascending order, with at least one entry
+/// unless it may be empty.
 struct SegmentList {
     using Value = std::vector<int>;
     bool mayBeEmpty = false;

@@ -62,7 +62,8 @@ struct ImportedSegmentList {
     [[nodiscard]] Value rounded(const Value& value) const { return value; }
 };
 
-/// [place, …]: places in another list, from 1, in any order, none twice; at least one.
+/// Places in another list in JSON: [place, …], from 1, in any order, none twice, with at least one
+/// entry.
 struct EntryOrder {
     using Value = std::vector<int>;
 
@@ -74,7 +75,7 @@ struct EntryOrder {
     [[nodiscard]] Value rounded(const Value& value) const { return value; }
 };
 
-/// [plane, …]: the label plane of each segment of a list, from 0; at least one.
+/// The label plane of each segment of a list in JSON: [plane, …], from 0, with at least one entry.
 struct PlaneList {
     using Value = std::vector<int>;
 

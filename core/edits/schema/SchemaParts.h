@@ -80,7 +80,7 @@ void visitOnlyValues(Visitor& visit, std::optional<double>& lower, std::optional
     visit.maybe("upper", upper, modalityValue, "only voxels up to this value, inclusive", "any");
 }
 
-/// Which voxels may change at all, in every edit of labels that keeps to such a range.
+/// The field "editable" of every edit of labels that has an editable range.
 template <class Visitor> void visitEditable(Visitor& visit, std::optional<EditableRange>& editable)
 {
     visit.maybeGroup("editable", editable,
@@ -138,7 +138,7 @@ template <class Visitor> void visitProtected(Visitor& visit, ProtectedSegments& 
         "those that are protected");
 }
 
-/// How firmly the pen was pressed, in every edit whose radius may follow it.
+/// The field with pen pressures, of every edit whose radius may follow them.
 template <class Visitor> void visitPressures(Visitor& visit, PenPressures& pressures)
 {
     visit.maybe("pressures", pressures, editFields::PressureList{},

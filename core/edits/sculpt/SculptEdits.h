@@ -50,7 +50,7 @@ private:
 /// The list of segments that an edit leaves uncut. Null: it does not carve.
 [[nodiscard]] const std::vector<glm::dvec2>* outlineOf(const SculptEdit& edit);
 
-/// What an edit that carves protects: its own list. Null: it carves nothing, or restores.
+/// The list of segments that a carving edit protects. Null: the edit carves nothing, or restores.
 [[nodiscard]] ProtectedSegments* protectedSegmentsOf(Edit& edit);
 [[nodiscard]] const ProtectedSegments* protectedSegmentsOf(const Edit& edit);
 /// Adds the segments that are protected to that list (core/edits/engine/SegmentProtection.h).

@@ -9,9 +9,11 @@ namespace core {
 
 /// The selected segments in one map on the volume's grid, each by its label.
 struct LabelMap {
-    std::vector<std::uint8_t> labels; ///< x fastest; of several layers, a voxel's one by one
+    /// One number for each voxel, x fastest; with several layers, all numbers of a voxel one after
+    /// another.
+    std::vector<std::uint8_t> labels;
     QStringList names; ///< "3 Skull", in the order of the segments
-    std::vector<int> layerOf; ///< of each segment, from 0
+    std::vector<int> layerOf; ///< for each segment, its layer, from 0
     int layers = 1;
 };
 
@@ -25,8 +27,9 @@ struct LabelMap {
 Result<LabelMap> labelMapOf(const Volume& volume, const ExportRequest& request,
     const MaskSelection& selection, const QString& format, ExportReport& report);
 
-/// The same for a format with several numbers per voxel, so that segments may overlap: one layer if
-/// none do, else one for each label plane that holds a segment, in their order.
+/// The same for formats with several numbers per voxel, so that segments may overlap: one layer if
+/// none overlap, otherwise one for each label plane that contains a segment, in the order of the
+/// planes.
 /// Errors: UnsupportedFormat (segments that share a label, slices too uneven).
 Result<LabelMap> labelLayersOf(const Volume& volume, const ExportRequest& request,
     const MaskSelection& selection, const QString& format, ExportReport& report);
@@ -45,8 +48,8 @@ Result<LabelMapPlace> labelMapPlace(
 /// The number of voxels of a map that are not as they should have been written.
 [[nodiscard]] std::size_t wrongVoxels(
     std::span<const std::uint8_t> voxels, const ExportExpectation& expected);
-/// The same of a map of layers, in any of them.
-/// @param layerOf of each segment
+/// The same for a map with several layers; a voxel counts if any of them is wrong.
+/// @param layerOf the layer of each segment
 [[nodiscard]] std::size_t wrongVoxels(std::span<const std::uint8_t> voxels,
     const ExportExpectation& expected, const std::vector<int>& layerOf, int layers);
 

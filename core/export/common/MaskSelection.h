@@ -28,9 +28,9 @@ Result<MaskSelection> selectMask(const Volume& volume, const ExportRequest& requ
 /// The plane of a segment; null if the request lacks it.
 const LabelPlaneView* planeOf(const ExportRequest& request, const Segment& segment);
 
-/// Why segments that overlap cannot be one map of numbers, in words: which two, and in how many
-/// voxels. Empty if none of them shares a voxel with another.
-/// @param format "NRRD", …
+/// A sentence that says why overlapping segments cannot be written as one map of numbers: which
+/// two, and in how many voxels. Empty if no two of them share a voxel.
+/// @param format name of the format: "NRRD", …
 Clause whyNoLabelMap(
     const ExportRequest& request, const std::vector<Segment>& segments, const QString& format);
 

@@ -11,7 +11,7 @@ namespace core {
 /// The percentiles that are computed.
 constexpr std::array<int, 6> statisticsPercentiles{5, 10, 25, 75, 90, 95};
 
-/// The segment against the mask that was imported as it.
+/// The segment compared with the mask from which it was imported.
 struct ChangeSinceImport {
     double addedMl = 0.0; ///< volumes are measured as `millilitres` is
     double takenMl = 0.0;
@@ -32,9 +32,9 @@ struct SegmentStatistics {
     glm::dvec3 highestLps{0.0};
     glm::dvec3 centroidLps{0.0}; ///< mm, of the voxels' centres
     double surfaceMm2 = 0.0; ///< of the smoothed surface (SegmentSurface.h)
-    /// The surface of a ball of the volume that the smoothed surface encloses, divided by that
-    /// surface: 1 of a ball, less of everything else. Voxels make surfaces rougher: of a ball of
-    /// them it is about 0.97.
+    /// Sphericity: the surface of a ball with the volume that the smoothed surface encloses,
+    /// divided by that surface. 1 for a ball, less for every other shape. Voxels make surfaces
+    /// rougher: for a ball of voxels it is about 0.97.
     double sphericity = 0.0;
     double longestMm = 0.0; ///< the greatest distance between two points of the smoothed surface
     double minimum = 0.0;
@@ -47,7 +47,8 @@ struct SegmentStatistics {
     std::optional<ChangeSinceImport> sinceImport{}; ///< none: it was not imported
 };
 
-/// How the voxels that a segment has now differ from what was imported as it; none if nothing was.
+/// How the present voxels of a segment differ from those that were imported; none if it was not
+/// imported.
 [[nodiscard]] std::optional<ChangeSinceImport> changeSinceImport(const VoxelRuns& now, int label,
     const std::vector<ImportedVoxels>& imported, const VolumeGeometry& geometry);
 

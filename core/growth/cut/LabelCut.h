@@ -11,8 +11,8 @@
 
 namespace core {
 
-/// What becomes of a growth from which voxels leave (GrowthCut.h, rules 10 and 11).
-/// @param marks of each voxel; LabelCut::leaves is set where it leaves
+/// What a growth becomes when voxels leave it (GrowthCut.h, rules 10 and 11).
+/// @param marks for each voxel; LabelCut::leaves is set for those that leave
 /// @param retimed new words of members that stay
 [[nodiscard]] GrowthCutOutcome cutOutcome(const WordBricks& words, const CutGrowth& command,
     const LeavingVoxels& leaving, const std::vector<std::uint8_t>& marks,
@@ -35,9 +35,9 @@ public:
     /// @param sketch ascending; members that are no roots
     /// @return the voxels that leave, each once
     Voxels run(const Voxels& sketch, WordChanges& changes);
-    /// Does the same where it is known what leaves before rule 10. It may be called again with more
-    /// voxels.
-    /// @param rim all members that have a parent that leaves, and do not leave
+    /// Does the same if the voxels that leave before rule 10 are known already. It may be called
+    /// again with more voxels.
+    /// @param rim all members that stay although a parent of theirs leaves
     Voxels takeOut(Voxels leaving, const Voxels& rim, WordChanges& changes);
     [[nodiscard]] const LabelMembers& members() const { return m_members; }
 

@@ -24,7 +24,7 @@ public:
     [[nodiscard]] std::uint32_t reach() const { return m_reach; }
     [[nodiscard]] std::uint32_t greatestGeneration() const { return m_greatest; }
     [[nodiscard]] const std::vector<Voxel>& roots() const { return m_roots; }
-    /// How many members are no roots.
+    /// The number of members that are no roots.
     [[nodiscard]] std::size_t grown() const { return m_grown; }
 
     [[nodiscard]] bool isMember(std::uint32_t word) const

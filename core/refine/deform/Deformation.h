@@ -49,7 +49,7 @@ public:
     void activateAll(const SimplexMesh& mesh);
     void rest(std::span<const VertexId> vertices);
     void restAll();
-    /// Takes their speeds from vertices that were held up on their way.
+    /// Sets the speeds of vertices to 0 that were stopped on their way.
     void stop(std::span<const VertexId> vertices);
     /// To be called after a change of structure. The given vertices are new or have other
     /// neighbours; they become active, with speed 0. Vertices that no longer exist are forgotten.

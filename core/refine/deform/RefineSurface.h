@@ -22,8 +22,9 @@ constexpr int mostVertices = 200'000;
 [[nodiscard]] Result<SimplexMesh> refineSurfaceOf(
     const BoxMask& mask, const VolumeGeometry& geometry, int vertices, const Progress& progress);
 
-/// The same along the borders of the voxels as they are, neither smoothed nor on a finer lattice: a
-/// surface as jagged as its voxels, which nowhere passes through itself (refine/README.md).
+/// The same, but along the borders of the voxels as they are, without smoothing and without a finer
+/// lattice: a surface as jagged as its voxels, which never passes through itself
+/// (refine/README.md).
 [[nodiscard]] Result<SimplexMesh> borderSurfaceOf(
     const BoxMask& mask, const VolumeGeometry& geometry, int vertices, const Progress& progress);
 

@@ -11,7 +11,8 @@ struct InitialFitSettings {
     int steps = 40; ///< greatest number of deformation steps
     int restructureEvery = 5; ///< steps; 0: never
     bool mendsCrossings = true; ///< repair places where the surface passes through itself
-    /// Each step is kept from making any (CrossingGuard.h). Rows of before were fitted without.
+    /// Whether crossings are prevented in each step (CrossingGuard.h). Older rows were fitted
+    /// without this.
     bool keepsApart = false;
 };
 

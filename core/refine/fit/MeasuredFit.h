@@ -18,7 +18,8 @@ struct MeasuredFit {
     SimplexMesh mesh;
     std::uint64_t voxels = 0; ///< of the mask
     std::uint64_t voxelsOff = 0; ///< in the mask but not enclosed, or the reverse
-    std::size_t crossings = 0; ///< pairs of faces, counted if it is kept apart
+    /// Number of pairs of faces that pass through each other; counted only with keepsApart.
+    std::size_t crossings = 0;
 };
 
 /// The share of the mask's voxels that may differ.
@@ -34,10 +35,11 @@ constexpr double mostOffShare = 0.001;
 /// leastVertices and mostVertices (RefineSurface.h). If more would be needed, the result is the
 /// best that was found, and the caller reports by how much it differs. Errors: those of
 /// initialFit() and fillSurface().
-/// @param keepsApart as in InitialFitSettings; then fewer vertices are tried first, too, and the
-/// surface is not let through itself for the sake of voxels. Where it does so nevertheless and is
-/// not repaired, all of it is laid anew along the borders of its voxels, which cross nowhere
-/// (borderSurfaceOf()), and each step from there is kept apart. So crossings is 0 then.
+/// @param keepsApart as in InitialFitSettings. If true, fewer vertices are tried first if none are
+/// given with @p vertices, and the surface may not pass through itself for the sake of voxels. If
+/// it does so nevertheless and cannot be repaired, all of it is laid again along the borders of its
+/// voxels, which never cross (borderSurfaceOf()), and crossings are prevented in each step from
+/// there on. So `crossings` is always 0 then.
 [[nodiscard]] Result<MeasuredFit> measuredFit(const VoxelRuns& mask, const VolumeGeometry& geometry,
     std::optional<int> vertices, const Progress& progress, bool keepsApart = false);
 

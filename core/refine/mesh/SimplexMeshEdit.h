@@ -40,10 +40,10 @@ public:
     void setRing(FaceId id, FaceRing ring);
     void removeFace(FaceId id);
 
-    /// From here on, what is written can be taken back by itself, until one of the two below is
-    /// called. For changes of a few vertices and faces.
+    /// Begins a trial: everything that is written from here on can be reverted separately, until
+    /// one of the two functions below is called. Meant for changes of a few vertices and faces.
     void beginTrial();
-    /// The faces that were written since, ascending; some may have been removed.
+    /// The faces that were written in the trial, ascending; some may have been removed.
     [[nodiscard]] std::vector<FaceId> trialFaces() const;
     void keepTrial();
     void revertTrial();
@@ -70,7 +70,7 @@ private:
     std::vector<bool> m_isWritten; ///< by vertex, since takeWritten()
     std::vector<bool> m_isFaceWritten;
     WrittenParts m_written; ///< in the order of writing
-    /// What was written in a trial, as it was before; none: there is no trial.
+    /// The previous state of what was written in a trial; none: there is no trial.
     std::optional<SimplexMeshDelta> m_trial;
 };
 

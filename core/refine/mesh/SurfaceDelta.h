@@ -14,8 +14,8 @@ namespace core {
 //     doubles, three neighbours and three faces (u32), u8 mark; if there are two sides, the second
 //     is XORed with the first;
 //   for each face: u32 id, u32 number of vertices before, u32 after, then both rings (u32 each).
-// Both lists ascend by id. A difference has exactly one form. What is listed may have stayed as it
-// was: earlier versions recorded so a surface that was laid again where it was.
+// Both lists ascend by id. A difference has exactly one form. A listed vertex or face may be
+// unchanged: earlier versions recorded a surface in this way that was laid again where it had been.
 
 /// Ids must be below this to be packed. It limits the size of a mesh when bytes from a stranger are
 /// applied.

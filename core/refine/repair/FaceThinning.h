@@ -11,8 +11,8 @@ namespace core {
 /// vertices are left. These stay in place and get new ids without gaps. Faces that meet at an angle
 /// are not merged, nor are those at a green vertex, nor any into a face far larger than the mean,
 /// so more vertices may be left. Errors: Cancelled.
-/// @param apartOn no merge is made after which faces would pass through each other that did not
-/// before, on the lattice of this grid (CrossingGuard.h); null: that is not looked at
+/// @param apartOn no merge is made that would let faces pass through each other that did not
+/// before, on the lattice of this grid (CrossingGuard.h); null: this is not checked
 [[nodiscard]] Result<SimplexMesh> thinnedOut(SimplexMesh mesh, std::size_t vertices,
     const Progress& progress, const VolumeGeometry* apartOn = nullptr);
 

@@ -36,18 +36,19 @@ struct Restructured {
 /// faces are merged, large and long ones split, and edges swapped where that evens out the number
 /// of vertices per face. The mesh stays closed, manifold and of the same genus. Faces with a green
 /// vertex are not changed.
-/// @param guard refuses each change after which the surface would pass through itself; its
-/// keepApart() was called since vertices moved; null: none is refused
+/// @param guard refuses each change that would let the surface pass through itself; its keepApart()
+/// must have been called after vertices moved; null: no change is refused
 Restructured restructure(SimplexMeshEdit& edit, std::span<const VertexId> around,
     const RestructuringSettings& settings, CrossingGuard* guard = nullptr);
 
-/// Beyond which a face is stretched.
+/// The limits beyond which a face counts as stretched.
 struct StretchLimits {
-    double areaMm2 = 0.0; ///< of a face
+    double areaMm2 = 0.0; ///< greatest area of a face
     double edgeMm = 0.0;
 };
-/// Splits the stretched faces at these vertices through their longest edges, and what is made of
-/// them, until none is left that can be split. Nothing else moves. Green faces are not changed.
+/// Splits the stretched faces at these vertices through their longest edges, and then the resulting
+/// faces, until no stretched face is left that can be split. No vertex moves, and green faces are
+/// not changed.
 /// @param guard as for restructure()
 /// @return the number of splits
 int splitStretched(SimplexMeshEdit& edit, std::span<const VertexId> around,

@@ -22,7 +22,8 @@ public:
     /// To be called before a step with the vertices that take part. It registers them; the place of
     /// new ones follows from the vertices around them.
     void learn(const SimplexMesh& mesh, std::span<const VertexId> active);
-    /// To be called for vertices that could not go where they should: they are held where they are.
+    /// To be called for vertices that were stopped before they reached their place: they are held
+    /// where they are.
     void stopped(const SimplexMesh& mesh, std::span<const VertexId> vertices);
     /// From now on the tool no longer holds yellow vertices.
     void letYellowGo() { m_isYellowFree = true; }

@@ -21,12 +21,13 @@ struct SurfaceStrokeSettings {
     bool reddens = false;
     int restructureEvery = 5; ///< steps; 0: never
     int shares = 0; ///< number of parts for threads (DeformationSettings)
-    /// The surface never passes through itself, as judged on the lattice of this grid
-    /// (SelfIntersections.h), and sphere and plane hold only the sheet under the pen; must outlive
-    /// the stroke. Null: it may, as rows of before did.
+    /// If set, the surface never passes through itself, as judged on the lattice of this grid
+    /// (SelfIntersections.h), and sphere and plane affect only the sheet under the pen. It must
+    /// outlive the stroke. Null: the surface may pass through itself, as in older rows.
     const VolumeGeometry* apartOn = nullptr;
-    /// Asked between the parts of a step whether the stroke was cancelled. From then on nothing
-    /// moves any more, and only rollback() makes sense. Must outlive the stroke; null: never.
+    /// Checked between the parts of a step for whether the stroke was cancelled. From then on
+    /// nothing moves any more, and only rollback() makes sense. It must outlive the stroke; null:
+    /// it is never cancelled.
     const Progress* progress = nullptr;
 };
 

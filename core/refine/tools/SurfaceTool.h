@@ -39,9 +39,9 @@ struct PlaneTool {
     glm::dvec3 normalLps{0.0, 0.0, 1.0}; ///< points to the side that is removed, of any length
     double radiusMm = 10.0;
     double heightMm = 20.0; ///< of the cylinder; nothing beyond it is moved
-    /// The normal of the plane in which the pen is moved, of any length. Then the scraper turns
-    /// with the pen: it stands across that plane, along the pen's way, and looks the way that it
-    /// did before. 0: it keeps its normal.
+    /// The normal of the plane in which the pen moves, of any length. With it the scraper turns
+    /// with the pen: its plane is perpendicular to the plane in which the pen moves, runs along the
+    /// pen's path, and keeps facing the side that it faced before. 0: it keeps its normal.
     glm::dvec3 acrossLps{0.0};
 };
 
@@ -63,7 +63,8 @@ struct TemplateContour {
 /// TemplateShape.h). Its samples only mean that a few more steps may be done.
 struct TemplateTool {
     std::vector<TemplateContour> contours;
-    /// What they make of this mesh; null: the stroke finds out, by the rules of before.
+    /// The shape that the contours give this mesh; null: the stroke computes it, by the older
+    /// rules.
     std::shared_ptr<const TemplateShape> shape = nullptr;
 };
 

@@ -10,11 +10,11 @@ namespace core {
 
 class Progress;
 
-/// How contours become a shape.
+/// Which shapes contours can define.
 enum class TemplateForm : std::uint8_t {
-    /// Open ones make a surface over a plane, closed ones a body; both together are refused.
+    /// Open contours define a surface over a plane, closed ones a body; a mixture is refused.
     OfBefore,
-    /// Any mixture makes a body (ContourBody.h).
+    /// Any mixture of open and closed contours defines a body (ContourBody.h).
     Body
 };
 
@@ -70,8 +70,8 @@ private:
     glm::dvec3 m_up{0.0};
     std::optional<ThinPlateSpline> m_spline;
     std::optional<VariationalBody> m_body;
-    /// With TemplateForm::Body: beyond this box there is none of it. Far from all that was drawn a
-    /// body may have parts that nobody meant.
+    /// With TemplateForm::Body: the body counts only inside this box. Far from all that was drawn,
+    /// the function may have further parts that the user did not mean.
     glm::dvec3 m_leastLps{0.0};
     glm::dvec3 m_mostLps{0.0};
 

@@ -37,7 +37,8 @@ public:
     struct Point {
         glm::dvec3 place{0.0};
         double value = 0.0;
-        /// How much the function may miss the value for the sake of less bending; 0: not at all.
+        /// How much the function may deviate from the value in favour of less bending; 0: not at
+        /// all.
         double giveMm3 = 0.0;
     };
     /// @param points at least four that are not coplanar, and no two at the same place

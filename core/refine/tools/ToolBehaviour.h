@@ -14,8 +14,9 @@ namespace core {
 struct ToolScale {
     double areaMm2 = 1.0; ///< intended area of a face
     double edgeMm = 1.0; ///< of a regular face of that area
-    /// Whether the surface is kept from passing through itself. Then sphere and plane hold only the
-    /// sheet under the pen: what is connected, within the tool, with the vertex nearest to it.
+    /// Whether the surface is prevented from passing through itself. Then sphere and plane affect
+    /// only the sheet under the pen: the vertices within the tool that are connected, within it,
+    /// with the vertex nearest to the pen.
     bool isApart = false;
     /// The greatest distance that a vertex moves in one step; its neighbours could not follow a
     /// longer one.
@@ -52,12 +53,13 @@ public:
     [[nodiscard]] virtual int mostStepsAtPlace() const { return 48; }
     /// Called before each step.
     virtual void beginStep(const SimplexMesh& /*mesh*/) { }
-    /// The greatest number of steps after which what is moved, or not any more, is left alone.
+    /// After the pen was lifted and nothing is left to move, or gets any further: the greatest
+    /// number of steps until the stroke ends.
     [[nodiscard]] virtual int mostStepsToRest() const { return 100; }
-    /// How far all still has to go, for tools whose vertices do not go straight to where they
-    /// belong; none: as far as the one that has the longest way.
+    /// How far the tool's vertices still have to go, for tools whose vertices do not move straight
+    /// to their places; none: the greatest distance of a single vertex counts.
     [[nodiscard]] virtual std::optional<double> leftMm() const { return std::nullopt; }
-    /// How often that was measured so far.
+    /// How often leftMm() was measured so far.
     [[nodiscard]] virtual int looks() const { return 0; }
     /// Called when the pen is lifted.
     virtual void lift() { }
@@ -84,8 +86,8 @@ public:
     [[nodiscard]] virtual VertexId dragged() const { return noId; }
     /// Registers a new vertex.
     virtual void adopt(const SimplexMesh& /*mesh*/, VertexId /*id*/) { }
-    /// Registers that a vertex is not where the last step put it, since it would have met another
-    /// part of the surface.
+    /// Registers that a vertex was stopped before the place to which the last step moved it,
+    /// because it would have met another part of the surface.
     virtual void stopped(const SimplexMesh& /*mesh*/, VertexId /*id*/) { }
 
 protected:

@@ -17,8 +17,9 @@
 
 namespace core {
 
-// What passes between sculpt layers and segments, in integers. Both engines follow the rules to the
-// bit; each voxel decides for itself, so neither order nor company matters.
+// Commands that carry over voxels between sculpt layers and segments, or list voxels; every number
+// is an integer. Both engines follow the rules to the bit. Each voxel is decided independently of
+// the others.
 
 /// A half-space that contains the index positions with normal · voxel ≤ offset.
 struct VoxelBound {
@@ -100,10 +101,14 @@ struct RelabelListed {
     return labels;
 }
 
-/// Give other labels to all that a plane holds: a voxel that holds v receives becomes[v]. Where
-/// that is v, its seed word stays, too; where it is another segment's label, a seed word that bears
-/// yet another one becomes unvisited, as by LabelTarget; where it is 0, one that bears v, as
-/// PaintLabel erases. What is carved or hidden counts as everything else.
+/// Replace all labels of a plane at once: a voxel that holds v receives becomes[v]. Its seed word
+/// changes like this:
+/// - if becomes[v] is v, it stays;
+/// - if becomes[v] is another segment's label, a word that has yet another label becomes unvisited,
+///   as by LabelTarget;
+/// - if becomes[v] is 0, a word that has v becomes unvisited, as when PaintLabel erases.
+///
+/// Voxels that are carved or hidden are treated like all others.
 struct MapLabels {
     std::uint8_t plane = 0;
     std::array<std::uint8_t, 256> becomes = everyLabelItself();

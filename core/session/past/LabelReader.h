@@ -15,8 +15,9 @@ struct ReadBricks;
 
 /// Where the voxels of a label lie.
 struct LabelPlace {
-    VoxelBox box; ///< the smallest that holds them all
-    glm::ivec3 middle{0}; ///< the one of them that is nearest to the middle of the box, in voxels
+    VoxelBox box; ///< smallest box that contains all of them
+    /// The voxel of the label that is nearest to the middle of the box, measured in voxels.
+    glm::ivec3 middle{0};
 };
 
 /// Reads one label plane, or the coverage of one layer, from the engine in portions of 4 MiB, so
@@ -34,8 +35,8 @@ public:
     [[nodiscard]] int bricksRead() const { return m_next; }
     [[nodiscard]] int bricks() const { return m_grid.brickCount(); }
     [[nodiscard]] std::uint8_t plane() const { return m_plane; }
-    /// Where a label from 1 on lies, in what was read; none: it has no voxels. Any thread. Cost ∝
-    /// the bricks that are not empty.
+    /// Where a label (1 or more) lies, in what was read so far; none: it has no voxels. Any thread.
+    /// Cost ∝ the bricks that are not empty.
     [[nodiscard]] std::optional<LabelPlace> placeOf(std::uint8_t label) const;
     /// The labels, x fastest; the reader is empty afterwards. Any thread. Cost ∝ the volume.
     [[nodiscard]] std::vector<std::uint8_t> takeLabels();

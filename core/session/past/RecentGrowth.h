@@ -20,7 +20,7 @@ struct GrowCriteria;
 /// are not locked.
 [[nodiscard]] std::bitset<256> growingSegments(const History& history, const Document& document);
 
-/// Whether a growth in effect has begun at seeds of a segment, though nothing of it may be left.
+/// Whether a growth in effect has begun at seeds of a segment; perhaps nothing of it is left.
 [[nodiscard]] bool hasGrown(const History& history, int segment);
 
 /// Whether an edit changes how later growths continue, even if it changes no voxel: its criteria

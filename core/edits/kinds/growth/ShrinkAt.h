@@ -13,14 +13,15 @@ namespace core {
 struct CutGrowth;
 
 /// Remove some places of a growth and what grew through them, cut off where the passage is
-/// narrowest; or, with `steps`, what descends from them, and then their parents, generation by
-/// generation. What is nearer to the seeds stays (GrowthCut.h).
+/// narrowest. With `steps` instead, remove what descends from these places, and then their parents,
+/// generation by generation. What is nearer to the seeds stays (GrowthCut.h).
 struct ShrinkAt {
     std::vector<glm::dvec3> pointsLps{};
     bool onlyHere = false; ///< only the voxels at the points
     bool barrier = true; ///< set a barrier along the cut
-    /// The first takes the points and what descends from them, each further one a generation of
-    /// parents; none: all at once, as in sessions of old.
+    /// Number of steps backwards: the first removes the points and what descends from them, each
+    /// further one a generation of parents. None: cut at the narrowest passage, as in sessions from
+    /// before this field.
     std::optional<int> steps{};
 };
 
@@ -31,8 +32,8 @@ Result<bool> apply(const ShrinkAt& edit, Document& document);
 [[nodiscard]] EditDependencies dependencies(const ShrinkAt& edit, const DependencyFacts& row);
 [[nodiscard]] Result<EngineEdit> engineEdit(const ShrinkAt& edit, const Document& document);
 
-/// Errors: InvalidField (no point, a point outside the volume, steps of what is only here),
-/// SegmentLocked (no segment may change).
+/// Converts the edit to an engine's command. Errors: InvalidField (no point, a point outside the
+/// volume, `steps` together with `onlyHere`), SegmentLocked (no segment may change).
 [[nodiscard]] Result<CutGrowth> cutGrowth(const ShrinkAt& shrink, const Document& document);
 
 } // namespace core

@@ -9,8 +9,8 @@ namespace core {
 
 struct CoverLabel;
 
-/// Carve all voxels of a segment; or all others, so that of the volume what it holds is left, and
-/// what segments hold that are protected.
+/// Carve all voxels of a segment into a layer; or all other voxels of the volume, except those of
+/// segments that are protected.
 struct SegmentToLayer {
     int segment = 0; ///< label
     int layer = 0; ///< id
@@ -24,8 +24,8 @@ Result<bool> apply(const SegmentToLayer& edit, Document& document);
 [[nodiscard]] EditDependencies dependencies(const SegmentToLayer& edit, const DependencyFacts& row);
 [[nodiscard]] Result<EngineEdit> engineEdit(const SegmentToLayer& edit, const Document& document);
 
-/// Errors: UnknownSegment, SegmentProtected (it is; or one is that lies on another label plane,
-/// where it may have the same voxels).
+/// Errors: UnknownSegment, SegmentProtected (the segment is protected; or with `outside`, a
+/// protected segment lies on another label plane, where it may have the same voxels).
 [[nodiscard]] Result<CoverLabel> coverLabel(const SegmentToLayer& edit, const Document& document);
 
 } // namespace core

@@ -22,9 +22,11 @@ struct BrushPath {
     };
     double radiusMm = 4.0; ///< of a square or cube: half of one side
     Shape shape = Shape::Ball;
-    /// Of a disc's or square's plane, which contains the first point; of a cube, along a side.
+    /// For a disc or square, the normal of its plane, which contains the first point; for a cube,
+    /// the direction of a side.
     std::optional<glm::dvec3> normalLps{};
-    std::optional<glm::dvec3> sideLps{}; ///< of a square or cube, about across the normal
+    /// For a square or cube, the direction of another side, about perpendicular to the normal.
+    std::optional<glm::dvec3> sideLps{};
     std::vector<glm::dvec3> pointsLps{};
     /// Indices into pointsLps, ascending: the path does not lead to these points but begins anew
     /// there.

@@ -35,19 +35,19 @@ struct SegmentWord {
 /// their voxels and no longer needs the file; core/masks completes one without voxels first. Where
 /// segments of one plane overlap, the first one gets the voxel (segmentsByPrecedence()).
 ///
-/// Of segments that were there before, it takes no voxel, in whatever plane they have it; with
-/// overwriteUnlocked those that are not locked lose it in their own planes.
+/// It takes no voxel from segments that existed before, in whatever plane they have it. With
+/// overwriteUnlocked, those that are not locked lose it in their own planes.
 struct ImportMask {
     QString file{};
     std::optional<SegmentWord> as{}; ///< the segment that receives everything; none: new ones
     bool overwriteUnlocked = false;
     std::optional<glm::ivec3> size{}; ///< of the volume
     std::optional<std::vector<ImportedSegment>> segments{};
-    /// Places in the list of segments, from 1, of those that go before all others, the first one
-    /// foremost; none: the order of the list.
+    /// Segments that take precedence over all others, by their place in the list from 1, the
+    /// foremost first; none: the order of the list.
     std::optional<std::vector<int>> ahead{};
-    /// The label plane of each segment, so that those that overlap keep what they share; none: all
-    /// lie in plane 0, or in that of the segment that receives everything.
+    /// The label plane of each segment, so that overlapping segments keep all their voxels; none:
+    /// all lie in plane 0, or in that of the segment that receives everything.
     std::optional<std::vector<int>> planes{};
 };
 

@@ -18,23 +18,23 @@ struct ImportTargets {
     std::vector<LabelTarget> targets; ///< one per segment
     bool isNew = true; ///< they are new segments: one for each, or a single one with "as"
 };
-/// Errors: InvalidField (no voxels read, no room for so many segments, a place that there is not in
-/// its list, not one plane for each segment), UnknownSegment, SegmentLocked.
+/// Determines them. Errors: InvalidField (no voxels read, no room for so many segments, a place
+/// that is not in the list, not exactly one plane for each segment), UnknownSegment, SegmentLocked.
 [[nodiscard]] Result<ImportTargets> importTargets(const ImportMask& edit, const Document& document);
 
-/// The labels of a plane that yield to an import.
+/// The labels of a plane whose voxels an import may overwrite.
 [[nodiscard]] std::bitset<256> overwrittenBy(
     const ImportMask& edit, int plane, const Document& document);
 
-/// The segments of a mask, by their places in its list from 0, in the order in which they get
-/// voxels that several of them have: those of ImportMask::ahead, then the others.
+/// The segments of a mask, as indices from 0, in the order in which they get voxels that several of
+/// them share: first those of ImportMask::ahead, then the others.
 [[nodiscard]] std::vector<std::size_t> segmentsByPrecedence(
     const std::optional<std::vector<int>>& ahead, std::size_t count);
 
 /// An import that was carried out.
 struct DoneImport {
     ImportMask edit;
-    std::vector<int> labels; ///< that its segments got, one for each
+    std::vector<int> labels; ///< labels that its segments received, one for each
 };
 
 } // namespace core

@@ -15,11 +15,11 @@ struct VolumeGeometry;
 
 /// Paint a segment along a path, or erase it.
 struct PaintStroke {
-    /// A tool whose strokes people tell from those of a brush.
+    /// A tool whose strokes are named differently from those of a brush.
     enum class Tool {
         /// A disc that pushes the border of the segment in one slice: outwards, or inwards with
-        /// `erase`. Where it may begin is a matter of the tool (sculpt/labels/NudgeStart.h); what
-        /// it changes is what a brush would change.
+        /// `erase`. The tool decides where it may begin (sculpt/labels/NudgeStart.h); it changes
+        /// the same voxels as a brush would.
         Nudge,
     };
     int segment = 0; ///< label
@@ -29,13 +29,15 @@ struct PaintStroke {
     std::optional<double> upper{};
     bool overwriteUnlocked = false;
     bool seeds = false; ///< growth may continue from what is painted
-    /// It follows edges: of what is under the brush only voxels whose values differ from the one
-    /// where the stroke begins by at most this, and that are joined to where the pen was
-    /// (EdgeRegion.h). Modality units, at least 0; none: all that is under the brush.
+    /// Makes the brush follow edges: of the voxels under the brush, it changes only those whose
+    /// values differ by at most this from the value where the stroke begins, and that are connected
+    /// with where the pen was (EdgeRegion.h). Modality units, at least 0; none: all voxels under
+    /// the brush.
     std::optional<double> edgeTolerance{};
     std::optional<EditableRange> editable{}; ///< which voxels may change at all; none: any
-    std::optional<Tool> tool{}; ///< it decides no voxel; none: a brush
-    /// With edgeTolerance: the pressures of the path are shares of that, and the radius is whole.
+    /// Only for the name of the row, it decides no voxel; none: a brush.
+    std::optional<Tool> tool{};
+    /// With edgeTolerance: the pressures of the path change that tolerance instead of the radius.
     std::optional<bool> toleranceByPressure{};
 };
 
@@ -48,7 +50,8 @@ Result<bool> apply(const PaintStroke& edit, Document& document);
 
 /// The command without the path. Errors: UnknownSegment, SegmentLocked, InvalidField.
 [[nodiscard]] Result<PaintLabel> paintLabel(const PaintStroke& stroke, const Document& document);
-/// What an engine is told of the path. Expects a stroke that paintLabel() accepts.
+/// The path as an engine receives it.
+/// @pre paintLabel() accepts the stroke
 [[nodiscard]] CapsulePath paintPath(const PaintStroke& stroke, const VolumeGeometry& geometry);
 
 } // namespace core

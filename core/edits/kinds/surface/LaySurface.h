@@ -16,14 +16,14 @@ struct LaySurface {
     /// (core/refine/fit/MeasuredFit.h).
     int vertices = 0;
     SurfaceRules rules{};
-    /// Set: the present surface of the segment stays, but for the parts that pass through
-    /// themselves or each other: these are laid anew around the voxels that they enclose
-    /// (core/refine/fit/CrossingParts.h), and keep their marks. `vertices` and `rules` say nothing
-    /// then.
+    /// If true, the present surface of the segment stays, except for the parts that pass through
+    /// themselves or each other: these are replaced by new ones around the voxels that they enclose
+    /// (core/refine/fit/CrossingParts.h), with the marks of the old ones. `vertices` and `rules`
+    /// are ignored then.
     std::optional<bool> onlyCrossings{};
 };
 
-/// Whether a surface begins with this edit, and agrees with its segment after it.
+/// Whether this edit creates a new surface, which agrees with its segment afterwards.
 [[nodiscard]] inline bool beginsSurface(const LaySurface& edit)
 {
     return !edit.onlyCrossings.value_or(false);

@@ -21,22 +21,23 @@ struct AddMeasurement {
     std::optional<bool> projected{}; ///< Measurement::projected; none: no
 };
 
-/// Keep an angle, a region, a place whose value is read, an arrow or a text. What they come to is
-/// worked out from the study and stands in no row.
+/// Keep an angle, a region, a place whose value is read, an arrow or a text. Results are computed
+/// from the study and are not stored in the row.
 struct Annotate {
     static constexpr std::size_t mostCorners = 512; ///< of an outline
 
     Measurement::Kind kind = Measurement::Kind::Angle; ///< not a distance
-    std::vector<glm::dvec3> pointsLps{}; ///< as the kind has them, at their true places
-    std::optional<QString> text{}; ///< only of an arrow, and of a text, which needs it
+    /// The points that the kind needs (Measurement::Kind), at their true places.
+    std::vector<glm::dvec3> pointsLps{};
+    std::optional<QString> text{}; ///< only for an arrow or a text; required for a text
     std::optional<int> piece{}; ///< id of the piece on which all points were picked
     std::optional<bool> projected{}; ///< none: no
 };
 
-/// Give a measurement other points; it keeps its number and all else.
+/// Move the points of a measurement. It keeps its id and everything else.
 struct MoveMeasurement {
     int measurement = 0; ///< id
-    std::vector<glm::dvec3> pointsLps{}; ///< as its kind has them, at their true places
+    std::vector<glm::dvec3> pointsLps{}; ///< the points that its kind needs, at their true places
 };
 
 struct RemoveMeasurement {
