@@ -235,15 +235,15 @@ struct CutGrowth {
     std::uint32_t generation = 0; ///< the generation now
     std::bitset<256> lockedLabels{};
     std::vector<glm::ivec3> voxels{}; ///< inside the volume
-    std::uint32_t steps = 1; ///< with Backwards: how many, at least 1 (GrowthCut.h, rule 12)
+    std::uint32_t steps = 1; ///< with Backwards: number of steps, at least 1 (GrowthCut.h, rule 12)
     bool operator==(const CutGrowth&) const = default;
 };
 
 /// Takes an open CutGrowth with How::Backwards further: voxels, words and generation become what
-/// they would be if it had been opened with so many steps. It ends where further steps take nothing
-/// and before the step that would take everything. It never goes back.
+/// they would be if it had been opened with this number of steps. It stops where further steps
+/// remove nothing, and before the step that would remove everything. It never goes back.
 struct CutFurther {
-    std::uint32_t steps = 1; ///< in all, at least 1
+    std::uint32_t steps = 1; ///< number of steps in all, at least 1
 };
 
 /// What a CutGrowth would remove, as it is shown before it is carried out.
@@ -259,9 +259,10 @@ struct CutPreview {
     bool operator==(const CutPreview&) const = default;
 };
 
-/// In how many voxels the plane differs from what it was when an open growth began.
+/// How many voxels of a plane differ from their state when an open growth began.
 struct GrowthComparison {
-    std::int64_t suspended = 0; ///< voxels that have left the growth; a wider interval recovers them
+    std::int64_t suspended =
+        0; ///< voxels that have left the growth; a wider interval recovers them
     std::int64_t reached = 0; ///< voxels that a label has claimed
     bool operator==(const GrowthComparison&) const = default;
 };

@@ -14,11 +14,11 @@ namespace core {
 /// What an engine answers about one voxel: its value, its label and how growth would reach it.
 struct ProbedVoxel {
     int code = 0;
-    std::uint8_t label = 0; ///< in the plane that was asked for
+    std::uint8_t label = 0; ///< label in the plane that the question named
     std::uint8_t seedOf = 0; ///< the label whose pending seed it is in that plane; 0: none
     /// in codes (Tolerance.h); none: not reached, or no tolerances were computed
     std::optional<int> tolerance{};
-    /// By label plane; 0: none. Segments of different planes may overlap.
+    /// The labels in all planes, by plane; 0: none. Segments of different planes may overlap.
     std::array<std::uint8_t, mostLabelPlanes> labels{};
 };
 

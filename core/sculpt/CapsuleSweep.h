@@ -61,11 +61,12 @@ struct Capsule {
     glm::ivec3 from{0}; ///< mm16
     glm::ivec3 direction{0}; ///< unit vector · 2¹⁴; 0: a point
     std::int32_t length = 0; ///< mm16
-    /// mm16, 0 … the frame's radius: by how much its own radius is smaller, since the pen was not
-    /// pressed fully. A radius that changes along the path is made of many short capsules.
+    /// By how much its radius is smaller than the frame's, because the pen was not pressed fully;
+    /// mm16, 0 … the frame's radius. A radius that changes along the path is made of many short
+    /// capsules.
     std::int32_t less = 0;
-    /// 0 … 255: how much of the tolerance of a brush that follows edges counts here (EdgeRegion.h),
-    /// where that follows the pressure instead of the radius.
+    /// The share of the tolerance that counts here for a brush that follows edges (EdgeRegion.h),
+    /// if the pressure changes that instead of the radius; 0 … 255.
     std::int32_t strength = 255;
 };
 

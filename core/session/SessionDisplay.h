@@ -17,7 +17,7 @@ public:
     explicit SessionDisplay(OperationQueue& queue);
 
     void setSegmentVisible(int label, bool visible);
-    /// The same of several, by label: listeners are told once.
+    /// The same for several segments, by label; listeners are notified only once.
     void setSegmentsVisible(const std::vector<std::pair<int, bool>>& segments);
 
     /// The state of the window when the session was last displayed: an object that core does not

@@ -24,7 +24,7 @@ public:
     /// The leak that the guard suspects in the growth at the current position; none for other
     /// steps.
     [[nodiscard]] std::optional<LeakAlarm> leakAlarm() const;
-    /// What became of the voxels of the last SeedStroke, whether or not it left a row.
+    /// What the voxels of the last SeedStroke became, whether or not it left a row.
     [[nodiscard]] const std::optional<SketchedSeeds>& sketchedSeeds() const;
 
 private:

@@ -69,24 +69,23 @@ namespace core {
 //    has a parent. A voxel without t(v), or with one above seedWord::maxGeneration, leaves too;
 //    with Here it stays as it is, disconnected, until the growth is narrowed.
 // 11. A voxel that leaves becomes unvisited. With `barrier`, a voxel that leaves and has a
-//     neighbour
-//    that is a member of the label and stays becomes a barrier (seedWord::barrier), and so do those
-//    of its neighbours that are neither members (of any label) nor pending seeds: the passage stays
-//    closed even if it turns out to be a voxel wider.
-// 12. With Backwards rules 3 to 9 do not decide what leaves, but `steps` does. "Near" are the
-//     members that are no roots and no nearer to the roots than to the sketch, by the distances of
-//     rule 9; the sketch is near.
-//     - The ancestors of step 1 are the sketch. Those of a later step are those of the step before
-//       and all of their parents that are near.
-//     - With so many steps leave the ancestors of the last one and, repeatedly, every near member
-//       that has a parent that leaves. So the first step takes the sketch and what descends from
-//       it, and each further one a generation of parents and what descends from these.
-//     - The steps end where the ancestors have no parent left that is near. Further ones take
-//       nothing; each step before takes at least what the one before it takes.
-//     - The cut is refused with ErrorCode::EverythingGrown if of a label that has a sketch all
-//       members but the roots leave.
-//     - Rules 10 and 11 follow, with what lies behind all that leaves in place of what lies behind
-//       the cut and the sketch.
+//     neighbour that is a member of the label and stays becomes a barrier (seedWord::barrier), and
+//     so do those of its neighbours that are neither members (of any label) nor pending seeds: the
+//     passage stays closed even if it turns out to be a voxel wider.
+// 12. With Backwards, `steps` decides what leaves instead of rules 3 to 9. "Near" are the members
+//     that are no roots and, by the distances of rule 9, no nearer to the roots than to the sketch;
+//     the sketch is near.
+//     - The ancestors of step 1 are the sketch. The ancestors of a later step are those of the
+//       previous step and all of their parents that are near.
+//     - After a number of steps, the ancestors of the last step leave and, repeatedly, every near
+//       member with a parent that leaves. So the first step removes the sketch and what descends
+//       from it, and each further step removes a generation of parents and what descends from them.
+//     - The steps end when the ancestors have no further parent that is near. Further steps remove
+//       nothing; no step removes less than the one before it.
+//     - The cut is refused with ErrorCode::EverythingGrown if all members but the roots of a label
+//       that has a sketch would leave.
+//     - Rules 10 and 11 follow; what lies behind all that leaves takes the place of what lies
+//       behind the cut and the sketch.
 
 /// Rule 8: the greatest number of voxels of a neck for which the narrowest cut is searched, and the
 /// greatest number of steps around it.
@@ -106,12 +105,12 @@ struct GrowthCutOutcome {
     std::uint32_t generation = 0; ///< the counter after the cut
 };
 
-/// Voxels by label; each once.
+/// Voxels that leave, by label; each once.
 using LeavingVoxels = std::map<std::uint32_t, std::vector<WordBricks::Voxel>>;
-/// What is sketched of each label, ascending. Errors: SeedsStay, NothingGrown (rule 1).
+/// The sketch of each label, ascending. Errors: SeedsStay, NothingGrown (rule 1).
 [[nodiscard]] Result<LeavingVoxels> sketchedVoxels(
     const WordBricks& words, const CutGrowth& command);
-/// What leaves. Errors: SeedsStay, NothingGrown (rule 1), EverythingGrown (rule 12).
+/// The voxels that leave. Errors: SeedsStay, NothingGrown (rule 1), EverythingGrown (rule 12).
 [[nodiscard]] Result<LeavingVoxels> leavingVoxels(
     const WordBricks& words, const CutGrowth& command);
 

@@ -16,7 +16,7 @@ namespace core {
 class ThinPlateSpline {
 public:
     /// @param points (u, v, height), at least three that are not collinear, and no two at the same
-    /// (u, v) Cost ∝ n³: 20 ms for 300 points. Errors: InvalidField (argument 1: why there is
+    /// (u, v). Cost ∝ n³: 20 ms for 300 points. Errors: InvalidField (argument 1: why there is
     /// none).
     [[nodiscard]] static Result<ThinPlateSpline> through(std::span<const glm::dvec3> points);
 

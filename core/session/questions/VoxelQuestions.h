@@ -81,10 +81,11 @@ public:
     [[nodiscard]] Result<void> previewCut(
         const ShrinkAt& shrink, Answer<std::optional<CutPreview>> answer);
     void dropCutPreview(); ///< also of what compareGrowth() keeps
-    /// In how many voxels a growth that is open (a moving interval, for example) differs from what
-    /// was there when it began. Once delivered, it can be shown until the growth ends. Errors of
+    /// How many voxels of an open growth (a moving interval, for example) differ from their state
+    /// when it began. Once delivered, the comparison can be shown until the growth ends. Errors of
     /// the answer also: InvalidField ("transaction") if no growth is open.
-    /// @param keep what is suspended in the end can be shown until the next edit that is no growth
+    /// @param keep voxels that are suspended in the end can be shown until the next edit that is no
+    /// growth
     void compareGrowth(Answer<std::optional<GrowthComparison>> answer, bool keep = false);
 
     /// The last step in effect that touched something; 0: none. A running growth is committed

@@ -49,8 +49,8 @@ public:
     /// Cancels the computation: it fails, which is reported only to those who wait for it.
     void cancel();
 
-    /// Blocks until what was wanted can be asked of the engine, which collect() then does. Cost:
-    /// that of unpacking an edit.
+    /// Blocks until the requested edit is unpacked; then collect() asks the engine for its box.
+    /// Cost: that of unpacking an edit.
     void finishPreparing();
     /// Blocks until the work that its thread has begun is done.
     void finish() { m_thread.finish(); }
