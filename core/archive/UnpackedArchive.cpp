@@ -3,6 +3,7 @@
 
 #include "core/archive/ArchiveReader.h"
 #include "core/base/files/FolderCache.h"
+#include "core/base/files/TakeLock.h"
 
 #include <QCryptographicHash>
 #include <QDateTime>
@@ -45,10 +46,9 @@ Result<void> gather(const QString& path, const QString& folder, const Progress& 
 {
     const QString gathering = FolderCache::gatheringPlaceOf(folder);
     QLockFile lock(gathering + QStringLiteral(".lock"));
-    lock.setStaleLockTime(0);
     // Another process may just unpack the same.
     constexpr int patienceMs = 100;
-    while (!lock.tryLock(patienceMs)) {
+    while (!takeLock(lock, patienceMs)) {
         if (lock.error() != QLockFile::LockFailedError)
             return failure(ErrorCode::FileUnwritable, path,
                 Clause::saying("the cache %1 cannot be written", QFileInfo(folder).path()));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/archive/UnpackedArchive.h"
 #include "core/archive/ArchiveReader.h"
+#include "core/base/files/FolderCache.h"
 #include "core/study/StudyLoader.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/series/SmallSeries.h"
@@ -156,6 +157,22 @@ private Q_SLOTS:
         QVERIFY(again);
         QVERIFY(!QDir(*zip).exists());
         QVERIFY(QDir(*tar).exists());
+    }
+
+    /// A process that was killed while it made its lock left one in which it did not say who it is.
+    void aLockWithoutANameIsNobodys()
+    {
+        const auto first = core::unpackedArchive(archive(QStringLiteral("study.zip")), {});
+        QVERIFY(first);
+        core::setArchiveCacheFolder(m_cache->path());
+        QVERIFY(QDir(*first).removeRecursively());
+        QFile lock(core::FolderCache::gatheringPlaceOf(*first) + QStringLiteral(".lock"));
+        QVERIFY(lock.open(QIODevice::WriteOnly));
+        lock.close();
+        const auto again = core::unpackedArchive(archive(QStringLiteral("study.zip")), {});
+        QVERIFY(again);
+        QCOMPARE(*again, *first);
+        QCOMPARE(filesIn(*again).size(), 7);
     }
 
     void aChangedArchiveIsAnother()
