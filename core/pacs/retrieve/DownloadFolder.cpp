@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/pacs/retrieve/DownloadFolder.h"
 
-#include "core/base/ParallelFor.h"
 #include "core/base/files/FolderCache.h"
 #include "core/base/files/SystemFile.h"
 #include "core/base/files/TakeLock.h"
@@ -16,7 +15,6 @@
 #include <dcmtk/dcmdata/dctk.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cerrno>
 #include <cstdio>
 
@@ -71,32 +69,14 @@ void removeNote(const QDir& folder)
     QFile::remove(folder.filePath(QLatin1String(noteName)));
 }
 
-/// @return what the system says against it (errno); 0: it is done
-int bringToDisk(const QString& path, int (*sync)(int))
-{
-    const int descriptor = ::open(QFile::encodeName(path).constData(), O_RDONLY | O_CLOEXEC);
-    if (descriptor < 0)
-        return errno;
-    const int trouble = sync(descriptor) == 0 ? 0 : errno;
-    ::close(descriptor);
-    return trouble;
-}
-
-/// The folder with all its files. Several at a time, which the disk's journal takes together; not
-/// by syncfs(), which waits for whatever all others write.
+/// The folder with all its files. @return what the system says against it (errno); 0: it is done
 int bringToDisk(const QDir& folder)
 {
-    const QStringList names = folder.entryList(QDir::Files);
-    std::atomic<int> trouble = 0;
-    constexpr int atOnce = 8;
-    parallelFor(
-        int(names.size()),
-        [&](int i) {
-            if (const int one = bringToDisk(folder.filePath(names[i]), ::fdatasync))
-                trouble = one;
-        },
-        atOnce);
-    return trouble != 0 ? int(trouble) : bringToDisk(folder.path(), ::fsync);
+    QStringList paths;
+    for (const QString& name : folder.entryList(QDir::Files))
+        paths += folder.filePath(name);
+    const int trouble = syncAllToDisk(paths);
+    return trouble != 0 || syncToDisk(folder.path()) ? trouble : errno;
 }
 
 /// Has the system begin to write a file that is complete: less is left to wait for at the end.

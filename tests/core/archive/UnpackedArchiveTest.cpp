@@ -3,6 +3,7 @@
 #include "core/archive/ArchiveReader.h"
 #include "core/base/files/FolderCache.h"
 #include "core/study/StudyLoader.h"
+#include "tests/support/faults/FileShim.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/series/SmallSeries.h"
 #include "tests/support/servers/Python.h"
@@ -11,6 +12,8 @@
 #include <QDirIterator>
 #include <QTemporaryDir>
 #include <QTest>
+
+#include <cerrno>
 
 namespace unpackedArchiveTest {
 
@@ -173,6 +176,28 @@ private Q_SLOTS:
         QVERIFY(again);
         QCOMPARE(*again, *first);
         QCOMPARE(filesIn(*again).size(), 7);
+    }
+
+    /// Nobody could tell later what was lost of it.
+    void whatTheDiskRefusesIsNotKept()
+    {
+        const test::WatchedHome home;
+        const QStringList words{QStringLiteral("info"), archive(QStringLiteral("study.zip"))};
+        const test::Outcome refused = home.burin(words,
+            {.under = home.path(QStringLiteral("cache")),
+                .calls = "sync",
+                .first = 1,
+                .last = 1 << 30,
+                .error = EIO});
+        QVERIFY(refused.status > 0);
+        QVERIFY2(refused.complaint.contains(words.last()), qPrintable(refused.complaint));
+        const QDir cache(home.path(QStringLiteral("cache/burin/archives")));
+        QVERIFY(cache.exists());
+        const auto folders = QDir::Dirs | QDir::Hidden | QDir::NoDotAndDotDot;
+        QVERIFY(cache.entryList(folders).isEmpty());
+        const test::Outcome again = home.burin(words);
+        QVERIFY2(again.status == 0, qPrintable(again.complaint));
+        QCOMPARE(cache.entryList(folders).size(), 1);
     }
 
     void aChangedArchiveIsAnother()
