@@ -12,6 +12,7 @@
 #include <QSet>
 
 #include <array>
+#include <cmath>
 #include <optional>
 
 namespace app {
@@ -44,12 +45,13 @@ Result<QByteArray> bytesOf(const QString& path)
     return file.readAll();
 }
 
-/// A cell that reads as a number is one, so that it can stand for a number of the recipe.
+/// A cell that reads as a number is one, so that it can stand for a number of the recipe. JSON has
+/// none that are infinite or undefined: "nan" is a word.
 QJsonValue valueOf(const QString& cell)
 {
     bool isNumber = false;
     const double number = cell.toDouble(&isNumber);
-    return isNumber ? QJsonValue(number) : QJsonValue(cell);
+    return isNumber && std::isfinite(number) ? QJsonValue(number) : QJsonValue(cell);
 }
 
 bool isColumnOfOurs(const QString& name)
@@ -260,7 +262,7 @@ Result<std::vector<BatchStudy>> readStudyList(const QString& path)
             return fields.take(QLatin1String(name)).toString();
         };
         const QString study = take("study");
-        if (study.isEmpty())
+        if (study.isEmpty() || study.contains(QChar::Null))
             return wrong(QStringLiteral("it names no study"));
         BatchStudy found{.path = QDir::cleanPath(beside.absoluteFilePath(study)),
             .name = take("name"),
@@ -273,6 +275,9 @@ Result<std::vector<BatchStudy>> readStudyList(const QString& path)
             found.name = nameOf(found.path);
         if (const QString why = whyNoName(found.name); !why.isEmpty())
             return wrong(QStringLiteral("the name '%1' %2").arg(found.name, why));
+        if (found.name == QLatin1String("results.csv"))
+            return wrong(
+                QStringLiteral("the name '%1' is that of the table of results").arg(found.name));
         if (fields.contains(QStringLiteral("folder")))
             return wrong(QStringLiteral("'folder' is a variable that Burin itself sets"));
         if (found.session.isEmpty())

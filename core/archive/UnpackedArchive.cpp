@@ -3,10 +3,13 @@
 
 #include "core/archive/ArchiveReader.h"
 #include "core/base/files/FolderCache.h"
+#include "core/base/files/SystemFile.h"
+#include "core/base/files/TakeLock.h"
 
 #include <QCryptographicHash>
 #include <QDateTime>
 #include <QDir>
+#include <QDirIterator>
 #include <QFile>
 #include <QFileInfo>
 #include <QStandardPaths>
@@ -40,18 +43,31 @@ QString nameFor(const QString& path)
         QCryptographicHash::hash(facts.toUtf8(), QCryptographicHash::Sha256).toHex().left(32));
 }
 
-/// Unpacks where nobody looks, and renames.
+/// Everything in a folder, and the folder itself.
+QStringList pathsIn(const QString& folder)
+{
+    QStringList paths{folder};
+    QDirIterator walk(folder, QDir::Files | QDir::Dirs | QDir::Hidden | QDir::NoDotAndDotDot,
+        QDirIterator::Subdirectories);
+    while (walk.hasNext())
+        paths += walk.next();
+    return paths;
+}
+
+/// Unpacks where nobody looks, and renames when all of it is on the disk.
 Result<void> gather(const QString& path, const QString& folder, const Progress& progress)
 {
     const QString gathering = FolderCache::gatheringPlaceOf(folder);
     QLockFile lock(gathering + QStringLiteral(".lock"));
-    lock.setStaleLockTime(0);
+    const auto unwritable = [&] {
+        return failure(ErrorCode::FileUnwritable, path,
+            Clause::saying("the cache %1 cannot be written", QFileInfo(folder).path()));
+    };
     // Another process may just unpack the same.
     constexpr int patienceMs = 100;
-    while (!lock.tryLock(patienceMs)) {
+    while (!takeLock(lock, patienceMs)) {
         if (lock.error() != QLockFile::LockFailedError)
-            return failure(ErrorCode::FileUnwritable, path,
-                Clause::saying("the cache %1 cannot be written", QFileInfo(folder).path()));
+            return unwritable();
         if (progress.cancelled())
             return failure(ErrorCode::Cancelled);
     }
@@ -64,9 +80,13 @@ Result<void> gather(const QString& path, const QString& folder, const Progress& 
     Result<void> unpacked = unpackArchive(path, gathering, progress);
     if (unpacked && QDir(gathering).isEmpty())
         unpacked = failure(ErrorCode::FolderEmpty, path);
+    if (unpacked && syncAllToDisk(pathsIn(gathering)) != 0)
+        unpacked = unwritable();
     if (unpacked && !QDir().rename(gathering, folder))
         unpacked = failure(ErrorCode::FileUnwritable, path, Clause::saying("cannot rename"));
     QDir(gathering).removeRecursively();
+    // The folder is in place; one above it that cannot be synchronised is no error.
+    syncToDisk(QFileInfo(folder).path());
     return unpacked;
 }
 

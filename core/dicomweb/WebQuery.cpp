@@ -2,12 +2,10 @@
 #include "core/dicomweb/WebQuery.h"
 
 #include "core/dicom/base/DicomText.h"
+#include "core/dicomweb/JsonAnswer.h"
 #include "core/dicomweb/JsonSink.h"
 #include "core/dicomweb/WebConnection.h"
 
-#include <QJsonArray>
-#include <QJsonDocument>
-#include <QJsonObject>
 #include <QSet>
 #include <QUrl>
 
@@ -18,38 +16,6 @@
 namespace core {
 
 namespace {
-
-/// One answer in the JSON model of DICOM (PS3.18 F).
-class Answer {
-public:
-    explicit Answer(QJsonObject object)
-        : m_object(std::move(object))
-    {
-    }
-
-    [[nodiscard]] QStringList texts(const char* tag) const
-    {
-        QStringList all;
-        const QJsonArray values = m_object[QLatin1String(tag)].toObject()[u"Value"].toArray();
-        for (const QJsonValue& value : values) {
-            // Names come in groups; numbers as numbers, or by some servers as text.
-            const QJsonValue plain =
-                value.isObject() ? value.toObject()[u"Alphabetic"] : QJsonValue(value);
-            all.append(plain.toVariant().toString().trimmed());
-        }
-        return all;
-    }
-    [[nodiscard]] QString text(const char* tag) const { return texts(tag).value(0); }
-    [[nodiscard]] int count(const char* tag) const
-    {
-        bool isNumber = false;
-        const int number = text(tag).toInt(&isNumber);
-        return isNumber && number >= 0 ? number : -1;
-    }
-
-private:
-    QJsonObject m_object;
-};
 
 /// The query of an address.
 class Question {
@@ -87,7 +53,7 @@ private:
 /// Asks page by page, since a server may give fewer than it is asked for, and hands over what is
 /// new, of bounded number. @param take whether it wants more
 Result<void> ask(WebConnection& connection, const Question& question, const char* uidTag,
-    int pageSize, const std::function<bool(const Answer&)>& take)
+    int pageSize, const std::function<bool(const JsonAnswer&)>& take)
 {
     const QString name = connection.node().name();
     QSet<QString> seen;
@@ -99,16 +65,12 @@ Result<void> ask(WebConnection& connection, const Question& question, const char
             return tl::unexpected<Error>(answer.error());
         if (answer->status == 204 || sink.bytes().isEmpty())
             return {};
-        QJsonParseError error;
-        const QJsonDocument document = QJsonDocument::fromJson(sink.bytes(), &error);
-        if (!document.isArray()) {
-            return failure(ErrorCode::NodeNonsense, name,
-                Clause::saying("its answer is no list in JSON (%1)", error.errorString()));
-        }
-        const QJsonArray page = document.array();
+        const Result<QJsonArray> page = jsonAnswers(sink.bytes(), name);
+        if (!page)
+            return tl::unexpected<Error>(page.error());
         bool isNew = false;
-        for (const QJsonValue& value : page) {
-            const Answer one(value.toObject());
+        for (const QJsonValue& value : *page) {
+            const JsonAnswer one(value.toObject());
             const QString uid = one.text(uidTag);
             // A server that knows no pages gives the first one for ever.
             if (!isDicomUid(uid) || seen.contains(uid))
@@ -123,7 +85,7 @@ Result<void> ask(WebConnection& connection, const Question& question, const char
         }
         if (!isNew)
             return {};
-        offset += int(page.size());
+        offset += int(page->size());
     }
 }
 
@@ -178,24 +140,25 @@ Result<HitList<StudyHit>> findStudies(
     question.want({"00080061", "00081030", "00100030", "00201206", "00201208"});
     HitList<StudyHit> list;
     const int page = std::min(most, std::numeric_limits<int>::max() - 1) + 1;
-    const Result<void> asked = ask(*connection, question, "0020000D", page, [&](const Answer& one) {
-        if (int(list.hits.size()) == most) {
-            list.more = true;
-            return false;
-        }
-        list.hits.push_back({.studyUid = one.text("0020000D"),
-            .patientName = one.text("00100010"),
-            .patientId = one.text("00100020"),
-            .birthDate = dicomDate(one.text("00100030")),
-            .studyDate = dicomDate(one.text("00080020")),
-            .accessionNumber = one.text("00080050"),
-            .description = one.text("00081030"),
-            .modalities = one.texts("00080061"),
-            .series = one.count("00201206"),
-            .instances = one.count("00201208")});
-        progress.report(ProgressStep::Searching, int(list.hits.size()), 0);
-        return true;
-    });
+    const Result<void> asked =
+        ask(*connection, question, "0020000D", page, [&](const JsonAnswer& one) {
+            if (int(list.hits.size()) == most) {
+                list.more = true;
+                return false;
+            }
+            list.hits.push_back({.studyUid = one.text("0020000D"),
+                .patientName = one.text("00100010"),
+                .patientId = one.text("00100020"),
+                .birthDate = dicomDate(one.text("00100030")),
+                .studyDate = dicomDate(one.text("00080020")),
+                .accessionNumber = one.text("00080050"),
+                .description = one.text("00081030"),
+                .modalities = one.texts("00080061"),
+                .series = one.count("00201206"),
+                .instances = one.count("00201208")});
+            progress.report(ProgressStep::Searching, int(list.hits.size()), 0);
+            return true;
+        });
     if (!asked)
         return tl::unexpected<Error>(asked.error());
     return list;
@@ -213,7 +176,7 @@ Result<std::vector<SeriesHit>> findSeries(
         return tl::unexpected<Error>(connection.error());
     Question question(pathOf(studyUid));
     question.want({"0008103E", "00180015", "00201209"});
-    const auto take = [&](const Answer& one) {
+    const auto take = [&](const JsonAnswer& one) {
         hits.push_back({.studyUid = studyUid,
             .seriesUid = one.text("0020000E"),
             .modality = one.text("00080060"),
@@ -242,7 +205,7 @@ Result<std::vector<InstanceHit>> findInstances(const WebNode& node, const QStrin
     if (!connection)
         return tl::unexpected<Error>(connection.error());
     const Question question(pathOf(studyUid, seriesUid));
-    const auto take = [&](const Answer& one) {
+    const auto take = [&](const JsonAnswer& one) {
         hits.push_back({.sopInstanceUid = one.text("00080018"),
             .sopClassUid = one.text("00080016"),
             .number = one.count("00200013")});

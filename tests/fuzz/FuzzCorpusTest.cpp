@@ -21,13 +21,18 @@ struct Target {
 constexpr std::array targets{Target{"dicom", test::fuzzDicom}, Target{"seg", test::fuzzSeg},
     Target{"rtstruct", test::fuzzRtStruct}, Target{"nifti", test::fuzzNifti},
     Target{"niftigz", test::fuzzPackedNifti}, Target{"nrrd", test::fuzzNrrd},
-    Target{"metaimage", test::fuzzMetaImage}, Target{"images", test::fuzzImages},
-    Target{"mesh", test::fuzzMesh}, Target{"session", test::fuzzSession},
-    Target{"delta", test::fuzzDelta}, Target{"recipe", test::fuzzRecipe}};
+    Target{"metaimage", test::fuzzMetaImage}, Target{"nhdr", test::fuzzNrrdHeader},
+    Target{"mhd", test::fuzzMetaHeader}, Target{"probability", test::fuzzProbability},
+    Target{"images", test::fuzzImages}, Target{"mesh", test::fuzzMesh},
+    Target{"session", test::fuzzSession}, Target{"delta", test::fuzzDelta},
+    Target{"surfacestep", test::fuzzSurfaceStep}, Target{"recipe", test::fuzzRecipe},
+    Target{"multipart", test::fuzzMultipart}, Target{"webanswer", test::fuzzWebAnswer},
+    Target{"archive", test::fuzzArchive}};
 
 } // namespace
 
-/// Every input that fuzzing found something with, once more: tests/data/fuzz/TARGET/WHAT.
+/// Every input that fuzzing found something with, once more, and what strangers try first:
+/// tests/data/fuzz/TARGET/WHAT.
 class FuzzCorpusTest : public QObject {
     Q_OBJECT
 

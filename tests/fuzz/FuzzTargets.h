@@ -15,10 +15,18 @@ void fuzzNifti(FuzzBytes bytes);
 void fuzzPackedNifti(FuzzBytes bytes);
 void fuzzNrrd(FuzzBytes bytes);
 void fuzzMetaImage(FuzzBytes bytes);
+/// Headers alone, beside a file of voxels.
+void fuzzNrrdHeader(FuzzBytes bytes);
+void fuzzMetaHeader(FuzzBytes bytes);
+void fuzzProbability(FuzzBytes bytes);
 void fuzzImages(FuzzBytes bytes);
 void fuzzMesh(FuzzBytes bytes);
 void fuzzSession(FuzzBytes bytes);
 void fuzzDelta(FuzzBytes bytes);
+void fuzzSurfaceStep(FuzzBytes bytes);
 void fuzzRecipe(FuzzBytes bytes);
+void fuzzMultipart(FuzzBytes bytes);
+void fuzzWebAnswer(FuzzBytes bytes);
+void fuzzArchive(FuzzBytes bytes);
 
 } // namespace test

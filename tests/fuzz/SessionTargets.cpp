@@ -2,9 +2,13 @@
 #include "tests/fuzz/FuzzTargets.h"
 
 #include "core/delta/BrickDelta.h"
+#include "core/delta/DeltaStream.h"
+#include "core/refine/mesh/SurfaceDelta.h"
+#include "core/session/surface/SurfaceStep.h"
 #include "core/sessionfile/SessionFile.h"
 #include "core/sessionfile/SessionPreview.h"
 #include "core/sessionfile/SessionSalvage.h"
+#include "core/sessionfile/records/SessionImages.h"
 
 namespace test {
 
@@ -19,6 +23,7 @@ void fuzzSession(FuzzBytes bytes)
         (void)salvageSession(file.path(), *sound, target);
         QFile::remove(target);
     }
+    (void)loadSessionImages(file.path());
     const auto session = SessionFile::open(file.path(), SessionAccess::SoundPart);
     if (!session)
         return;
@@ -33,6 +38,20 @@ void fuzzDelta(FuzzBytes bytes)
     BrickDelta delta;
     delta.pieces.emplace_back(reinterpret_cast<const char*>(bytes.data()), qsizetype(bytes.size()));
     (void)expandDelta(delta, {{40, 36, 34}});
+}
+
+void fuzzSurfaceStep(FuzzBytes bytes)
+{
+    const QByteArray plain(reinterpret_cast<const char*>(bytes.data()), qsizetype(bytes.size()));
+    const Result<SimplexMeshDelta> delta = unpackedSurfaceDelta(plain);
+    if (delta && packed(*delta) != plain)
+        qFatal("a surface's difference has two forms");
+    // As a row has it: packed, which no mutation would leave sound.
+    DeltaWriter writer;
+    writer.add(surfaceStepMagic);
+    writer.add(bytes);
+    constexpr std::uint64_t voxels = 24 * 20 * 16;
+    (void)unpackedSurfaceStep({writer.finish()}, voxels);
 }
 
 } // namespace test

@@ -1,10 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/fuzz/FuzzTargets.h"
 
+#include "core/chunks/ProbabilityMap.h"
 #include "core/dicom/objects/RtStructFile.h"
 #include "core/dicom/objects/SegReader.h"
-#include "core/masks/MaskOnVolume.h"
+#include "core/edits/kinds/chunks/DivideSegment.h"
+#include "core/edits/kinds/segments/ImportMask.h"
+#include "core/masks/ReadImport.h"
+#include "core/masks/ReadProbabilities.h"
 #include "core/study/StudyLoader.h"
+
+#include <optional>
+#include <vector>
 
 namespace test {
 
@@ -25,7 +32,9 @@ void openStudy(const QString& path)
 
 void openMask(const QString& path)
 {
-    (void)readMask(path, smallVolume(), Progress());
+    const Result<ReadImport> read = readImport({.file = path}, smallVolume(), 0, Progress());
+    if (read)
+        (void)checkOverlaps(*read);
 }
 
 void openVolumeFile(const char* name, FuzzBytes bytes)
@@ -33,6 +42,13 @@ void openVolumeFile(const char* name, FuzzBytes bytes)
     const ScratchFile file(name, bytes);
     openStudy(file.path());
     openMask(file.path());
+}
+
+void openHeader(const char* name, FuzzBytes bytes)
+{
+    static const std::vector<std::uint8_t> voxels(std::size_t(1) << 16, 1);
+    const ScratchFile beside("file.raw", voxels);
+    openVolumeFile(name, bytes);
 }
 
 } // namespace
@@ -55,6 +71,30 @@ void fuzzNrrd(FuzzBytes bytes)
 void fuzzMetaImage(FuzzBytes bytes)
 {
     openVolumeFile("file.mha", bytes);
+}
+
+void fuzzNrrdHeader(FuzzBytes bytes)
+{
+    openHeader("file.nhdr", bytes);
+}
+
+void fuzzMetaHeader(FuzzBytes bytes)
+{
+    openHeader("file.mhd", bytes);
+}
+
+void fuzzProbability(FuzzBytes bytes)
+{
+    const ScratchFile file("file.nii", bytes);
+    const Volume volume = smallVolume();
+    const auto read = readProbabilities(
+        {.segment = 1, .probabilityFile = file.path()}, QStringLiteral("A"), volume, Progress());
+    if (!read)
+        return;
+    // What is read is what an edit can hold.
+    const std::optional<QByteArray>& map = read->edit.probabilities;
+    if (!map || !ProbabilityMap::unpacked(*map, volume.geometry.voxelCount()))
+        qFatal("a map that was read cannot be unpacked");
 }
 
 void fuzzImages(FuzzBytes bytes)

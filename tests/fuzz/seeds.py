@@ -2,11 +2,12 @@
 """Small real files for the fuzzers to begin with: seeds.py OUT [SHARED_DATA [EDITS [SESSIONS]]]
 
 OUT/TARGET/… for every target of FuzzTargets.h. From pydicom's test files, the cases that fuzzing
-found (tests/data/fuzz), sessions as strangers made them and, where they are, the shared studies,
+found (tests/data/fuzz), sessions, archives and answers as strangers made them and, where they are, the shared studies,
 of which volumes are cropped to a few voxels. EDITS is what `burin edits --json` prints; SESSIONS a folder of small sessions of this
 version (`burin run`), of which the differences are seeds, too. Needs python3-pydicom and python3-nibabel.
 """
 import gzip
+import io
 import json
 import pathlib
 import sqlite3
@@ -14,6 +15,7 @@ import struct
 import sys
 import tarfile
 import tempfile
+import zipfile
 import zlib
 
 import nibabel
@@ -225,12 +227,100 @@ def strangers():
         b'"file": "a\\u0000b.dcm"}]}')
 
 
+def web():
+    """What servers answer; the first byte of a multipart body says how it is cut on its way."""
+    head = b"\x03preamble\r\n--a-b\r\n"
+    put("multipart", "counted-and-searched",
+        head + b"Content-Length: 12\r\n\r\n\r\n--a-b\r\nabc\r\n--a-b\r\n\r\n"
+        b"x\r\n-\r\n--a-\r\r\n--a-b--\r\nan epilogue")
+    put("multipart", "longer-than-all-memory",
+        head + b"content-length:9223372036854775807\r\n\r\nabc\r\n--a-b--")
+    put("multipart", "longer-than-all-numbers",
+        head + b"Content-Length: 99999999999999999999\r\n\r\nabc\r\n--a-b--")
+    put("multipart", "ends-within-a-boundary", head + b"\r\nabc\r\n--a-")
+    put("multipart", "ends-before-it-begins", b"\x01--a-b--\r\n--a-b\r\n\r\nabc\r\n--a-b--")
+    one = {"0020000D": {"vr": "UI", "Value": ["1.2.3"]},
+           "00100010": {"vr": "PN", "Value": [{"Alphabetic": "M\u00fcller^J\u00f6rg"}]},
+           "00080061": {"vr": "CS", "Value": ["CT", "MR"]},
+           "00201208": {"vr": "IS", "Value": [3]}}
+    put("webanswer", "names-and-numbers", json.dumps([one]).encode())
+    put("webanswer", "values-of-other-forms", json.dumps(
+        [{"0020000D": ["1.2"], "00100010": {"Value": {"Alphabetic": ["A"]}}, "00080018": 7,
+          "00201208": {"Value": [1e308, [], None]}}, [], None, "1.2", [[one]]]).encode())
+    put("webanswer", "nested-without-end", b"[" * 5000)
+    put("webanswer", "half-of-it", json.dumps([one])[:90].encode())
+    put("webanswer", "name-that-is-not-utf8",
+        b'[{"00100010": {"Value": [{"Alphabetic": "M\xfcller"}]}}]')
+
+
+def archives():
+    def packed(*entries):
+        buffer = io.BytesIO()
+        with zipfile.ZipFile(buffer, "w", zipfile.ZIP_DEFLATED) as archive:
+            for name, content in entries:
+                archive.writestr(zipfile.ZipInfo(name), content)
+        return buffer.getvalue()
+
+    sound = packed(("a/one.txt", b"one"), ("two.txt", b"two"))
+    put("archive", "sound-zip", sound)
+    put("archive", "zip-that-climbs", packed(("../up.txt", b"up"), ("/abs.txt", b"abs"),
+                                             ("a/../../b.txt", b"b"), ("same", b"1")))
+    put("archive", "zip-cut-short", sound[:60])
+    # Of the first entry: four gigabytes once it is unpacked.
+    put("archive", "zip-that-says-gigabytes",
+        sound[:22] + b"\xfe\xff\xff\xff" + sound[26:])
+    buffer = io.BytesIO()
+    with tarfile.open(fileobj=buffer, mode="w", format=tarfile.PAX_FORMAT) as archive:
+        for name, kind, link in (("one.txt", tarfile.REGTYPE, ""), ("link", tarfile.SYMTYPE, "/etc"),
+                                 ("link/through.txt", tarfile.REGTYPE, ""),
+                                 ("hard", tarfile.LNKTYPE, "/etc/hostname"),
+                                 ("pipe", tarfile.FIFOTYPE, ""), ("null", tarfile.CHRTYPE, "")):
+            info = tarfile.TarInfo(name)
+            info.type, info.linkname = kind, link
+            info.size = 3 if kind == tarfile.REGTYPE else 0
+            archive.addfile(info, io.BytesIO(b"one") if info.size else None)
+    put("archive", "tar-of-links-and-devices", buffer.getvalue()[:5 * 1024])
+    first = bytearray(buffer.getvalue()[:1024])
+    first[124:136] = b"\xff" * 12  # its size, in base 256: below zero
+    first[148:156] = b" " * 8
+    first[148:156] = b"%06o\0 " % sum(first[:512])
+    put("archive", "tar-smaller-than-nothing", bytes(first))
+
+
+def masks_of_strangers():
+    """Headers whose voxels lie elsewhere, probabilities that are none, a surface's differences."""
+    nrrd = ("NRRD0005\ntype: uchar\ndimension: 3\nspace: left-posterior-superior\n"
+            "sizes: 24 20 16\nspace directions: (1.5,0,0) (0,1.5,0) (0,0,2)\n"
+            "space origin: (-10,-10,-10)\nencoding: raw\ndata file: %s\n")
+    meta = ("ObjectType = Image\nNDims = 3\nBinaryData = True\nElementSpacing = 1.5 1.5 2\n"
+            "Offset = -10 -10 -10\nDimSize = 24 20 16\nElementType = MET_UCHAR\n"
+            "ElementDataFile = %s\n")
+    for name, place in (("beside-it", "file.raw"), ("without-end", "/dev/zero"),
+                        ("a-list-of-itself", "LIST\n%s\n%s"), ("numbered", "file%03d.raw 1 16 1"),
+                        ("a-format-of-a-stranger", "%n%s%999999999d.raw 1 2 1"),
+                        ("up-and-away", "../../../../../../etc/hostname")):
+        put("nhdr", name, (nrrd % place.replace("%s", "file.nhdr")).encode())
+        put("mhd", name, (meta % place.replace("%s", "file.mhd")).encode())
+    values = numpy.tile(numpy.array([0, 0.25, 1, numpy.nan, numpy.inf, -numpy.inf, -1, 1e30],
+                                    numpy.float32), 8).reshape(4, 4, 4)
+    put("probability", "no-numbers",
+        nibabel.Nifti1Image(values, numpy.diag([1.5, 1.5, 2, 1])).to_bytes())
+    put("surfacestep", "nothing", b"MDL1" + bytes(8))
+    put("surfacestep", "more-than-all", b"MDL1" + b"\xff" * 8)
+    corner = struct.pack("<3d", 1, 2, 3) + struct.pack("<6I", 1, 2, 3, 1, 2, 3) + b"\0"
+    put("surfacestep", "one-corner-comes",
+        b"MDL1" + struct.pack("<II", 1, 0) + struct.pack("<IB", 5, 2) + corner)
+    put("surfacestep", "a-corner-at-no-place", b"MDL1" + struct.pack("<II", 1, 0)
+        + struct.pack("<IB", 5, 2) + struct.pack("<d", float("nan")) + corner[8:])
+
+
 def found():
     for path in (HERE.parent / "data" / "fuzz").glob("*/*"):
         put(path.parent.name, path.name, path.read_bytes())
 
 
-for step in (dicom, volumes, images, meshes, recipes, sessions, strangers, found):
+for step in (dicom, volumes, images, meshes, recipes, sessions, strangers, web, archives,
+             masks_of_strangers, found):
     step()
 for folder in sorted(out.iterdir()):
     print(f"{folder.name}: {len(list(folder.iterdir()))}")

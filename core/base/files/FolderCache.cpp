@@ -2,6 +2,7 @@
 #include "core/base/files/FolderCache.h"
 
 #include "core/base/files/PrivateFolder.h"
+#include "core/base/files/TakeLock.h"
 
 #include <QCoreApplication>
 #include <QDir>
@@ -106,8 +107,7 @@ FolderCache::Hold FolderCache::hold(const QString& path) const
     static std::atomic<int> number = 0;
     auto lock = std::make_unique<QLockFile>(path + openMark
         + QStringLiteral("%1-%2").arg(QCoreApplication::applicationPid()).arg(++number));
-    lock->setStaleLockTime(0);
-    if (!lock->tryLock() || !QFileInfo(path).isDir())
+    if (!takeLock(*lock) || !QFileInfo(path).isDir())
         return nullptr;
     touch(path);
     return lock;
@@ -120,9 +120,8 @@ bool FolderCache::isHeld(const QString& path) const
         info.dir().entryList({info.fileName() + openMark + u'*'}, QDir::Files | QDir::Hidden);
     return std::any_of(marks.begin(), marks.end(), [&info](const QString& mark) {
         QLockFile lock(info.dir().filePath(mark));
-        lock.setStaleLockTime(0);
         // A dead process's mark goes with this.
-        return !lock.tryLock();
+        return !takeLock(lock);
     });
 }
 
@@ -147,8 +146,7 @@ int FolderCache::shrinkTo(qint64 limit) const
         if (limit > 0 && info.lastModified() > old)
             continue;
         QLockFile lock(info.filePath() + QStringLiteral(".lock"));
-        lock.setStaleLockTime(0);
-        if (lock.tryLock())
+        if (takeLock(lock))
             QDir(info.filePath()).removeRecursively();
     }
     std::vector<Entry> all = entries();

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/base/files/SystemFile.h"
 
+#include "core/base/ParallelFor.h"
+
 #include <QFile>
 
+#include <atomic>
 #include <cerrno>
 #include <cstring>
 
@@ -26,6 +29,20 @@ bool syncToDisk(const QString& path)
     ::close(descriptor);
     errno = error;
     return done;
+}
+
+int syncAllToDisk(const QStringList& paths)
+{
+    std::atomic<int> trouble = 0;
+    constexpr int atOnce = 8;
+    parallelFor(
+        int(paths.size()),
+        [&](int i) {
+            if (!syncToDisk(paths[i]))
+                trouble = errno;
+        },
+        atOnce);
+    return trouble;
 }
 
 } // namespace core

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QString>
+#include <QStringList>
 
 namespace core {
 
@@ -11,5 +12,8 @@ namespace core {
 /// Writes the contents of a file, or the names in a folder, to the disk (fsync). @return whether
 /// that succeeded; errno has the reason if not
 bool syncToDisk(const QString& path);
+/// Many of them, several at a time, which the disk's journal takes together; not by syncfs(), which
+/// waits for whatever all others write. @return 0, or the errno of one that failed
+[[nodiscard]] int syncAllToDisk(const QStringList& paths);
 
 } // namespace core

@@ -41,22 +41,26 @@ const std::array ofPixels{DCM_SpecificCharacterSet, DCM_SamplesPerPixel,
     DCM_PixelPaddingValue, DCM_PixelPaddingRangeLimit, DCM_PixelData, DCM_LUTDescriptor,
     DCM_LUTData, DCM_ModalityLUTType, DCM_ImagesInAcquisition};
 
-/// Of SEG, RTSTRUCT and SR as Burin writes them; names in them were neutral before.
+/// Of SEG, RTSTRUCT and SR: codes, numbers and what they refer to.
 const std::array ofResults{DCM_CodeValue, DCM_CodingSchemeDesignator, DCM_CodeMeaning,
-    DCM_ReferencedFrameNumber, DCM_ReferencedSegmentNumber, DCM_SegmentNumber, DCM_SegmentLabel,
-    DCM_SegmentAlgorithmType, DCM_SegmentAlgorithmName, DCM_TrackingID,
-    DCM_RecommendedDisplayCIELabValue, DCM_SegmentationType, DCM_SegmentationFractionalType,
-    DCM_MaximumFractionalValue, DCM_SegmentsOverlap, DCM_ContentLabel, DCM_DimensionIndexValues,
-    DCM_DimensionIndexPointer, DCM_FunctionalGroupPointer, DCM_DimensionDescriptionLabel,
-    DCM_SpatialLocationsPreserved, DCM_StructureSetLabel, DCM_ROINumber, DCM_ROIName,
-    DCM_ROIGenerationAlgorithm, DCM_ROIDisplayColor, DCM_ReferencedROINumber, DCM_ContourNumber,
-    DCM_ContourGeometricType, DCM_NumberOfContourPoints, DCM_ContourData, DCM_ObservationNumber,
-    DCM_RTROIInterpretedType, DCM_ApprovalStatus, DCM_ValueType, DCM_RelationshipType,
-    DCM_ContinuityOfContent, DCM_TextValue, DCM_NumericValue, DCM_TemplateIdentifier,
-    DCM_MappingResource, DCM_CompletionFlag, DCM_VerificationFlag, DCM_PatientIdentityRemoved,
-    DCM_DeidentificationMethod, DCM_LongitudinalTemporalInformationModified, DCM_SegmentDescription,
-    DCM_DimensionOrganizationType, DCM_InStackPositionNumber, DCM_TemporalPositionIndex,
-    DCM_ReferencedContentItemIdentifier, DCM_GraphicType, DCM_GraphicData};
+    DCM_ReferencedFrameNumber, DCM_ReferencedSegmentNumber, DCM_SegmentNumber,
+    DCM_SegmentAlgorithmType, DCM_RecommendedDisplayCIELabValue, DCM_SegmentationType,
+    DCM_SegmentationFractionalType, DCM_MaximumFractionalValue, DCM_SegmentsOverlap,
+    DCM_DimensionIndexValues, DCM_DimensionIndexPointer, DCM_FunctionalGroupPointer,
+    DCM_SpatialLocationsPreserved, DCM_ROINumber, DCM_ROIGenerationAlgorithm, DCM_ROIDisplayColor,
+    DCM_ReferencedROINumber, DCM_ContourNumber, DCM_ContourGeometricType, DCM_NumberOfContourPoints,
+    DCM_ContourData, DCM_ObservationNumber, DCM_RTROIInterpretedType, DCM_ApprovalStatus,
+    DCM_ValueType, DCM_RelationshipType, DCM_ContinuityOfContent, DCM_NumericValue,
+    DCM_TemplateIdentifier, DCM_MappingResource, DCM_CompletionFlag, DCM_VerificationFlag,
+    DCM_PatientIdentityRemoved, DCM_DeidentificationMethod,
+    DCM_LongitudinalTemporalInformationModified, DCM_DimensionOrganizationType,
+    DCM_InStackPositionNumber, DCM_TemporalPositionIndex, DCM_ReferencedContentItemIdentifier,
+    DCM_GraphicType, DCM_GraphicData};
+
+/// Names and texts in them, which are neutral before where Burin writes them.
+const std::array ownTexts{DCM_SegmentLabel, DCM_SegmentDescription, DCM_SegmentAlgorithmName,
+    DCM_TrackingID, DCM_ContentLabel, DCM_DimensionDescriptionLabel, DCM_StructureSetLabel,
+    DCM_ROIName, DCM_TextValue};
 
 const std::array sequences{DCM_SourceImageSequence, DCM_DerivationImageSequence,
     DCM_DerivationCodeSequence, DCM_PurposeOfReferenceCodeSequence, DCM_ModalityLUTSequence,
@@ -70,11 +74,11 @@ const std::array sequences{DCM_SourceImageSequence, DCM_DerivationImageSequence,
     DCM_ReferencedFrameOfReferenceSequence, DCM_RTReferencedStudySequence,
     DCM_RTReferencedSeriesSequence, DCM_ContourImageSequence, DCM_StructureSetROISequence,
     DCM_ROIContourSequence, DCM_ContourSequence, DCM_RTROIObservationsSequence,
-    DCM_RTROIIdentificationCodeSequence, DCM_ConceptNameCodeSequence, DCM_ContentSequence,
-    DCM_ConceptCodeSequence, DCM_MeasuredValueSequence, DCM_MeasurementUnitsCodeSequence,
-    DCM_ReferencedSOPSequence, DCM_ContentTemplateSequence,
-    DCM_CurrentRequestedProcedureEvidenceSequence, DCM_PerformedProcedureCodeSequence,
-    DCM_ReferencedPerformedProcedureStepSequence, DCM_DeidentificationMethodCodeSequence};
+    DCM_RTROIIdentificationCodeSequence, DCM_ConceptNameCodeSequence, DCM_ConceptCodeSequence,
+    DCM_MeasuredValueSequence, DCM_MeasurementUnitsCodeSequence, DCM_ReferencedSOPSequence,
+    DCM_ContentTemplateSequence, DCM_CurrentRequestedProcedureEvidenceSequence,
+    DCM_PerformedProcedureCodeSequence, DCM_ReferencedPerformedProcedureStepSequence,
+    DCM_DeidentificationMethodCodeSequence};
 
 const std::array needed{DCM_PatientName, DCM_PatientID, DCM_PatientBirthDate, DCM_PatientSex,
     DCM_ReferringPhysicianName, DCM_StudyID, DCM_AccessionNumber, DCM_ContentCreatorName,
@@ -88,6 +92,10 @@ TagFate fateOf(const DcmTagKey& tag)
         return TagFate::Keep;
     if (holds(sequences, tag))
         return TagFate::Enter;
+    if (holds(ownTexts, tag))
+        return TagFate::OwnText;
+    if (tag == DCM_ContentSequence)
+        return TagFate::OwnItems;
     if (holds(needed, tag))
         return TagFate::Empty;
     const std::array neededDates{DCM_ContentDate, DCM_StudyDate, DCM_StructureSetDate};

@@ -205,7 +205,7 @@ StudyIdentity Deidentifier::deidentified(StudyIdentity identity) const
 struct Deidentifier::Pass {
     QStringList words; ///< of the patient's identity
     QStringList settled; ///< UIDs that stay
-    bool ours = false; ///< the device that made it is this program
+    bool ours = false; ///< this program made it
 };
 
 void Deidentifier::applyToItem(DcmItem& item, const Pass& pass) const
@@ -228,7 +228,8 @@ void Deidentifier::applyToItem(DcmItem& item, const Pass& pass) const
             continue;
         }
         bool goes = false;
-        switch (fateOf(tag)) {
+        const TagFate fate = fateOf(tag);
+        switch (fate) {
         case TagFate::Remove:
             goes = true;
             break;
@@ -237,10 +238,14 @@ void Deidentifier::applyToItem(DcmItem& item, const Pass& pass) const
         case TagFate::Empty:
             setText(element, {});
             break;
-        case TagFate::Enter: {
+        case TagFate::OwnText:
+            goes = !pass.ours;
+            break;
+        case TagFate::Enter:
+        case TagFate::OwnItems: {
             auto* sequence = dynamic_cast<DcmSequenceOfItems*>(&element);
-            goes = sequence == nullptr;
-            for (unsigned long k = 0; sequence != nullptr && k < sequence->card(); ++k)
+            goes = sequence == nullptr || (fate == TagFate::OwnItems && !pass.ours);
+            for (unsigned long k = 0; !goes && k < sequence->card(); ++k)
                 applyToItem(*sequence->getItem(k), pass);
             break;
         }

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/pacs/retrieve/DownloadFolder.h"
 
-#include "core/base/ParallelFor.h"
 #include "core/base/files/FolderCache.h"
+#include "core/base/files/SystemFile.h"
+#include "core/base/files/TakeLock.h"
 #include "core/dicom/base/DicomFile.h"
 
 #include <QCryptographicHash>
@@ -14,10 +15,8 @@
 #include <dcmtk/dcmdata/dctk.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cerrno>
 #include <cstdio>
-#include <cstring>
 
 #include <fcntl.h>
 #include <unistd.h>
@@ -56,38 +55,28 @@ QByteArray readNote(const QDir& folder)
     return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
 }
 
-bool writeNote(const QDir& folder, const QByteArray& note)
+/// @return what the system says against it, empty if nothing
+QString writeNote(const QDir& folder, const QByteArray& note)
 {
     QFile file(folder.filePath(QLatin1String(noteName)));
-    return file.open(QIODevice::WriteOnly) && file.write(note) == note.size();
+    if (!file.open(QIODevice::WriteOnly | QIODevice::Unbuffered) || file.write(note) != note.size())
+        return file.errorString();
+    return {};
 }
 
-/// @return what the system says against it (errno); 0: it is done
-int bringToDisk(const QString& path, int (*sync)(int))
+void removeNote(const QDir& folder)
 {
-    const int descriptor = ::open(QFile::encodeName(path).constData(), O_RDONLY | O_CLOEXEC);
-    if (descriptor < 0)
-        return errno;
-    const int trouble = sync(descriptor) == 0 ? 0 : errno;
-    ::close(descriptor);
-    return trouble;
+    QFile::remove(folder.filePath(QLatin1String(noteName)));
 }
 
-/// The folder with all its files. Several at a time, which the disk's journal takes together; not
-/// by syncfs(), which waits for whatever all others write.
+/// The folder with all its files. @return what the system says against it (errno); 0: it is done
 int bringToDisk(const QDir& folder)
 {
-    const QStringList names = folder.entryList(QDir::Files);
-    std::atomic<int> trouble = 0;
-    constexpr int atOnce = 8;
-    parallelFor(
-        int(names.size()),
-        [&](int i) {
-            if (const int one = bringToDisk(folder.filePath(names[i]), ::fdatasync))
-                trouble = one;
-        },
-        atOnce);
-    return trouble != 0 ? int(trouble) : bringToDisk(folder.path(), ::fsync);
+    QStringList paths;
+    for (const QString& name : folder.entryList(QDir::Files))
+        paths += folder.filePath(name);
+    const int trouble = syncAllToDisk(paths);
+    return trouble != 0 || syncToDisk(folder.path()) ? trouble : errno;
 }
 
 /// Has the system begin to write a file that is complete: less is left to wait for at the end.
@@ -125,22 +114,31 @@ Result<DownloadFolder> DownloadFolder::open(const QString& target)
     const bool isEmptyFolder = info.isDir() && QDir(info.filePath()).isEmpty();
     if ((info.exists() || info.isSymLink()) && !isEmptyFolder)
         return taken(target);
-    DownloadFolder folder;
-    folder.m_target = info.filePath();
-    const QDir parent = info.dir();
-    folder.m_gathering = FolderCache::gatheringPlaceOf(info.filePath());
-    if (!parent.mkpath(folder.m_gathering))
-        return failure(ErrorCode::FileUnwritable, target, QString::fromLocal8Bit(strerror(errno)));
-    QFile::setPermissions(
-        folder.m_gathering, QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner);
-    folder.m_lock = std::make_unique<QLockFile>(folder.m_gathering + QStringLiteral(".lock"));
-    folder.m_lock->setStaleLockTime(0);
-    if (!folder.m_lock->tryLock()) {
+    const auto unwritable = [&target] {
+        return failure(ErrorCode::FileUnwritable, target, systemReason(errno));
+    };
+    const QString gathering = FolderCache::gatheringPlaceOf(info.filePath());
+    if (!QDir().mkpath(info.path()))
+        return unwritable();
+    // Before anything there is touched: it may be another's.
+    auto lock = std::make_unique<QLockFile>(gathering + QStringLiteral(".lock"));
+    if (!takeLock(*lock)) {
+        if (lock->error() != QLockFile::LockFailedError)
+            return unwritable();
         return failure(
             ErrorCode::FileUnwritable, target, Clause::saying("another download goes there"));
     }
-    removeUnbelievable(QDir(folder.m_gathering));
-    writeNote(QDir(folder.m_gathering), thisStart());
+    if (!QDir().mkpath(gathering))
+        return unwritable();
+    QFile::setPermissions(gathering, QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner);
+    DownloadFolder folder;
+    folder.m_target = info.filePath();
+    folder.m_gathering = gathering;
+    folder.m_lock = std::move(lock);
+    removeUnbelievable(QDir(gathering));
+    // An old note would be believed of what comes now.
+    if (const QString trouble = writeNote(QDir(gathering), thisStart()); !trouble.isEmpty())
+        return failure(ErrorCode::FileUnwritable, target, trouble);
     return folder;
 }
 
@@ -150,9 +148,11 @@ DownloadFolder::~DownloadFolder()
         return;
     const QDir folder(m_gathering);
     if (folder.entryList(QDir::Files).isEmpty()) {
-        QFile::remove(folder.filePath(QLatin1String(noteName)));
+        removeNote(folder);
         QDir().rmdir(m_gathering);
-    } else if (bringToDisk(folder) == 0) {
+    } else if (m_diskRefused || bringToDisk(folder) != 0) {
+        removeNote(folder);
+    } else {
         writeNote(folder, onDisk);
     }
 }
@@ -190,20 +190,22 @@ bool DownloadFolder::holds(const QString& sopInstanceUid) const
 Result<void> DownloadFolder::finish()
 {
     if (const int trouble = bringToDisk(QDir(m_gathering))) {
-        return failure(
-            ErrorCode::FileUnwritable, m_target, QString::fromLocal8Bit(std::strerror(trouble)));
+        // The system tells of it once, and then takes for written what was not.
+        m_diskRefused = true;
+        return failure(ErrorCode::FileUnwritable, m_target, systemReason(trouble));
     }
-    QFile::remove(QDir(m_gathering).filePath(QLatin1String(noteName)));
+    removeNote(QDir(m_gathering));
     const QByteArray from = QFile::encodeName(m_gathering);
     const QByteArray to = QFile::encodeName(m_target);
     // Replaces an empty folder, nothing else.
     if (std::rename(from.constData(), to.constData()) != 0) {
         if (errno == EEXIST || errno == ENOTEMPTY || errno == ENOTDIR)
             return taken(m_target);
-        return failure(
-            ErrorCode::FileUnwritable, m_target, QString::fromLocal8Bit(strerror(errno)));
+        return failure(ErrorCode::FileUnwritable, m_target, systemReason(errno));
     }
     m_gathering.clear();
+    // The folder is in place; one above it that cannot be synchronised is no error.
+    syncToDisk(QFileInfo(m_target).path());
     return {};
 }
 
@@ -212,10 +214,8 @@ Result<void> DownloadFolder::accept(const QString& partPath, const QString& sopI
     const QByteArray from = QFile::encodeName(partPath);
     const QByteArray to = QFile::encodeName(pathOf(sopInstanceUid));
     beginToWrite(from);
-    if (std::rename(from.constData(), to.constData()) != 0) {
-        return failure(
-            ErrorCode::FileUnwritable, m_target, QString::fromLocal8Bit(std::strerror(errno)));
-    }
+    if (std::rename(from.constData(), to.constData()) != 0)
+        return failure(ErrorCode::FileUnwritable, m_target, systemReason(errno));
     return {};
 }
 

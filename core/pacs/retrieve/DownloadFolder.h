@@ -15,7 +15,8 @@ namespace core {
 ///
 /// Until then the objects are collected in a hidden folder beside it, which a later download into
 /// the same target finds and continues. It is locked meanwhile. Files are written to the disk all
-/// at once at the end; after a power failure before that, none of them is trusted.
+/// at once at the end; after a power failure before that, or if the disk refuses them, none of them
+/// is trusted.
 class DownloadFolder {
 public:
     /// Errors: FileUnwritable, also if @p target exists or another download uses it.
@@ -47,6 +48,7 @@ private:
 
     QString m_target;
     QString m_gathering;
+    bool m_diskRefused = false; ///< to take what was gathered, of which nothing is trusted then
     std::unique_ptr<QLockFile> m_lock;
 };
 

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "core/edits/kinds/chunks/DivideSegment.h"
+#include "core/edits/kinds/segments/ImportMask.h"
 #include "core/export/common/ExportFormats.h"
 #include "tests/support/faults/FileShim.h"
 #include "tests/support/fixtures/CommandFixture.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/series/SyntheticSeries.h"
 #include "tests/support/servers/Python.h"
+#include "tests/support/servers/WebArchive.h"
 
 #include <QDateTime>
 #include <QDir>
@@ -83,6 +86,8 @@ class FilesWrittenUiTest : public QObject {
     /// What a thing that was done to the file system is; empty: nothing that is known.
     QString kindOf(const FileEvent& event, const QStringList& targets, bool newSession) const;
     bool isStaged(const QString& path, const QStringList& targets) const;
+    /// Where a download gathers what is to be one of the targets, and its lock.
+    static bool isGathered(const QString& path, const QStringList& targets);
     /// Fails the test with what is of no known kind, or was done without the shim seeing it.
     void judge(const char* command, const QStringList& targets, bool newSession);
     void carryOut(
@@ -101,6 +106,7 @@ private Q_SLOTS:
     void batches();
     void histories();
     void masksAndStudies();
+    void servers();
     void windows();
     void cleanupTestCase();
 };
@@ -183,6 +189,17 @@ bool FilesWrittenUiTest::isStaged(const QString& path, const QStringList& target
     return false;
 }
 
+bool FilesWrittenUiTest::isGathered(const QString& path, const QStringList& targets)
+{
+    return std::any_of(targets.begin(), targets.end(), [&path](const QString& target) {
+        const QFileInfo info(target);
+        const QString folder = info.dir().filePath(
+            QLatin1Char('.') + info.fileName() + QStringLiteral(".burin-download"));
+        return path == folder || path.startsWith(folder + QLatin1Char('/'))
+            || path == folder + QStringLiteral(".lock");
+    });
+}
+
 QString FilesWrittenUiTest::kindOf(
     const FileEvent& event, const QStringList& targets, bool newSession) const
 {
@@ -199,6 +216,9 @@ QString FilesWrittenUiTest::kindOf(
         return event.more.startsWith(m_home.path(QStringLiteral("config/burin/")))
             ? QStringLiteral("settings")
             : QString();
+    if (isGathered(path, targets)
+        && (!renames || isGathered(event.more, targets) || targets.contains(event.more)))
+        return QStringLiteral("a download, gathered beside its target");
     if (renames && isStaged(path, targets) && isStaged(event.more, targets))
         return QStringLiteral("staged beside its target");
     if (renames)
@@ -259,7 +279,8 @@ void FilesWrittenUiTest::judge(const char* command, const QStringList& targets, 
     QStringList unseen;
     for (auto file = after.begin(); file != after.end(); ++file) {
         const bool inSeries = file.key().startsWith(at("out/series") + QLatin1Char('/'))
-            || file.key().startsWith(at("demo") + QLatin1Char('/'));
+            || file.key().startsWith(at("demo") + QLatin1Char('/'))
+            || file.key().startsWith(at("got") + QLatin1Char('/'));
         const bool inRenamed = file.key().contains(QLatin1String("/cache/burin/"));
         if (m_before.value(file.key(), {-2, 0}) != file.value() && !told.contains(file.key())
             && !inSeries && !inRenamed)
@@ -401,6 +422,37 @@ void FilesWrittenUiTest::masksAndStudies()
         {key("-m"), key("zipfile"), key("-c"), at("ct.zip"), m_study});
     QCOMPARE(packed.exitCode, 0);
     CARRY_OUT("info of an archive", {key("info"), at("ct.zip")}, {}, false);
+    CARRY_OUT("run of an archive",
+        {key("run"), at("plain.json"), key("--study"), at("ct.zip"), key("--session"),
+            at("z.burin")},
+        {at("z.burin")}, true);
+    core::DivideSegment division{.segment = 1, .marginMm = 3.0};
+    division.probabilityFile = mask; // whose labels are 0 and 1
+    const QString reads = text("reads.json",
+        {{key("edits"),
+            test::toJson({core::Edit(core::ImportMask{.file = mask}), core::Edit(division)})}});
+    CARRY_OUT("run with masks",
+        {key("run"), reads, key("--study"), m_study, key("--session"), at("i.burin")},
+        {at("i.burin")}, true);
+}
+
+void FilesWrittenUiTest::servers()
+{
+    QStringList files;
+    for (const QFileInfo& file : QDir(m_study).entryInfoList(QDir::Files))
+        files += file.filePath();
+    const test::WebArchive archive(files);
+    const test::WebServer server(
+        [&archive](const QByteArray& line, const QByteArray&) { return archive.answer(line); });
+    const QString address = server.url().toString();
+    const QString study = QString::fromLatin1(archive.studyUid());
+    CARRY_OUT("echo", {key("echo"), address}, {}, false);
+    CARRY_OUT("find", {key("find"), address, key("--study"), study}, {}, false);
+    const QStringList words{key("get"), address, key("--study"), study, key("--to"), at("got")};
+    CARRY_OUT("get", words, {at("got")}, false);
+    QCOMPARE(QDir(at("got")).entryList(QDir::Files).size(), files.size());
+    CARRY_OUT("get, again", words, {}, false);
+    CARRY_OUT("send", {key("send"), address, m_study}, {}, false);
 }
 
 void FilesWrittenUiTest::windows()

@@ -5,9 +5,6 @@
 #include "tests/support/scenes/TestVolumes.h"
 
 #include <QDateTime>
-#include <QElapsedTimer>
-#include <QJsonDocument>
-#include <QProcess>
 #include <QTest>
 
 #include <memory>
@@ -28,8 +25,6 @@ class KillStormGlTest : public QObject {
     std::unique_ptr<test::StormStage> m_stage;
     std::uint32_t m_seed = 0;
     int m_kills = 0; ///< that came in time
-
-    [[nodiscard]] Outcome killed(const test::StormStage::Scene& scene, int afterMs);
 
 private Q_SLOTS:
     void initTestCase();
@@ -66,38 +61,13 @@ void KillStormGlTest::anyInstant_data()
     }
 }
 
-Outcome KillStormGlTest::killed(const test::StormStage::Scene& scene, int afterMs)
-{
-    QProcess process;
-    process.setProcessEnvironment(m_home->environment());
-    QElapsedTimer clock;
-    clock.start();
-    process.start(QStringLiteral(BURIN_PROGRAM), scene.words);
-    if (!process.waitForStarted())
-        qFatal("burin does not start");
-    process.waitForFinished(std::max(1, afterMs - int(clock.elapsed())));
-    process.kill();
-    process.waitForFinished(60000);
-    Outcome outcome;
-    outcome.status = process.exitStatus() == QProcess::NormalExit ? process.exitCode() : -1;
-    outcome.complaint = QString::fromUtf8(process.readAllStandardError());
-    outcome.output = process.readAllStandardOutput();
-    // A line that was cut off tells of nothing.
-    const QByteArray told = outcome.output.left(outcome.output.lastIndexOf('\n') + 1);
-    for (const QByteArray& line : told.split('\n')) {
-        if (!line.isEmpty())
-            outcome.lines.append(QJsonDocument::fromJson(line).object());
-    }
-    return outcome;
-}
-
 void KillStormGlTest::anyInstant()
 {
     QFETCH(int, scene);
     QFETCH(int, afterMs);
     const test::StormStage::Scene& struck = m_stage->scenes()[std::size_t(scene)];
     m_stage->restore();
-    const Outcome outcome = killed(struck, afterMs);
+    const Outcome outcome = test::burinKilled(struck.words, m_home->environment(), afterMs);
     const bool inTime = outcome.status < 0;
     m_kills += inTime ? 1 : 0;
     QStringList wrong = m_stage->wrongs(struck, outcome, inTime);

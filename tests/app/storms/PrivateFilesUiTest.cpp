@@ -5,6 +5,7 @@
 #include "tests/support/fixtures/CommandFixture.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/series/MarkedSeries.h"
+#include "tests/support/servers/WebArchive.h"
 
 #include <QDir>
 #include <QDirIterator>
@@ -67,7 +68,9 @@ private Q_SLOTS:
     void init() { test::failOnUnexpectedMessages(); }
     void initTestCase();
     void everythingIsWritten();
+    void aStudyComesFromAServer();
     void aWindowIsOpened();
+    void aWindowIsKilled();
     void nothingIsSaid();
     void noFileTellsWhoThePatientIs();
     void whatTellsIsItsOwnersAlone();
@@ -141,6 +144,22 @@ void PrivateFilesUiTest::everythingIsWritten()
         m_home.path(QStringLiteral("MARKERPATH")), key("--into"), at(QStringLiteral("batch"))});
 }
 
+void PrivateFilesUiTest::aStudyComesFromAServer()
+{
+    QStringList files;
+    for (const QFileInfo& file : QDir(m_study).entryInfoList(QDir::Files))
+        files += file.filePath();
+    const test::WebArchive archive(files);
+    const test::WebServer server(
+        [&archive](const QByteArray& line, const QByteArray&) { return archive.answer(line); });
+    const QString address = server.url().toString();
+    const QString study = QString::fromLatin1(archive.studyUid());
+    CARRY_OUT({key("get"), address, key("--study"), study, key("--to"), m_home.path(key("got"))});
+    CARRY_OUT({key("send"), address, m_study});
+    QCOMPARE(
+        QDir(m_home.path(key("got"))).entryList(QDir::Files | QDir::Hidden).size(), files.size());
+}
+
 /// With a working session and settings of its own.
 void PrivateFilesUiTest::aWindowIsOpened()
 {
@@ -157,6 +176,44 @@ void PrivateFilesUiTest::aWindowIsOpened()
         open = walk.hasNext();
     }
     QVERIFY2(open, process.readAllStandardError().constData());
+    ::kill(pid_t(process.processId()), SIGTERM);
+    QVERIFY(process.waitForFinished(60'000));
+    m_said += QString::fromUtf8(process.readAllStandardError() + process.readAllStandardOutput());
+    for (const test::FileEvent& event : m_home.events())
+        m_events += event;
+}
+
+/// What it left, and what the next window makes of that.
+void PrivateFilesUiTest::aWindowIsKilled()
+{
+    const QDir notes(m_home.path(QStringLiteral("state/burin/windows")));
+    QProcess process;
+    process.setProcessEnvironment(m_home.environment());
+    process.start(QStringLiteral(BURIN_PROGRAM), {key("open"), m_study});
+    QElapsedTimer waited;
+    waited.start();
+    bool open = false;
+    while (!open && waited.elapsed() < 60'000 && !process.waitForFinished(100)) {
+        QDirIterator walk(m_home.path(QStringLiteral("state/burin")),
+            {QStringLiteral("*.burin-wal")}, QDir::Files | QDir::Hidden,
+            QDirIterator::Subdirectories);
+        open = walk.hasNext();
+    }
+    QVERIFY2(open, process.readAllStandardError().constData());
+    process.kill();
+    QVERIFY(process.waitForFinished(60'000));
+    m_said += QString::fromUtf8(process.readAllStandardError() + process.readAllStandardOutput());
+    const QStringList left = notes.entryList(QDir::Files);
+    QCOMPARE(left.size(), 1);
+    QVERIFY(test::markersIn(notes.filePath(left.front())).isEmpty());
+    QCOMPARE(modeOf(notes.filePath(left.front())), 0600);
+
+    process.start(QStringLiteral(BURIN_PROGRAM), {key("open")});
+    waited.restart();
+    while (QFile::exists(notes.filePath(left.front())) && waited.elapsed() < 60'000
+        && !process.waitForFinished(100)) { }
+    QVERIFY2(
+        !QFile::exists(notes.filePath(left.front())), process.readAllStandardError().constData());
     ::kill(pid_t(process.processId()), SIGTERM);
     QVERIFY(process.waitForFinished(60'000));
     m_said += QString::fromUtf8(process.readAllStandardError() + process.readAllStandardOutput());
@@ -189,6 +246,8 @@ const char* PrivateFilesUiTest::allowed(const QString& path) const
         return "a working session, likewise";
     if (path.startsWith(m_home.path(QStringLiteral("config/burin/"))))
         return "settings list the studies that were open last";
+    if (path.startsWith(m_home.path(QStringLiteral("got/"))))
+        return "the study, as a server sent it";
     if (path == m_home.path(QStringLiteral("shim.log")))
         return "the test's own";
     return nullptr;
@@ -210,10 +269,14 @@ void PrivateFilesUiTest::noFileTellsWhoThePatientIs()
     }
     QVERIFY2(
         searched > int(core::exportFormats().size()) + 6, qPrintable(QString::number(searched)));
-    // Names that were there for a while only, too.
+    // Names that were there for a while only, too. The files of a download are called by their
+    // UIDs.
     for (const test::FileEvent& event : m_events) {
+        const bool isDownload = event.path.startsWith(m_home.path(QStringLiteral(".got.")));
         for (const QByteArray& marker : test::markers())
-            QVERIFY2(!event.path.contains(QString::fromLatin1(marker)), qPrintable(event.path));
+            QVERIFY2((isDownload && marker.startsWith("2.25."))
+                    || !event.path.contains(QString::fromLatin1(marker)),
+                qPrintable(event.path));
     }
     // The session itself does not say more than it may.
     for (const QByteArray& found : test::markersIn(at(QStringLiteral("a.burin"))))
@@ -224,6 +287,7 @@ void PrivateFilesUiTest::whatTellsIsItsOwnersAlone()
 {
     QVERIFY(QFile::exists(m_home.path(QStringLiteral("config/burin/burin.conf"))));
     QCOMPARE(modeOf(m_home.path(QStringLiteral("config/burin/burin.conf"))), 0600);
+    QCOMPARE(modeOf(m_home.path(QStringLiteral("got"))), 0700);
     QCOMPARE(modeOf(at(QStringLiteral("a.burin"))), 0600);
     QCOMPARE(modeOf(at(QStringLiteral("b.burin"))), 0600);
     QCOMPARE(modeOf(at(QStringLiteral("batch/ct/record.json"))), 0600);
@@ -253,7 +317,8 @@ void PrivateFilesUiTest::whatTellsIsItsOwnersAlone()
             QVERIFY2(event.more == u"600", qPrintable(event.path));
         const bool isSession = event.path.contains(QLatin1String(".burin"))
             && (event.what == "open" || event.what == "unnamed")
-            && !event.path.endsWith(QLatin1String(".conf"));
+            && !event.path.endsWith(QLatin1String(".conf"))
+            && !event.path.contains(QLatin1String(".burin-download")); // in a private folder
         const bool isExport = event.path.contains(QLatin1String("/out/"))
             && event.path.contains(QLatin1String("/.burin-"));
         if (isSession && !isExport)

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/archive/UnpackedArchive.h"
 #include "core/archive/ArchiveReader.h"
+#include "core/base/files/FolderCache.h"
 #include "core/study/StudyLoader.h"
+#include "tests/support/faults/FileShim.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/series/SmallSeries.h"
 #include "tests/support/servers/Python.h"
@@ -10,6 +12,8 @@
 #include <QDirIterator>
 #include <QTemporaryDir>
 #include <QTest>
+
+#include <cerrno>
 
 namespace unpackedArchiveTest {
 
@@ -156,6 +160,44 @@ private Q_SLOTS:
         QVERIFY(again);
         QVERIFY(!QDir(*zip).exists());
         QVERIFY(QDir(*tar).exists());
+    }
+
+    /// A process that was killed while it made its lock left one in which it did not say who it is.
+    void aLockWithoutANameIsNobodys()
+    {
+        const auto first = core::unpackedArchive(archive(QStringLiteral("study.zip")), {});
+        QVERIFY(first);
+        core::setArchiveCacheFolder(m_cache->path());
+        QVERIFY(QDir(*first).removeRecursively());
+        QFile lock(core::FolderCache::gatheringPlaceOf(*first) + QStringLiteral(".lock"));
+        QVERIFY(lock.open(QIODevice::WriteOnly));
+        lock.close();
+        const auto again = core::unpackedArchive(archive(QStringLiteral("study.zip")), {});
+        QVERIFY(again);
+        QCOMPARE(*again, *first);
+        QCOMPARE(filesIn(*again).size(), 7);
+    }
+
+    /// Nobody could tell later what was lost of it.
+    void whatTheDiskRefusesIsNotKept()
+    {
+        const test::WatchedHome home;
+        const QStringList words{QStringLiteral("info"), archive(QStringLiteral("study.zip"))};
+        const test::Outcome refused = home.burin(words,
+            {.under = home.path(QStringLiteral("cache")),
+                .calls = "sync",
+                .first = 1,
+                .last = 1 << 30,
+                .error = EIO});
+        QVERIFY(refused.status > 0);
+        QVERIFY2(refused.complaint.contains(words.last()), qPrintable(refused.complaint));
+        const QDir cache(home.path(QStringLiteral("cache/burin/archives")));
+        QVERIFY(cache.exists());
+        const auto folders = QDir::Dirs | QDir::Hidden | QDir::NoDotAndDotDot;
+        QVERIFY(cache.entryList(folders).isEmpty());
+        const test::Outcome again = home.burin(words);
+        QVERIFY2(again.status == 0, qPrintable(again.complaint));
+        QCOMPARE(cache.entryList(folders).size(), 1);
     }
 
     void aChangedArchiveIsAnother()

@@ -10,7 +10,7 @@
 #include "tests/support/series/SyntheticSeries.h"
 #include "tests/support/series/VerifyResult.h"
 #include "tests/support/servers/PacsServers.h"
-#include "tests/support/servers/WebServer.h"
+#include "tests/support/servers/WebArchive.h"
 #include "ui/base/ErrorText.h"
 
 #include <QDir>
@@ -25,6 +25,7 @@
 #include <algorithm>
 #include <atomic>
 #include <memory>
+#include <optional>
 #include <thread>
 
 namespace dicomWebFaultsTest {
@@ -75,8 +76,7 @@ private:
             {.studyUid = m_series.studyUid, .seriesUid = m_series.seriesUid}, target(), progress);
     }
     /// As a sound server answers.
-    [[nodiscard]] WebReply sound(const QByteArray& line) const;
-    [[nodiscard]] static QByteArray multipart(const QList<QByteArray>& objects);
+    [[nodiscard]] WebReply sound(const QByteArray& line) const { return m_archive->answer(line); }
     /// Beside the target nothing may be left but what a next download goes on with.
     [[nodiscard]] QStringList leftOver() const
     {
@@ -86,6 +86,7 @@ private:
 
     QTemporaryDir m_sent;
     test::SyntheticSeries m_series;
+    std::optional<test::WebArchive> m_archive;
     QMap<QByteArray, QByteArray> m_objects; ///< by UID
     QStringList m_files;
     std::unique_ptr<QTemporaryDir> m_folder;
@@ -93,12 +94,8 @@ private:
 
 namespace {
 
-const QByteArray multipartType = "multipart/related; type=\"application/dicom\"; boundary=\"a-b\"";
-
-bool isWado(const QByteArray& line)
-{
-    return line.startsWith("GET /dicom-web/studies/") && !line.contains('?');
-}
+using test::WebArchive;
+const QByteArray multipartType = WebArchive::multipartType;
 
 } // namespace
 
@@ -106,15 +103,8 @@ void DicomWebFaultsTest::initTestCase()
 {
     m_series.size = {96, 96, 9};
     m_files = test::writeSeries(m_series, m_sent.path());
-    for (const QString& path : m_files) {
-        QFile file(path);
-        QVERIFY(file.open(QIODevice::ReadOnly));
-        DcmFileFormat format;
-        QVERIFY(format.loadFile(path.toUtf8().constData()).good());
-        OFString uid;
-        QVERIFY(format.getDataset()->findAndGetOFString(DCM_SOPInstanceUID, uid).good());
-        m_objects.insert(QByteArray(uid.c_str()), file.readAll());
-    }
+    m_archive.emplace(m_files);
+    m_objects = m_archive->objects();
     QCOMPARE(m_objects.size(), 9);
 }
 
@@ -131,39 +121,6 @@ core::WebNode DicomWebFaultsTest::node(const test::WebServer& server) const
     one.firstPauseMs = 10;
     one.timeoutSeconds = 20;
     return one;
-}
-
-QByteArray DicomWebFaultsTest::multipart(const QList<QByteArray>& objects)
-{
-    QByteArray body;
-    for (const QByteArray& object : objects)
-        body += "\r\n--a-b\r\nContent-Type: application/dicom\r\n\r\n" + object;
-    return body + "\r\n--a-b--\r\n";
-}
-
-WebReply DicomWebFaultsTest::sound(const QByteArray& line) const
-{
-    const auto attribute = [](const char* tag, const QByteArray& value) {
-        return "\"" + QByteArray(tag) + "\":{\"vr\":\"UI\",\"Value\":[\"" + value + "\"]}";
-    };
-    if (isWado(line)) {
-        const QByteArray uid = line.mid(line.lastIndexOf('/') + 1);
-        return {.contentType = multipartType,
-            .body = multipart(
-                m_objects.contains(uid) ? QList<QByteArray>{m_objects[uid]} : m_objects.values())};
-    }
-    if (!line.contains("offset=0"))
-        return {.body = "[]"};
-    QList<QByteArray> entries;
-    if (line.contains("/instances?")) {
-        for (const QByteArray& uid : m_objects.keys())
-            entries.append("{" + attribute("00080018", uid) + "}");
-    } else if (line.contains("/series?")) {
-        entries.append("{" + attribute("0020000E", m_series.seriesUid.toLatin1()) + "}");
-    } else {
-        entries.append("{" + attribute("0020000D", m_series.studyUid.toLatin1()) + "}");
-    }
-    return {.body = "[" + entries.join(',') + "]"};
 }
 
 void DicomWebFaultsTest::addressesAreRead()
@@ -212,7 +169,7 @@ void DicomWebFaultsTest::honestServer()
     QCOMPARE(leftOver(), QStringList{QStringLiteral("got")});
     // One question for all of a series.
     const auto questions = server.questions();
-    QCOMPARE(std::count_if(questions.begin(), questions.end(), isWado), 1);
+    QCOMPARE(std::count_if(questions.begin(), questions.end(), WebArchive::asksForObjects), 1);
 }
 
 void DicomWebFaultsTest::lettersAreEncoded()
@@ -329,7 +286,7 @@ void DicomWebFaultsTest::silentServerIsGivenUp()
 {
     const test::WebServer server([&](const QByteArray& line, const QByteArray&) {
         WebReply reply = sound(line);
-        reply.afterBytes = isWado(line) ? 50000 : -1;
+        reply.afterBytes = WebArchive::asksForObjects(line) ? 50000 : -1;
         reply.fault = WebReply::Fault::Stall;
         return reply;
     });
@@ -344,7 +301,7 @@ void DicomWebFaultsTest::slowServerIsNot()
 {
     const test::WebServer server([&](const QByteArray& line, const QByteArray&) {
         WebReply reply = sound(line);
-        reply.dripMs = isWado(line) ? 10 : 0;
+        reply.dripMs = WebArchive::asksForObjects(line) ? 10 : 0;
         return reply;
     });
     core::WebNode slow = node(server);
@@ -358,7 +315,7 @@ void DicomWebFaultsTest::cancelledWhileItWaits()
 {
     const test::WebServer server([&](const QByteArray& line, const QByteArray&) {
         WebReply reply = sound(line);
-        reply.afterBytes = isWado(line) ? 50000 : -1;
+        reply.afterBytes = WebArchive::asksForObjects(line) ? 50000 : -1;
         reply.fault = WebReply::Fault::Stall;
         return reply;
     });
@@ -451,7 +408,7 @@ void DicomWebFaultsTest::diesAndGoesOn()
     int asked = 0;
     const test::WebServer server([&](const QByteArray& line, const QByteArray&) {
         WebReply reply = sound(line);
-        if (isWado(line)) {
+        if (WebArchive::asksForObjects(line)) {
             ++asked;
             reply.afterBytes = asked == 1 ? 70000 : asked == 3 ? 9000 : -1;
         }
@@ -482,7 +439,7 @@ void DicomWebFaultsTest::diesForEver()
     const auto dying = [&](const QByteArray& line, const QByteArray&) {
         WebReply reply = sound(line);
         const bool isSeries = line.endsWith(m_series.seriesUid.toLatin1());
-        reply.afterBytes = isWado(line) ? (isSeries ? 70000 : 9000) : -1;
+        reply.afterBytes = WebArchive::asksForObjects(line) ? (isSeries ? 70000 : 9000) : -1;
         return reply;
     };
     {
@@ -516,8 +473,9 @@ void DicomWebFaultsTest::answersOfObjects_data()
         << QByteArray(multipartType) << "--c\r\n\r\n" + QByteArray(200000, 'x') << false
         << int(ErrorCode::NodeNonsense);
     QTest::newRow("garbage in parts")
-        << QByteArray(multipartType) << multipart({QByteArray(5000, 'x'), QByteArray("DICM")})
-        << false << int(ErrorCode::TransferIncomplete);
+        << QByteArray(multipartType)
+        << WebArchive::multipart({QByteArray(5000, 'x'), QByteArray("DICM")}) << false
+        << int(ErrorCode::TransferIncomplete);
     QTest::newRow("nothing") << QByteArray(multipartType) << QByteArray("--a-b--") << false
                              << int(ErrorCode::TransferIncomplete);
     // Whose end nobody can know but by the boundary.
@@ -532,7 +490,7 @@ void DicomWebFaultsTest::answersOfObjects()
     QFETCH(bool, withoutLength);
     QFETCH(int, expected);
     const test::WebServer server([&](const QByteArray& line, const QByteArray&) {
-        return isWado(line)
+        return WebArchive::asksForObjects(line)
             ? WebReply{.contentType = type, .body = body, .withoutLength = withoutLength}
             : sound(line);
     });
@@ -545,11 +503,11 @@ void DicomWebFaultsTest::unsoundObject()
 {
     // One of nine is cut short, and its part says nothing of it.
     const test::WebServer server([&](const QByteArray& line, const QByteArray&) {
-        if (!isWado(line))
+        if (!WebArchive::asksForObjects(line))
             return sound(line);
         QList<QByteArray> objects = m_objects.values();
         objects[4].chop(500);
-        return WebReply{.contentType = multipartType, .body = multipart(objects)};
+        return WebReply{.contentType = multipartType, .body = WebArchive::multipart(objects)};
     });
     const auto got = get(node(server));
     VERIFY_ERROR(got, ErrorCode::TransferIncomplete);
@@ -571,9 +529,10 @@ void DicomWebFaultsTest::unaskedObjects()
     const QByteArray bytes = file.readAll();
     const auto saying = [&](int often) {
         return [this, bytes, often](const QByteArray& line, const QByteArray&) {
-            return isWado(line) ? WebReply{.contentType = multipartType,
-                       .body = multipart(QList<QByteArray>(often, bytes) + m_objects.values())}
-                                : sound(line);
+            return WebArchive::asksForObjects(line) ? WebReply{.contentType = multipartType,
+                       .body = WebArchive::multipart(
+                           QList<QByteArray>(often, bytes) + m_objects.values())}
+                                                    : sound(line);
         };
     };
     const test::WebServer tiring(saying(200));

@@ -30,5 +30,9 @@ struct Surroundings {
 
 [[nodiscard]] Outcome burin(const QStringList& arguments, const Surroundings& around = {});
 [[nodiscard]] Outcome burin(const QStringList& arguments, const QProcessEnvironment& environment);
+/// A run that is ended by SIGKILL after @p afterMs: its status is −1 if that came in time. A line
+/// that was cut off is not among its lines.
+[[nodiscard]] Outcome burinKilled(
+    const QStringList& arguments, const QProcessEnvironment& environment, int afterMs);
 
 } // namespace test

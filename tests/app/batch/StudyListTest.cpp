@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/batch/StudyList.h"
+#include "tests/support/faults/FailingLog.h"
+#include "tests/support/program/LongRun.h"
+#include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/TestVolumes.h"
+
+#include <QDir>
+#include <QFile>
+#include <QSet>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <cmath>
+
+namespace studyListTest {
+
+using app::BatchStudy;
+using core::Result;
+
+/// Lists of studies, as people and programs write them, and whatever else has their ending.
+class StudyListTest : public QObject {
+    Q_OBJECT
+
+    QTemporaryDir m_folder;
+
+    Result<std::vector<BatchStudy>> read(const char* name, const QByteArray& text) const
+    {
+        QFile file(m_folder.filePath(QLatin1String(name)));
+        if (!file.open(QIODevice::WriteOnly) || file.write(text) != text.size())
+            qFatal("cannot write %s", name);
+        file.close();
+        return app::readStudyList(file.fileName());
+    }
+
+private Q_SLOTS:
+    void init() { test::failOnUnexpectedMessages(); }
+    void numbersAreNumbers();
+    void theTableKeepsItsName();
+    void anythingIsReadOrRefused_data();
+    void anythingIsReadOrRefused();
+};
+
+void StudyListTest::numbersAreNumbers()
+{
+    const auto studies = read("a.csv", "study,a,b,c,d,e\nx.nii,1.5,nan,-inf,1e400,infinity\n");
+    QVERIFY(studies);
+    QCOMPARE(studies->size(), std::size_t(1));
+    const QJsonObject variables = studies->front().variables;
+    QCOMPARE(variables[QStringLiteral("a")], QJsonValue(1.5));
+    // A recipe could not hold them as numbers.
+    for (const auto& [name, word] :
+        {std::pair("b", "nan"), {"c", "-inf"}, {"d", "1e400"}, {"e", "infinity"}})
+        QCOMPARE(variables[QLatin1String(name)], QJsonValue(QLatin1String(word)));
+}
+
+void StudyListTest::theTableKeepsItsName()
+{
+    const auto refused = read("a.csv", "study,name\nx.nii,results.csv\n");
+    QVERIFY(!refused);
+    QVERIFY2(refused.error().arguments.value(1).startsWith(QStringLiteral("line 2: the name")),
+        qPrintable(refused.error().arguments.value(1)));
+}
+
+void StudyListTest::anythingIsReadOrRefused_data()
+{
+    QTest::addColumn<QByteArray>("name");
+    QTest::addColumn<QByteArray>("text");
+    QTest::newRow("table") << QByteArray("a.csv")
+                           << QByteArray("\xef\xbb\xbfstudy,name,session,series,segment,mm\r\n"
+                                         "ct/1,one,one.burin,,\"a \"\"b\"\",1.5\r\n"
+                                         "ct/2,two,,1.2.3,c,-2e3\r\n");
+    QTest::newRow("with tabs") << QByteArray("a.tsv")
+                               << QByteArray("study\tname\tspacing\n../a.tif\tone\t1x1x2\n"
+                                             "/data/b\ttwo\t\n");
+    QTest::newRow("JSON") << QByteArray("a.json")
+                          << QByteArray("[\"ct/1\", {\"study\": \"ct/2\", \"name\": \"two\","
+                                        " \"threshold\": 3e2, \"keep\": true}]");
+}
+
+/// With bytes that are changed, taken out and put in: what is read has the form that a batch relies
+/// on.
+void StudyListTest::anythingIsReadOrRefused()
+{
+    QFETCH(QByteArray, name);
+    QFETCH(QByteArray, text);
+    QVERIFY(read(name.constData(), text));
+    const QByteArray likely("\",\n\r\t{}[]:\\/.0e-\0\xff", 18);
+    test::Random random(17);
+    int sound = 0;
+    const int often = test::longRun() ? 20'000 : 400;
+    for (int i = 0; i < often; ++i) {
+        QByteArray changed = text;
+        for (int k = test::randomInt(random, 1, 4); k > 0; --k) {
+            const int at = test::randomInt(random, 0, int(changed.size()) - 1);
+            const char byte = likely[test::randomInt(random, 0, int(likely.size()) - 1)];
+            switch (test::randomInt(random, 0, 3)) {
+            case 0:
+                changed[at] = byte;
+                break;
+            case 1:
+                changed.insert(at, byte);
+                break;
+            case 2:
+                changed.remove(at, test::randomInt(random, 1, 3));
+                break;
+            default:
+                changed.insert(at, changed.mid(test::randomInt(random, 0, at), 20));
+            }
+        }
+        const auto studies = read(name.constData(), changed);
+        if (!studies) {
+            QVERIFY(!studies.error().arguments.isEmpty());
+            continue;
+        }
+        ++sound;
+        QSet<QString> names;
+        for (const BatchStudy& study : *studies) {
+            const QByteArray shown = changed.toPercentEncoding();
+            QVERIFY2(QDir::isAbsolutePath(study.path), shown.constData());
+            for (const QString& word : {study.name, study.session}) {
+                QVERIFY2(!word.isEmpty() && word.size() <= 100 && !word.startsWith(u'.')
+                        && !word.contains(u'/') && !word.contains(QChar::Null),
+                    shown.constData());
+            }
+            QVERIFY2(study.session.endsWith(QLatin1String(".burin")), shown.constData());
+            QVERIFY2(!names.contains(study.name), shown.constData());
+            names.insert(study.name);
+            for (const QJsonValue value : study.variables) {
+                QVERIFY2(value.isString() || value.isBool()
+                        || (value.isDouble() && std::isfinite(value.toDouble())),
+                    shown.constData());
+            }
+        }
+    }
+    QVERIFY2(sound > often / 50, qPrintable(QString::number(sound)));
+}
+
+BURIN_TEST(StudyListTest)
+
+} // namespace studyListTest
+
+#include "StudyListTest.moc"
