@@ -256,7 +256,8 @@ Result<LabelListed> labelListed(const ReshapeSegment& edit, const Document& docu
     }
     const std::uint8_t frees = numberBeside(*segments);
     listed.add(change->freed, frees);
-    return listed.label(document.segment(edit.segment)->plane, overwritable, frees);
+    return keepingTo(edit.editable, document, "reshapeSegment",
+        listed.label(document.segment(edit.segment)->plane, overwritable, frees));
 }
 
 } // namespace core

@@ -346,6 +346,15 @@ private Q_SLOTS:
             QVERIFY(bench.session->undo() && bench.session->settle());
             QVERIFY(bench.labels() == before);
             QCOMPARE(bench.session->stateHash(), hash);
+            // Where the editable range ends, nothing changes.
+            ReshapeSegment kept = joint;
+            kept.editable = EditableRange{.outside = std::vector<int>{2}};
+            QCOMPARE(bench.tried(kept), QString());
+            const Labels within = bench.labels();
+            for (std::size_t voxel = 0; voxel < before.size(); ++voxel)
+                QCOMPARE(int(within[voxel]), int(before[voxel] == 2 ? 2 : after[voxel]));
+            QVERIFY(within != before && within != after);
+            QVERIFY(bench.session->undo() && bench.session->settle());
             QCOMPARE(bench.tried(ChangeSegment{.segment = 2, .locked = true}), QString());
             QVERIFY(!bench.tried(joint).isEmpty());
         }
