@@ -14,6 +14,8 @@ using SurfaceKinds = EditKinds<LaySurface, DropSurface, FollowMask, MarkSurface,
     SpherePush, PlaneScrape, PointDrag, ApplyTemplate, SmoothSurface, AttractSurface, WriteBack,
     SurfaceBarrier>;
 using SurfaceEdit = VariantOfKinds<SurfaceKinds>::Type;
+template <class E>
+concept isSurfaceKind = (placeAmong<E>(SurfaceKinds()) < SurfaceKinds::count);
 
 /// None if it is no such edit.
 [[nodiscard]] std::optional<SurfaceEdit> surfaceEditOf(const Edit& edit);
