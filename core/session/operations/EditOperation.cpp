@@ -15,6 +15,8 @@
 #include "core/session/operations/history/RevertOperation.h"
 #include "core/session/operations/history/ReviseOperation.h"
 
+#include <type_traits>
+
 namespace core {
 
 namespace {
@@ -38,9 +40,9 @@ public:
     }
 
     template <class E>
-    requires isSurfaceKind<E> Made operator()(const E&) const
+    requires isSurfaceKind<E> Made operator()(const E& edit) const
     {
-        return std::make_unique<SurfaceOperation>(m_edit, SurfaceOperation::Kind::Whole, m_again);
+        return std::make_unique<SurfaceOperation>(edit, SurfaceOperation::Kind::Whole, m_again);
     }
 
     template <class E>
@@ -95,6 +97,22 @@ private:
 std::unique_ptr<Operation> operationOf(const Edit& edit, RowId again)
 {
     return visitEdit(OperationMaker(edit, again), edit);
+}
+
+std::unique_ptr<Operation> openOperationOf(const Edit& edit)
+{
+    return visitEdit(
+        [&edit](const auto& known) -> std::unique_ptr<Operation> {
+            using E = std::decay_t<decltype(known)>;
+            if constexpr (hasEngineEdit<E>)
+                return std::make_unique<VoxelOperation>(edit, VoxelOperation::Kind::Interactive);
+            else if constexpr (isSurfaceKind<E>)
+                return std::make_unique<SurfaceOperation>(
+                    known, SurfaceOperation::Kind::Interactive);
+            else
+                return nullptr;
+        },
+        edit);
 }
 
 } // namespace core
