@@ -23,7 +23,10 @@ Result<bool> apply(const BarrierStroke&, Document&)
 
 EditEffects effects(const BarrierStroke&)
 {
-    return {.task = engineTask<BarrierStroke>(), .standsOpen = true, .boundToStudy = true};
+    return {.task = engineTask<BarrierStroke>(),
+        .standsOpen = true,
+        .fills = fillsNothing,
+        .boundToStudy = true};
 }
 
 Result<PaintBarrier> paintBarrier(const BarrierStroke& stroke, const Document& document)

@@ -26,6 +26,7 @@ EditEffects effects(const ChangeInterval& edit)
 {
     return {.task = engineTask<ChangeInterval>(),
         .standsOpen = true,
+        .fills = fillsNothing,
         .boundToStudy = !edit.asBefore && edit.criteria.box.has_value()};
 }
 

@@ -65,6 +65,7 @@ EditEffects effects(const GrowFromSeeds& edit)
 {
     return {.task = engineTask<GrowFromSeeds>(),
         .standsOpen = true,
+        .fills = fillsNothing,
         .boundToStudy = edit.box.has_value()};
 }
 

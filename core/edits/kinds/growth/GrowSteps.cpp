@@ -26,6 +26,7 @@ EditEffects effects(const GrowSteps& edit)
 {
     return {.task = engineTask<GrowSteps>(),
         .standsOpen = true,
+        .fills = fillsNothing,
         .boundToStudy = edit.criteria.box.has_value()};
 }
 

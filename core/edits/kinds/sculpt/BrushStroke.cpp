@@ -25,7 +25,10 @@ Result<bool> apply(const BrushStroke&, Document&)
 
 EditEffects effects(const BrushStroke&)
 {
-    return {.task = engineTask<BrushStroke>(), .standsOpen = true, .boundToStudy = true};
+    return {.task = engineTask<BrushStroke>(),
+        .standsOpen = true,
+        .fills = fillsNothing,
+        .boundToStudy = true};
 }
 
 Result<CapsuleCut> capsuleCut(const BrushStroke& stroke, const Document& document)

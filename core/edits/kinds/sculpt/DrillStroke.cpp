@@ -48,7 +48,10 @@ Result<bool> apply(const DrillStroke&, Document&)
 
 EditEffects effects(const DrillStroke&)
 {
-    return {.task = engineTask<DrillStroke>(), .standsOpen = true, .boundToStudy = true};
+    return {.task = engineTask<DrillStroke>(),
+        .standsOpen = true,
+        .fills = fillsNothing,
+        .boundToStudy = true};
 }
 
 Result<DrillCut> drillCut(const DrillStroke& stroke, const Document& document)

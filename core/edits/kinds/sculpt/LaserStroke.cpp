@@ -55,7 +55,10 @@ Result<bool> apply(const LaserStroke&, Document&)
 
 EditEffects effects(const LaserStroke&)
 {
-    return {.task = engineTask<LaserStroke>(), .standsOpen = true, .boundToStudy = true};
+    return {.task = engineTask<LaserStroke>(),
+        .standsOpen = true,
+        .fills = fillsNothing,
+        .boundToStudy = true};
 }
 
 Result<LaserCut> laserCut(const LaserStroke& stroke, const Document& document)

@@ -35,7 +35,10 @@ Result<bool> apply(const PeelCut&, Document&)
 
 EditEffects effects(const PeelCut&)
 {
-    return {.task = engineTask<PeelCut>(), .standsOpen = true, .boundToStudy = true};
+    return {.task = engineTask<PeelCut>(),
+        .standsOpen = true,
+        .fills = fillsNothing,
+        .boundToStudy = true};
 }
 
 Result<ShellPeel> shellPeel(const PeelCut& peel, const Document& document)

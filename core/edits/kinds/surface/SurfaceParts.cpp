@@ -28,6 +28,7 @@ EditEffects surfaceEffects(bool standsOpen)
         .standsOpen = standsOpen,
         .changes = DocumentChange::What::Surface,
         .onlyDocument = true,
+        .fills = fillsNothing,
         .boundToStudy = standsOpen};
 }
 
