@@ -50,6 +50,8 @@ struct EditEffects {
     /// It refers to places of one study or to rows of one history, so it means nothing in a recipe
     /// for another study.
     bool boundToStudy = false;
+    /// The document's growth has another generation afterwards.
+    bool movesGeneration = false;
 };
 
 /// Whether the engine has a command for it.

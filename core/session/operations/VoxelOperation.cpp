@@ -298,7 +298,8 @@ void VoxelOperation::finish(SessionState& state, EngineResult&& result)
         state.fail(*result.error);
     if (m_failed && !result.changes.empty())
         state.require(SwapBricks{imagesBefore(result.changes)});
-    if (movesGeneration())
+    const bool movesGeneration = effectsOf(m_edit).movesGeneration;
+    if (movesGeneration)
         state.notify(DocumentChange::What::Growth);
     if (m_edit.is<SeedStroke>())
         state.lastSketched = m_sketched;
@@ -319,7 +320,7 @@ void VoxelOperation::finish(SessionState& state, EngineResult&& result)
     }
     const Edit edit = carriedOut(result);
     std::optional<std::uint32_t> generation;
-    if (movesGeneration())
+    if (movesGeneration)
         generation = result.generation;
     const std::optional<LeakAlarm> alarm = result.alarm;
     state.commit(edit, std::move(result), generation);

@@ -40,11 +40,6 @@ public:
     {
         return m_edit.is<GrowSteps>() || m_edit.is<ChangeInterval>() || m_edit.is<ResumeGrowth>();
     }
-    [[nodiscard]] bool movesGeneration() const
-    {
-        return isGrowth() || m_edit.is<ShrinkSteps>() || m_edit.is<ShrinkAt>()
-            || m_edit.is<PlugLeak>();
-    }
     /// Whether it takes a growth back from a sketch, step by step.
     [[nodiscard]] bool isBackwards() const;
     /// Whether nothing of it remains: the engine never opened it, or something has failed.

@@ -26,7 +26,8 @@ EditEffects effects(const ChangeInterval& edit)
 {
     return {.task = engineTask<ChangeInterval>(),
         .standsOpen = true,
-        .boundToStudy = !edit.asBefore && edit.criteria.box.has_value()};
+        .boundToStudy = !edit.asBefore && edit.criteria.box.has_value(),
+        .movesGeneration = true};
 }
 
 Result<GrowBurst> growBurst(const ChangeInterval& change, const Document& document)

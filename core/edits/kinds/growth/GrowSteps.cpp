@@ -26,7 +26,8 @@ EditEffects effects(const GrowSteps& edit)
 {
     return {.task = engineTask<GrowSteps>(),
         .standsOpen = true,
-        .boundToStudy = edit.criteria.box.has_value()};
+        .boundToStudy = edit.criteria.box.has_value(),
+        .movesGeneration = true};
 }
 
 Result<GrowBurst> growBurst(const GrowSteps& grow, const Document& document)

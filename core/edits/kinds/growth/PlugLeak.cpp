@@ -24,7 +24,10 @@ Result<bool> apply(const PlugLeak&, Document&)
 
 EditEffects effects(const PlugLeak&)
 {
-    return {.task = engineTask<PlugLeak>(), .standsOpen = false, .boundToStudy = true};
+    return {.task = engineTask<PlugLeak>(),
+        .standsOpen = false,
+        .boundToStudy = true,
+        .movesGeneration = true};
 }
 
 Result<CutGrowth> cutGrowth(const PlugLeak& plug, const Document& document)

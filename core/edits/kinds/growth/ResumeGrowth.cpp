@@ -23,7 +23,7 @@ Result<bool> apply(const ResumeGrowth&, Document&)
 
 EditEffects effects(const ResumeGrowth&)
 {
-    return {.task = engineTask<ResumeGrowth>(), .standsOpen = true};
+    return {.task = engineTask<ResumeGrowth>(), .standsOpen = true, .movesGeneration = true};
 }
 
 Result<EngineEdit> engineEdit(const ResumeGrowth&, const Document&)

@@ -27,8 +27,10 @@ Result<bool> apply(const ShrinkAt&, Document&)
 EditEffects effects(const ShrinkAt& edit)
 {
     // Backwards it goes as long as it is held.
-    return {
-        .task = engineTask<ShrinkAt>(), .standsOpen = edit.steps.has_value(), .boundToStudy = true};
+    return {.task = engineTask<ShrinkAt>(),
+        .standsOpen = edit.steps.has_value(),
+        .boundToStudy = true,
+        .movesGeneration = true};
 }
 
 Result<CutGrowth> cutGrowth(const ShrinkAt& shrink, const Document& document)

@@ -25,7 +25,7 @@ Result<bool> apply(const ShrinkSteps&, Document&)
 
 EditEffects effects(const ShrinkSteps&)
 {
-    return {.task = engineTask<ShrinkSteps>(), .standsOpen = true};
+    return {.task = engineTask<ShrinkSteps>(), .standsOpen = true, .movesGeneration = true};
 }
 
 Result<ShrinkGrowth> shrinkGrowth(const ShrinkSteps& shrink, const Document& document)
