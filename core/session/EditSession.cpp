@@ -5,7 +5,7 @@
 #include "core/edits/EditJson.h"
 #include "core/edits/EditQuantise.h"
 #include "core/edits/EditTask.h"
-#include "core/edits/kinds/sculpt/PenSample.h"
+#include "core/edits/kinds/parts/PenSample.h"
 #include "core/edits/schema/SchemaParts.h"
 #include "core/session/operations/EditOperation.h"
 #include "core/session/operations/OperationQueue.h"

@@ -2,7 +2,7 @@
 #include "tests/benchmarks/own/SessionDriver.h"
 
 #include "core/edits/kinds/EditParts.h"
-#include "core/edits/kinds/sculpt/PenSample.h"
+#include "core/edits/kinds/parts/PenSample.h"
 #include "core/engine/EditEngine.h"
 #include "core/session/SessionStorage.h"
 #include "core/session/questions/VoxelQuestions.h"

@@ -4,7 +4,7 @@
 #include "core/edits/kinds/growth/GrowCriteria.h"
 #include "core/edits/kinds/growth/SeedStroke.h"
 #include "core/edits/kinds/growth/ShrinkSteps.h"
-#include "core/edits/kinds/sculpt/PenSample.h"
+#include "core/edits/kinds/parts/PenSample.h"
 #include "core/edits/kinds/segments/ChangeSegment.h"
 #include "core/edits/kinds/segments/MoveSegment.h"
 #include "core/session/SessionDisplay.h"
