@@ -5,8 +5,6 @@
 #include "core/edits/EditJson.h"
 #include "core/edits/EditQuantise.h"
 #include "core/edits/EditTask.h"
-#include "core/edits/kinds/parts/PenSample.h"
-#include "core/edits/schema/SchemaParts.h"
 #include "core/session/operations/EditOperation.h"
 #include "core/session/operations/OperationQueue.h"
 #include "core/session/operations/SurfaceOperation.h"
@@ -104,55 +102,51 @@ Result<void> EditSession::begin(const Edit& edit)
     });
 }
 
+void EditSession::extend(const StrokeExtension& extension)
+{
+    OpenOperation* open = m_queue->interactive();
+    if (!open)
+        return;
+    m_queue->guard([&] {
+        if (const std::optional<StrokeExtension> told = quantisedIfInRange(extension))
+            open->extend(m_queue->state(), *told);
+    });
+}
+
 void EditSession::extendDrill(const std::vector<PenSample>& samples)
 {
-    if (VoxelOperation* open = m_queue->interactiveVoxels())
-        m_queue->guard([&] { open->extendDrill(m_queue->state(), quantised(samples)); });
+    extend(PenSamples{samples});
 }
 
 void EditSession::extendPath(
     const std::vector<glm::dvec3>& pointsLps, bool lifted, const std::vector<double>& pressures)
 {
-    if (OpenOperation* open = m_queue->interactive())
-        m_queue->guard([&] {
-            open->extendPath(
-                m_queue->state(), quantised(pointsLps), lifted, quantisedPressures(pressures));
-        });
+    extend(PathPoints{.pointsLps = pointsLps, .lifted = lifted, .pressures = pressures});
 }
 
 void EditSession::setPeelDepth(double depthMm)
 {
-    const editFields::Number& field = editSchema::peelDepth;
-    if (VoxelOperation* open = m_queue->interactiveVoxels(); open && field.check(depthMm).isEmpty())
-        m_queue->guard([&] { open->setPeelDepth(m_queue->state(), field.rounded(depthMm)); });
+    extend(ToDepth{depthMm});
 }
 
 void EditSession::setShrinkSteps(int steps)
 {
-    if (VoxelOperation* open = m_queue->interactiveVoxels(); open && steps >= 0)
-        m_queue->guard([&] { open->setShrinkSteps(m_queue->state(), steps); });
+    extend(ToSteps{steps});
 }
 
 void EditSession::extendGrowth(GrowAdvance advance)
 {
-    if (VoxelOperation* open = m_queue->interactiveVoxels())
-        m_queue->guard([&] { open->extendGrowth(m_queue->state(), advance); });
+    extend(advance);
 }
 
 void EditSession::setInterval(double lower, double upper)
 {
-    const editFields::Number& field = editSchema::modalityValue;
-    VoxelOperation* open = m_queue->interactiveVoxels();
-    if (open && lower <= upper && field.check(lower).isEmpty() && field.check(upper).isEmpty())
-        m_queue->guard([&] {
-            open->setInterval(m_queue->state(), field.rounded(lower), field.rounded(upper));
-        });
+    extend(ToInterval{.lower = lower, .upper = upper});
 }
 
 void EditSession::pauseGrowth()
 {
-    if (VoxelOperation* open = m_queue->interactiveVoxels())
-        m_queue->guard([&] { open->extendGrowth(m_queue->state(), GrowPause{}); });
+    extend(PauseGrowth{});
 }
 
 void EditSession::end(Ending ending)
@@ -166,7 +160,7 @@ void EditSession::cancelPreview()
     VoxelOperation* open = m_queue->interactiveVoxels();
     if (!open || !open->isPreview())
         return;
-    m_queue->guard([&] { open->forgetPreview(m_queue->state()); });
+    m_queue->guard([&] { open->extend(m_queue->state(), ForgetPreview{}); });
     m_queue->end(*open, Ending::Rollback);
 }
 

@@ -6,6 +6,7 @@
 #include "core/delta/Ending.h"
 #include "core/document/Document.h"
 #include "core/edits/kinds/Edit.h"
+#include "core/edits/open/StrokeExtension.h"
 #include "core/growth/GrowthProgress.h"
 #include "core/history/History.h"
 
@@ -15,8 +16,6 @@
 #include <memory>
 
 namespace core {
-
-struct PenSample;
 
 class EditEngine;
 class OperationQueue;
@@ -79,6 +78,8 @@ public:
     /// of times, then end. A stroke begins without drill samples and with the first point of its
     /// path. Calls that do not apply to the open edit, and values out of range, are ignored.
     Result<void> begin(const Edit& edit);
+    void extend(const StrokeExtension& extension);
+    // Each of these is one such extension.
     void extendDrill(const std::vector<PenSample>& samples);
     /// @param lifted a new path begins at the first of these points (not for tools of a surface)
     /// @param pressures of the points (PenPressures), for an edit that began with one

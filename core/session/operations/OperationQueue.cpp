@@ -3,6 +3,7 @@
 
 #include "core/base/Guarded.h"
 #include "core/edits/document/DocumentEdits.h"
+#include "core/edits/open/StrokeExtension.h"
 #include "core/engine/EngineCommands.h"
 #include "core/session/operations/SurfaceOperation.h"
 
@@ -136,8 +137,7 @@ void OperationQueue::closeGrowth()
     if (!open || !open->standsOpen())
         return;
     guard([&] {
-        if (VoxelOperation* voxels = interactiveVoxels(); voxels && voxels->isGrowth())
-            voxels->extendGrowth(m_state, GrowPause{});
+        open->extend(m_state, PauseGrowth{}); // a growth stops where it is
         open->end(m_state, open->usualEnding());
         advance();
     });

@@ -39,8 +39,8 @@ public:
     [[nodiscard]] bool isTemplate() const { return m_edit.is<ApplyTemplate>(); }
     [[nodiscard]] bool open() const override { return m_kind == Kind::Interactive && !m_ending; }
     [[nodiscard]] bool standsOpen() const override { return isTemplate() && open(); }
-    void extendPath(SessionState& state, const std::vector<glm::dvec3>& pointsLps, bool lifted,
-        const std::vector<double>& pressures) override;
+    /// By points of its path.
+    void extend(SessionState& state, const StrokeExtension& extension) override;
     void end(SessionState& state, Ending ending) override;
 
 private:

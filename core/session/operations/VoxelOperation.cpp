@@ -11,9 +11,9 @@
 #include "core/edits/kinds/growth/ShrinkAt.h"
 #include "core/edits/kinds/growth/ShrinkSteps.h"
 #include "core/edits/kinds/parts/BrushPath.h"
-#include "core/edits/kinds/parts/PenSample.h"
 #include "core/edits/kinds/sculpt/PeelCut.h"
 #include "core/edits/kinds/segments/PaintStroke.h"
+#include "core/edits/open/StrokeExtension.h"
 #include "core/edits/sculpt/SculptEdits.h"
 #include "core/engine/EngineCommands.h"
 #include "core/session/past/RecentGrowth.h"
@@ -112,6 +112,26 @@ void VoxelOperation::takeBefore(const EngineResult& result)
     if (!result.error)
         m_sketched = sketchedSeeds(m_seeds, result.seedWords);
     m_seeds = {};
+}
+
+void VoxelOperation::extend(SessionState& state, const StrokeExtension& extension)
+{
+    if (const auto* pen = std::get_if<PenSamples>(&extension))
+        extendDrill(state, pen->samples);
+    else if (const auto* path = std::get_if<PathPoints>(&extension))
+        extendPath(state, path->pointsLps, path->lifted, path->pressures);
+    else if (const auto* depth = std::get_if<ToDepth>(&extension))
+        setPeelDepth(state, depth->mm);
+    else if (const auto* shrink = std::get_if<ToSteps>(&extension))
+        setShrinkSteps(state, shrink->steps);
+    else if (const auto* interval = std::get_if<ToInterval>(&extension))
+        setInterval(state, interval->lower, interval->upper);
+    else if (const auto* advance = std::get_if<GrowAdvance>(&extension))
+        extendGrowth(state, *advance);
+    else if (std::holds_alternative<PauseGrowth>(extension))
+        extendGrowth(state, GrowPause{});
+    else
+        forgetPreview(state);
 }
 
 void VoxelOperation::extendDrill(SessionState& state, const std::vector<PenSample>& samples)

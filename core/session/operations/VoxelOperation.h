@@ -25,15 +25,7 @@ public:
     VoxelOperation(Edit edit, Kind kind, RowId again = 0);
 
     // For interactive operations only:
-    void extendDrill(SessionState& state, const std::vector<PenSample>& samples);
-    void extendPath(SessionState& state, const std::vector<glm::dvec3>& pointsLps, bool lifted,
-        const std::vector<double>& pressures) override;
-    void setPeelDepth(SessionState& state, double depthMm);
-    void setShrinkSteps(SessionState& state, int steps);
-    void extendGrowth(SessionState& state, EngineExtension extension);
-    /// For a ChangeInterval: begins anew with these bounds; steps must be requested again.
-    void setInterval(SessionState& state, double lower, double upper);
-    void forgetPreview(SessionState& state);
+    void extend(SessionState& state, const StrokeExtension& extension) override;
     void end(SessionState& state, Ending ending) override;
     [[nodiscard]] bool open() const override { return m_kind == Kind::Interactive && !m_ending; }
     [[nodiscard]] bool isGrowth() const
@@ -65,6 +57,14 @@ public:
     [[nodiscard]] bool foresee(Document& document) const override;
 
 private:
+    void extendDrill(SessionState& state, const std::vector<PenSample>& samples);
+    void extendPath(SessionState& state, const std::vector<glm::dvec3>& pointsLps, bool lifted,
+        const std::vector<double>& pressures);
+    void setPeelDepth(SessionState& state, double depthMm);
+    void setShrinkSteps(SessionState& state, int steps);
+    void extendGrowth(SessionState& state, EngineExtension extension);
+    void setInterval(SessionState& state, double lower, double upper);
+    void forgetPreview(SessionState& state);
     [[nodiscard]] Result<EngineEdit> engineEdit(const Document& document);
     [[nodiscard]] ShrinkTo shrinkTo() const;
     void askBefore(SessionState& state, const EngineEdit& edit);

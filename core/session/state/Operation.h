@@ -6,6 +6,8 @@
 
 namespace core {
 
+struct StrokeExtension;
+
 /// One thing that a session was asked to do. Operations wait in a queue; the first one is started,
 /// receives the answers of engine and worker, and is removed when it is done. Nothing here blocks.
 class Operation {
@@ -46,9 +48,8 @@ public:
 class OpenOperation : public Operation {
 public:
     [[nodiscard]] virtual bool open() const = 0;
-    /// @param pressures as in EditSession
-    virtual void extendPath(SessionState& state, const std::vector<glm::dvec3>& pointsLps,
-        bool lifted, const std::vector<double>& pressures) = 0;
+    /// What does not apply to its edit is ignored.
+    virtual void extend(SessionState& state, const StrokeExtension& extension) = 0;
     virtual void end(SessionState& state, Ending ending) = 0;
     /// Whether it stays open although no pen is down; the next operation then closes it.
     [[nodiscard]] virtual bool standsOpen() const { return false; }
