@@ -3,6 +3,7 @@
 
 #include "core/edits/document/DocumentEdits.h"
 #include "core/edits/kinds/AnyEdit.h"
+#include "core/edits/open/OpenStroke.h"
 #include "core/engine/EngineEdit.h"
 
 #include <type_traits>
@@ -64,6 +65,18 @@ Result<EngineEdit> engineEditOf(const Edit& edit, const Document& document)
             else
                 return failure(ErrorCode::InvalidField, QStringLiteral("edit"),
                     Clause::saying("is not carried out by the engine alone"));
+        },
+        edit);
+}
+
+std::unique_ptr<OpenStroke> openStrokeOf(Edit& edit)
+{
+    return visitEdit(
+        [](auto& known) -> std::unique_ptr<OpenStroke> {
+            if constexpr (hasOpenStroke<std::decay_t<decltype(known)>>)
+                return openStroke(known);
+            else
+                return nullptr;
         },
         edit);
 }

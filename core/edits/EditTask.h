@@ -6,8 +6,11 @@
 #include "core/edits/answers/EditEffects.h"
 #include "core/edits/kinds/Edit.h"
 
+#include <memory>
+
 namespace core {
 
+class OpenStroke;
 struct EngineEdit;
 
 /// Everything that is known of an edit before it is carried out. The next two functions, and those
@@ -24,5 +27,9 @@ struct EngineEdit;
 /// later. A ResumeGrowth must first be replaced by the growth that it stands for (RecentGrowth.h).
 /// Errors: those of the conversion; InvalidField if the engine does not carry out the edit.
 [[nodiscard]] Result<EngineEdit> engineEditOf(const Edit& edit, const Document& document);
+
+/// What the edit can be told while it stands open. It refers to the edit, which must keep its kind.
+/// Null: the engine does not carry it out, or only whole.
+[[nodiscard]] std::unique_ptr<OpenStroke> openStrokeOf(Edit& edit);
 
 } // namespace core

@@ -8,6 +8,7 @@
 #include "core/session/operations/EditOperation.h"
 #include "core/session/operations/OperationQueue.h"
 #include "core/session/operations/SurfaceOperation.h"
+#include "core/session/operations/VoxelOperation.h"
 #include "core/session/operations/history/WalkOperation.h"
 
 #include <utility>
@@ -155,47 +156,60 @@ void EditSession::end(Ending ending)
         m_queue->end(*open, ending);
 }
 
+void EditSession::forgetPreview()
+{
+    OpenOperation* open = m_queue->interactive();
+    if (!open || !open->manner().keepsForNext)
+        return;
+    extend(ForgetPreview{});
+    m_queue->end(*open, Ending::Rollback);
+}
+
 void EditSession::cancelPreview()
 {
-    VoxelOperation* open = m_queue->interactiveVoxels();
-    if (!open || !open->isPreview())
-        return;
-    m_queue->guard([&] { open->extend(m_queue->state(), ForgetPreview{}); });
-    m_queue->end(*open, Ending::Rollback);
+    forgetPreview();
+}
+
+const Edit* EditSession::openEdit() const
+{
+    const OpenOperation* open = m_queue->interactive();
+    return open ? &open->edit() : nullptr;
+}
+
+bool EditSession::openIsRefused() const
+{
+    const OpenOperation* open = m_queue->interactive();
+    return open && open->refused();
 }
 
 bool EditSession::transactionOpen() const
 {
-    return m_queue->interactive() != nullptr;
+    return openEdit() != nullptr;
 }
 
 bool EditSession::templateOpen() const
 {
-    const auto* open = dynamic_cast<const SurfaceOperation*>(m_queue->interactive());
-    return open && open->isTemplate();
+    return isOpen<ApplyTemplate>();
 }
 
 bool EditSession::previewOpen() const
 {
-    const VoxelOperation* open = m_queue->interactiveVoxels();
-    return open && open->isPreview();
+    return isOpen<GrowFromSeeds>();
 }
 
 bool EditSession::thresholdOpen() const
 {
-    const VoxelOperation* open = m_queue->interactiveVoxels();
-    return open && open->isThreshold();
+    return isOpen<ThresholdSegment>();
 }
 
 bool EditSession::backwardsOpen() const
 {
-    const VoxelOperation* open = m_queue->interactiveVoxels();
-    return open && open->isBackwards();
+    return isOpen<ShrinkAt>();
 }
 
 bool EditSession::backwardsRefused() const
 {
-    return backwardsOpen() && m_queue->interactiveVoxels()->refused();
+    return backwardsOpen() && openIsRefused();
 }
 
 void EditSession::closeGrowth()

@@ -95,6 +95,18 @@ public:
     void setInterval(double lower, double upper);
     void pauseGrowth();
     void end(Ending ending);
+    /// Takes an open preview back, with what the engine keeps for the next one of its kind. Does
+    /// nothing if no such preview is open.
+    void forgetPreview();
+    /// The edit that stands open, as it is by now; null: none.
+    [[nodiscard]] const Edit* openEdit() const;
+    template <isEdit E> [[nodiscard]] bool isOpen() const
+    {
+        const Edit* open = openEdit();
+        return open && open->is<E>();
+    }
+    /// Whether an edit stands open of which nothing will remain: the engine refused it.
+    [[nodiscard]] bool openIsRefused() const;
     void cancelPreview(); ///< and what the engine keeps for the next preview
     [[nodiscard]] bool transactionOpen() const;
     [[nodiscard]] bool previewOpen() const; ///< a GrowFromSeeds is open

@@ -3,6 +3,8 @@
 
 #include "core/base/Result.h"
 
+#include <memory>
+
 namespace core {
 
 // The functions that every kind of edit X must provide, in X.cpp beside X.h, with exactly these
@@ -25,9 +27,14 @@ namespace core {
 //   Result<EngineEdit> engineEdit(const X&, const Document&)
 //     Only for those that the engine carries out: the command, in integers, that begins it.
 //     Their effects name engineTask<X>(), which does not compile without this function.
+//   std::unique_ptr<OpenStroke> openStroke(X&)
+//     Only for those of these that can stand open until the user ends them: what they can be told
+//     meanwhile, and what the engine is told then (core/edits/open/OpenStroke.h). It refers to the
+//     edit. Null: this one is carried out whole, although others of its kind are not.
 //
 // This header contains only what headers of edits need to declare them.
 
+class OpenStroke;
 struct DependencyFacts;
 struct Document;
 struct EditDependencies;

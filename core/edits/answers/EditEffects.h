@@ -7,6 +7,7 @@
 #include <QString>
 
 #include <concepts>
+#include <memory>
 #include <optional>
 
 namespace core {
@@ -61,6 +62,15 @@ concept hasEngineEdit = requires(const E& edit, const Document& document)
     {
         engineEdit(edit, document)
         } -> std::same_as<Result<EngineEdit>>;
+};
+
+/// Whether it can stand open while the engine carries it out.
+template <class E>
+concept hasOpenStroke = requires(E& edit)
+{
+    {
+        openStroke(edit)
+        } -> std::same_as<std::unique_ptr<OpenStroke>>;
 };
 
 /// The task of what the engine carries out.

@@ -59,7 +59,7 @@ OperationQueue::~OperationQueue()
     m_closing = true;
     guard([this] {
         if (OpenOperation* open = interactive())
-            open->end(m_state, open->usualEnding());
+            open->end(m_state, open->manner().usualEnding);
     });
     // A smoothing with a large ball may have minutes to go, and nobody could abort it any more.
     for (const std::unique_ptr<Operation>& operation : m_operations) {
@@ -117,11 +117,6 @@ AbortableOperation* OperationQueue::runningAbortable() const
         : nullptr;
 }
 
-VoxelOperation* OperationQueue::interactiveVoxels() const
-{
-    return dynamic_cast<VoxelOperation*>(interactive());
-}
-
 void OperationQueue::end(OpenOperation& stroke, Ending ending)
 {
     guard([&] {
@@ -134,11 +129,11 @@ void OperationQueue::end(OpenOperation& stroke, Ending ending)
 void OperationQueue::closeGrowth()
 {
     OpenOperation* open = interactive();
-    if (!open || !open->standsOpen())
+    if (!open || !open->manner().withoutPen)
         return;
     guard([&] {
         open->extend(m_state, PauseGrowth{}); // a growth stops where it is
-        open->end(m_state, open->usualEnding());
+        open->end(m_state, open->manner().usualEnding);
         advance();
     });
 }

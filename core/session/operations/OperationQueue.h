@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/session/operations/VoxelOperation.h"
 #include "core/session/questions/QuestionLine.h"
+#include "core/session/state/Operation.h"
 
 #include <deque>
 #include <functional>
@@ -33,8 +33,6 @@ public:
 
     /// The open stroke or the running growth; null: none.
     [[nodiscard]] OpenOperation* interactive() const;
-    /// The same if it edits voxels.
-    [[nodiscard]] VoxelOperation* interactiveVoxels() const;
     /// The edit of the surface that is running; null: another operation, or none.
     [[nodiscard]] SurfaceOperation* runningSurface() const;
     /// The edit that is being worked out; null: another operation is running, or none.

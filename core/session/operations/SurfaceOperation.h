@@ -36,14 +36,16 @@ public:
     /// Laying a surface, following the mask, and a template while it moves.
     [[nodiscard]] bool isAbortable() const;
 
-    [[nodiscard]] bool isTemplate() const { return m_edit.is<ApplyTemplate>(); }
     [[nodiscard]] bool open() const override { return m_kind == Kind::Interactive && !m_ending; }
-    [[nodiscard]] bool standsOpen() const override { return isTemplate() && open(); }
+    [[nodiscard]] const Edit& edit() const override { return m_edit; }
+    /// A template stays open while it is looked at.
+    [[nodiscard]] OpenManner manner() const override { return {.withoutPen = isTemplate()}; }
     /// By points of its path.
     void extend(SessionState& state, const StrokeExtension& extension) override;
     void end(SessionState& state, Ending ending) override;
 
 private:
+    [[nodiscard]] bool isTemplate() const { return m_edit.is<ApplyTemplate>(); }
     void readOn(SessionState& state);
     void work(SessionState& state);
     void finish(SessionState& state, Result<SurfaceWork::Outcome>&& outcome);

@@ -2,10 +2,12 @@
 #pragma once
 
 #include "core/delta/Ending.h"
+#include "core/edits/open/OpenStroke.h"
 #include "core/session/state/SessionState.h"
 
 namespace core {
 
+class Edit;
 struct StrokeExtension;
 
 /// One thing that a session was asked to do. Operations wait in a queue; the first one is started,
@@ -51,10 +53,10 @@ public:
     /// What does not apply to its edit is ignored.
     virtual void extend(SessionState& state, const StrokeExtension& extension) = 0;
     virtual void end(SessionState& state, Ending ending) = 0;
-    /// Whether it stays open although no pen is down; the next operation then closes it.
-    [[nodiscard]] virtual bool standsOpen() const { return false; }
-    /// How it ends if the user does not end it.
-    [[nodiscard]] virtual Ending usualEnding() const { return Ending::Rollback; }
+    [[nodiscard]] virtual const Edit& edit() const = 0;
+    [[nodiscard]] virtual OpenManner manner() const = 0;
+    /// Whether nothing of it will remain, however it is ended.
+    [[nodiscard]] virtual bool refused() const { return false; }
 };
 
 } // namespace core

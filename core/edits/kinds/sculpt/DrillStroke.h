@@ -42,6 +42,7 @@ Result<bool> apply(const DrillStroke& edit, Document& document);
 [[nodiscard]] RowTitle rowTitle(const DrillStroke& edit, const RowFacts& row);
 [[nodiscard]] EditDependencies dependencies(const DrillStroke& edit, const DependencyFacts& row);
 [[nodiscard]] Result<EngineEdit> engineEdit(const DrillStroke& edit, const Document& document);
+[[nodiscard]] std::unique_ptr<OpenStroke> openStroke(DrillStroke& edit);
 
 /// A stroke without its path (DrillPathSampler.h); its samples are not used. Errors: InvalidField
 /// (also for a mask that is too small).

@@ -40,6 +40,7 @@ Result<bool> apply(const LaserStroke& edit, Document& document);
 [[nodiscard]] RowTitle rowTitle(const LaserStroke& edit, const RowFacts& row);
 [[nodiscard]] EditDependencies dependencies(const LaserStroke& edit, const DependencyFacts& row);
 [[nodiscard]] Result<EngineEdit> engineEdit(const LaserStroke& edit, const Document& document);
+[[nodiscard]] std::unique_ptr<OpenStroke> openStroke(LaserStroke& edit);
 
 /// A stroke without its path (DrillPathSampler.h). Errors: InvalidField (also for a mask that is
 /// too small).

@@ -9,6 +9,7 @@
 #include "core/edits/engine/EditableRanges.h"
 #include "core/edits/engine/EngineEdits.h"
 #include "core/edits/kinds/parts/SegmentChoice.h"
+#include "core/edits/open/OpenStroke.h"
 #include "core/sculpt/labels/LabelThreshold.h"
 
 #include <utility>
@@ -57,6 +58,15 @@ RowTitle rangeTitle(const ThresholdSegment& edit, const Volume& volume)
     }
     return title;
 }
+
+/// A preview, for the user to decide.
+class OpenThreshold final : public OpenStroke {
+public:
+    [[nodiscard]] OpenManner manner() const override
+    {
+        return {.withoutPen = true, .endsIfRefused = true};
+    }
+};
 
 } // namespace
 
@@ -108,6 +118,11 @@ Result<LabelThreshold> labelThreshold(const ThresholdSegment& edit, const Docume
 Result<EngineEdit> engineEdit(const ThresholdSegment& edit, const Document& document)
 {
     return engineEditFrom(labelThreshold(edit, document));
+}
+
+std::unique_ptr<OpenStroke> openStroke(ThresholdSegment&)
+{
+    return std::make_unique<OpenThreshold>();
 }
 
 RowTitle rowTitle(const ThresholdSegment& edit, const RowFacts& row)

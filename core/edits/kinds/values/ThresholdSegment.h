@@ -40,6 +40,7 @@ Result<bool> apply(const ThresholdSegment& edit, Document& document);
 [[nodiscard]] EditDependencies dependencies(
     const ThresholdSegment& edit, const DependencyFacts& row);
 [[nodiscard]] Result<EngineEdit> engineEdit(const ThresholdSegment& edit, const Document& document);
+[[nodiscard]] std::unique_ptr<OpenStroke> openStroke(ThresholdSegment& edit);
 
 /// Errors: UnknownSegment, SegmentLocked, InvalidField (lower > upper, a box outside the volume).
 [[nodiscard]] Result<LabelThreshold> labelThreshold(
