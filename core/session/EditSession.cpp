@@ -68,7 +68,7 @@ Result<void> EditSession::apply(const Edit& edit)
         if (const Result<void> checked = checkFields(edit); !checked)
             return checked;
         const Edit rounded = quantised(edit);
-        m_queue->closeGrowth();
+        m_queue->closeOpen();
         if (const Result<void> checked = m_queue->check(rounded); !checked)
             return checked;
         m_queue->submit(operationOf(rounded));
@@ -87,7 +87,7 @@ Result<void> EditSession::begin(const Edit& edit)
         if (!canStandOpen(rounded))
             return failure(ErrorCode::InvalidField, editName(rounded),
                 Clause::saying("it is carried out whole, there is nothing to begin"));
-        m_queue->closeGrowth();
+        m_queue->closeOpen();
         if (m_queue->interactive())
             return failure(ErrorCode::InvalidField, editName(rounded),
                 Clause::saying("another stroke has not ended yet"));
@@ -114,42 +114,6 @@ void EditSession::extend(const StrokeExtension& extension)
     });
 }
 
-void EditSession::extendDrill(const std::vector<PenSample>& samples)
-{
-    extend(PenSamples{samples});
-}
-
-void EditSession::extendPath(
-    const std::vector<glm::dvec3>& pointsLps, bool lifted, const std::vector<double>& pressures)
-{
-    extend(PathPoints{.pointsLps = pointsLps, .lifted = lifted, .pressures = pressures});
-}
-
-void EditSession::setPeelDepth(double depthMm)
-{
-    extend(ToDepth{depthMm});
-}
-
-void EditSession::setShrinkSteps(int steps)
-{
-    extend(ToSteps{steps});
-}
-
-void EditSession::extendGrowth(GrowAdvance advance)
-{
-    extend(advance);
-}
-
-void EditSession::setInterval(double lower, double upper)
-{
-    extend(ToInterval{.lower = lower, .upper = upper});
-}
-
-void EditSession::pauseGrowth()
-{
-    extend(PauseGrowth{});
-}
-
 void EditSession::end(Ending ending)
 {
     if (OpenOperation* open = m_queue->interactive())
@@ -163,11 +127,6 @@ void EditSession::forgetPreview()
         return;
     extend(ForgetPreview{});
     m_queue->end(*open, Ending::Rollback);
-}
-
-void EditSession::cancelPreview()
-{
-    forgetPreview();
 }
 
 const Edit* EditSession::openEdit() const
@@ -187,40 +146,15 @@ bool EditSession::transactionOpen() const
     return openEdit() != nullptr;
 }
 
-bool EditSession::templateOpen() const
+void EditSession::closeOpen()
 {
-    return isOpen<ApplyTemplate>();
-}
-
-bool EditSession::previewOpen() const
-{
-    return isOpen<GrowFromSeeds>();
-}
-
-bool EditSession::thresholdOpen() const
-{
-    return isOpen<ThresholdSegment>();
-}
-
-bool EditSession::backwardsOpen() const
-{
-    return isOpen<ShrinkAt>();
-}
-
-bool EditSession::backwardsRefused() const
-{
-    return backwardsOpen() && openIsRefused();
-}
-
-void EditSession::closeGrowth()
-{
-    m_queue->closeGrowth();
+    m_queue->closeOpen();
 }
 
 Result<void> EditSession::undo()
 {
     return guarded([&]() -> Result<void> {
-        m_queue->closeGrowth();
+        m_queue->closeOpen();
         if (m_queue->idle() && !history().canUndo())
             return failure(ErrorCode::InvalidField, QStringLiteral("undo"),
                 Clause::saying("the history is at its beginning"));
@@ -232,7 +166,7 @@ Result<void> EditSession::undo()
 Result<void> EditSession::redo()
 {
     return guarded([&]() -> Result<void> {
-        m_queue->closeGrowth();
+        m_queue->closeOpen();
         if (m_queue->idle() && !history().canRedo())
             return failure(ErrorCode::InvalidField, QStringLiteral("redo"),
                 Clause::saying("the history is at its end"));
@@ -247,7 +181,7 @@ Result<void> EditSession::goTo(RowId row)
         if (row < 0 || row > RowId(history().rows().size()))
             return failure(ErrorCode::InvalidField, QStringLiteral("goTo"),
                 Clause::saying("the history has no row %1", row));
-        m_queue->closeGrowth();
+        m_queue->closeOpen();
         m_queue->submit(std::make_unique<WalkOperation>(WalkOperation::Aim::Row, row));
         return {};
     });

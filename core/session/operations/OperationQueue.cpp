@@ -126,7 +126,7 @@ void OperationQueue::end(OpenOperation& stroke, Ending ending)
     notifyListeners();
 }
 
-void OperationQueue::closeGrowth()
+void OperationQueue::closeOpen()
 {
     OpenOperation* open = interactive();
     if (!open || !open->manner().withoutPen)
@@ -302,7 +302,7 @@ Result<void> OperationQueue::settle()
 
 Result<void> OperationQueue::waitUntilSettled()
 {
-    closeGrowth();
+    closeOpen();
     m_state.engine.finish();
     poll();
     while (!settled()) {

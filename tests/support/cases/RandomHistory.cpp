@@ -332,14 +332,14 @@ private:
             if (stroke.path.pressures)
                 stroke.path.pressures->resize(1);
             if (m_session->begin(stroke))
-                m_session->extendPath(points);
+                m_session->extend(PathPoints{.pointsLps = points});
         } else if (chance(50)) {
             DrillStroke stroke = randomDrill();
             const std::vector<PenSample> samples = std::exchange(stroke.samples, {});
             if (m_session->begin(stroke))
-                m_session->extendDrill(samples);
+                m_session->extend(PenSamples{.samples = samples});
         } else if (m_session->begin(edit)) {
-            m_session->extendGrowth({.steps = 2});
+            m_session->extend(GrowAdvance{.steps = 2});
         }
         m_session->poll();
         m_session->end(Ending::Rollback);
