@@ -38,7 +38,7 @@ EditTask taskOf(const Edit& edit)
 
 bool canStandOpen(const Edit& edit)
 {
-    return effectsOf(edit).standsOpen;
+    return bool(effectsOf(edit).standsOpen);
 }
 
 bool changesDocumentOnly(const Edit& edit)
@@ -73,10 +73,25 @@ std::unique_ptr<OpenStroke> openStrokeOf(Edit& edit)
 {
     return visitEdit(
         [](auto& known) -> std::unique_ptr<OpenStroke> {
-            if constexpr (hasOpenStroke<std::decay_t<decltype(known)>>)
+            using E = std::decay_t<decltype(known)>;
+            static_assert(!hasOpenStroke<E> || hasEngineEdit<E>,
+                "what an open stroke returns is told to the engine, which must carry the edit out");
+            if constexpr (hasOpenStroke<E>)
                 return openStroke(known);
             else
                 return nullptr;
+        },
+        edit);
+}
+
+OpenManner surfaceMannerOf(const Edit& edit)
+{
+    return visitEdit(
+        [](const auto& known) -> OpenManner {
+            if constexpr (hasOpenManner<std::decay_t<decltype(known)>>)
+                return openManner(known);
+            else
+                return {};
         },
         edit);
 }

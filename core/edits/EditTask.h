@@ -12,6 +12,7 @@ namespace core {
 
 class OpenStroke;
 struct EngineEdit;
+struct OpenManner;
 
 /// Everything that is known of an edit before it is carried out. The next two functions, and those
 /// of DocumentEdits.h, take their answers from it.
@@ -31,5 +32,8 @@ struct EngineEdit;
 /// What the edit can be told while it stands open. It refers to the edit, which must keep its kind.
 /// Null: the engine does not carry it out, or only whole.
 [[nodiscard]] std::unique_ptr<OpenStroke> openStrokeOf(Edit& edit);
+
+/// How an edit of the surface stands open; of others, OpenStroke says it.
+[[nodiscard]] OpenManner surfaceMannerOf(const Edit& edit);
 
 } // namespace core

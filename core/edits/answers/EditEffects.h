@@ -3,11 +3,11 @@
 
 #include "core/document/Document.h"
 #include "core/edits/answers/EditAnswers.h"
+#include "core/edits/answers/Opening.h"
 
 #include <QString>
 
 #include <concepts>
-#include <memory>
 #include <optional>
 
 namespace core {
@@ -34,9 +34,9 @@ struct FilledSegments {
 /// edit.
 struct EditEffects {
     EditTask task;
-    /// Whether it can be begun and then continued until it ends: a stroke, a growth that is
-    /// watched, a preview. All other edits are carried out whole.
-    bool standsOpen;
+    /// Whether it can be begun and then continued until it ends. All other edits are carried out
+    /// whole.
+    Opening standsOpen;
     /// The list of the document that it changes; none if it changes only voxels.
     std::optional<DocumentChange::What> changes{};
     /// It changes the document and no voxel.
@@ -62,15 +62,6 @@ concept hasEngineEdit = requires(const E& edit, const Document& document)
     {
         engineEdit(edit, document)
         } -> std::same_as<Result<EngineEdit>>;
-};
-
-/// Whether it can stand open while the engine carries it out.
-template <class E>
-concept hasOpenStroke = requires(E& edit)
-{
-    {
-        openStroke(edit)
-        } -> std::same_as<std::unique_ptr<OpenStroke>>;
 };
 
 /// The task of what the engine carries out.

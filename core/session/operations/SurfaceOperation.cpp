@@ -2,6 +2,7 @@
 #include "core/session/operations/SurfaceOperation.h"
 
 #include "core/base/Guarded.h"
+#include "core/edits/EditTask.h"
 #include "core/edits/document/DocumentEdits.h"
 #include "core/edits/kinds/surface/FollowMask.h"
 #include "core/edits/kinds/surface/LaySurface.h"
@@ -15,6 +16,7 @@ namespace core {
 
 SurfaceOperation::SurfaceOperation(Edit edit, Kind kind, RowId again)
     : m_edit(std::move(edit))
+    , m_manner(surfaceMannerOf(m_edit))
     , m_kind(kind)
     , m_again(again)
 {
@@ -91,7 +93,7 @@ void SurfaceOperation::abort()
 
 bool SurfaceOperation::isAbortable() const
 {
-    const bool isMoving = isTemplate() && !m_hasBegun && m_ending != Ending::Rollback;
+    const bool isMoving = m_manner.withoutPen && !m_hasBegun && m_ending != Ending::Rollback;
     return !m_done && (m_edit.is<LaySurface>() || m_edit.is<FollowMask>() || isMoving);
 }
 

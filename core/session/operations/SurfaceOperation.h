@@ -33,19 +33,17 @@ public:
     /// For an edit that is abortable: it ends with Cancelled and changes nothing. One that stands
     /// open must be rolled back afterwards.
     void abort();
-    /// Laying a surface, following the mask, and a template while it moves.
+    /// Laying a surface, following the mask, and a preview until it can be seen.
     [[nodiscard]] bool isAbortable() const;
 
     [[nodiscard]] bool open() const override { return m_kind == Kind::Interactive && !m_ending; }
     [[nodiscard]] const Edit& edit() const override { return m_edit; }
-    /// A template stays open while it is looked at.
-    [[nodiscard]] OpenManner manner() const override { return {.withoutPen = isTemplate()}; }
+    [[nodiscard]] OpenManner manner() const override { return m_manner; }
     /// By points of its path.
     void extend(SessionState& state, const StrokeExtension& extension) override;
     void end(SessionState& state, Ending ending) override;
 
 private:
-    [[nodiscard]] bool isTemplate() const { return m_edit.is<ApplyTemplate>(); }
     void readOn(SessionState& state);
     void work(SessionState& state);
     void finish(SessionState& state, Result<SurfaceWork::Outcome>&& outcome);
@@ -56,6 +54,7 @@ private:
     void reportFailure(SessionState& state, const Error& error);
 
     Edit m_edit;
+    OpenManner m_manner;
     Kind m_kind;
     RowId m_again = 0;
     std::optional<LabelReader> m_reader; ///< while labels are being read
@@ -65,7 +64,7 @@ private:
     std::optional<Ending> m_ending;
     std::optional<Ticket> m_written; ///< the end of the transaction that writes voxels
     bool m_isAborted = false;
-    bool m_hasBegun = false; ///< SurfaceWork::begin() is through; a template stands
+    bool m_hasBegun = false; ///< SurfaceWork::begin() is through; a preview can be seen
     bool m_reported = false; ///< the reason for the failure was reported
     bool m_done = false;
 };

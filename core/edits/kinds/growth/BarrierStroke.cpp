@@ -24,7 +24,9 @@ Result<bool> apply(const BarrierStroke&, Document&)
 
 EditEffects effects(const BarrierStroke&)
 {
-    return {.task = engineTask<BarrierStroke>(), .standsOpen = true, .boundToStudy = true};
+    return {.task = engineTask<BarrierStroke>(),
+        .standsOpen = opens<BarrierStroke>(),
+        .boundToStudy = true};
 }
 
 Result<PaintBarrier> paintBarrier(const BarrierStroke& stroke, const Document& document)

@@ -68,7 +68,7 @@ Result<bool> apply(const ChangeInterval&, Document&)
 EditEffects effects(const ChangeInterval& edit)
 {
     return {.task = engineTask<ChangeInterval>(),
-        .standsOpen = true,
+        .standsOpen = opens<ChangeInterval>(),
         .boundToStudy = !edit.asBefore && edit.criteria.box.has_value(),
         .movesGeneration = true};
 }

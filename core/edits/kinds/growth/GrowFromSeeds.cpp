@@ -83,7 +83,7 @@ Result<bool> apply(const GrowFromSeeds&, Document&)
 EditEffects effects(const GrowFromSeeds& edit)
 {
     return {.task = engineTask<GrowFromSeeds>(),
-        .standsOpen = true,
+        .standsOpen = opens<GrowFromSeeds>(),
         .boundToStudy = edit.box.has_value()};
 }
 

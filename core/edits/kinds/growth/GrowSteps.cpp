@@ -26,7 +26,7 @@ Result<bool> apply(const GrowSteps&, Document&)
 EditEffects effects(const GrowSteps& edit)
 {
     return {.task = engineTask<GrowSteps>(),
-        .standsOpen = true,
+        .standsOpen = opens<GrowSteps>(),
         .boundToStudy = edit.criteria.box.has_value(),
         .movesGeneration = true};
 }

@@ -24,7 +24,9 @@ Result<bool> apply(const ResumeGrowth&, Document&)
 
 EditEffects effects(const ResumeGrowth&)
 {
-    return {.task = engineTask<ResumeGrowth>(), .standsOpen = true, .movesGeneration = true};
+    return {.task = engineTask<ResumeGrowth>(),
+        .standsOpen = opens<ResumeGrowth>(),
+        .movesGeneration = true};
 }
 
 Result<EngineEdit> engineEdit(const ResumeGrowth&, const Document&)

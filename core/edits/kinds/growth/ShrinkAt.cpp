@@ -67,7 +67,7 @@ EditEffects effects(const ShrinkAt& edit)
 {
     // Backwards it goes as long as it is held.
     return {.task = engineTask<ShrinkAt>(),
-        .standsOpen = edit.steps.has_value(),
+        .standsOpen = opensIf<ShrinkAt>(edit.steps.has_value()),
         .boundToStudy = true,
         .movesGeneration = true};
 }

@@ -69,7 +69,9 @@ Result<bool> apply(const ShrinkSteps&, Document&)
 
 EditEffects effects(const ShrinkSteps&)
 {
-    return {.task = engineTask<ShrinkSteps>(), .standsOpen = true, .movesGeneration = true};
+    return {.task = engineTask<ShrinkSteps>(),
+        .standsOpen = opens<ShrinkSteps>(),
+        .movesGeneration = true};
 }
 
 Result<ShrinkGrowth> shrinkGrowth(const ShrinkSteps& shrink, const Document& document)

@@ -26,7 +26,9 @@ Result<bool> apply(const BrushStroke&, Document&)
 
 EditEffects effects(const BrushStroke&)
 {
-    return {.task = engineTask<BrushStroke>(), .standsOpen = true, .boundToStudy = true};
+    return {.task = engineTask<BrushStroke>(),
+        .standsOpen = opens<BrushStroke>(),
+        .boundToStudy = true};
 }
 
 Result<CapsuleCut> capsuleCut(const BrushStroke& stroke, const Document& document)

@@ -49,7 +49,9 @@ Result<bool> apply(const DrillStroke&, Document&)
 
 EditEffects effects(const DrillStroke&)
 {
-    return {.task = engineTask<DrillStroke>(), .standsOpen = true, .boundToStudy = true};
+    return {.task = engineTask<DrillStroke>(),
+        .standsOpen = opens<DrillStroke>(),
+        .boundToStudy = true};
 }
 
 Result<DrillCut> drillCut(const DrillStroke& stroke, const Document& document)

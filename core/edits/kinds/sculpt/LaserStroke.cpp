@@ -56,7 +56,9 @@ Result<bool> apply(const LaserStroke&, Document&)
 
 EditEffects effects(const LaserStroke&)
 {
-    return {.task = engineTask<LaserStroke>(), .standsOpen = true, .boundToStudy = true};
+    return {.task = engineTask<LaserStroke>(),
+        .standsOpen = opens<LaserStroke>(),
+        .boundToStudy = true};
 }
 
 Result<LaserCut> laserCut(const LaserStroke& stroke, const Document& document)

@@ -70,7 +70,7 @@ Result<bool> apply(const PeelCut&, Document&)
 
 EditEffects effects(const PeelCut&)
 {
-    return {.task = engineTask<PeelCut>(), .standsOpen = true, .boundToStudy = true};
+    return {.task = engineTask<PeelCut>(), .standsOpen = opens<PeelCut>(), .boundToStudy = true};
 }
 
 Result<ShellPeel> shellPeel(const PeelCut& peel, const Document& document)

@@ -73,7 +73,7 @@ Result<bool> apply(const PaintStroke&, Document&)
 EditEffects effects(const PaintStroke& edit)
 {
     return {.task = engineTask<PaintStroke>(),
-        .standsOpen = true,
+        .standsOpen = opens<PaintStroke>(),
         .writesTo = edit.segment,
         .fills = {.label = edit.erase ? std::nullopt : std::optional(edit.segment)},
         .boundToStudy = true};

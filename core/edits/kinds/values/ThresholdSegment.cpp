@@ -84,7 +84,7 @@ EditEffects effects(const ThresholdSegment& edit)
 {
     const bool gives = edit.mode != ThresholdSegment::Mode::Subtract;
     return {.task = engineTask<ThresholdSegment>(),
-        .standsOpen = true,
+        .standsOpen = opens<ThresholdSegment>(),
         .writesTo = edit.segment,
         .fills = {.label = gives ? std::optional(edit.segment) : std::nullopt},
         .boundToStudy = edit.box.has_value() || namesPlaces(edit.editable)};
