@@ -10,7 +10,7 @@
 
 namespace core {
 
-CapsulePath wholePath(const BrushPath& path, BrushRule rule, const VolumeGeometry& geometry)
+CapsulePath wholeBrushPath(const BrushPath& path, BrushRule rule, const VolumeGeometry& geometry)
 {
     CapsulePath whole{capsules(path, geometry, rule.ofTolerance)};
     if (rule.followsEdges)
@@ -27,7 +27,7 @@ OpenBrush::OpenBrush(BrushPath& path, BrushRule rule)
 OpenStroke::Told OpenBrush::begin(const EngineEdit&, const Document& document, bool)
 {
     m_hasBegun = true;
-    return {wholePath(m_path, m_rule, document.volumes.front().geometry)};
+    return {wholeBrushPath(m_path, m_rule, document.volumes.front().geometry)};
 }
 
 Result<OpenStroke::Told> OpenBrush::extend(

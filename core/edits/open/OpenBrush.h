@@ -16,7 +16,7 @@ struct BrushRule {
 };
 
 /// The whole path of a brush as the engine is told of it.
-[[nodiscard]] CapsulePath wholePath(
+[[nodiscard]] CapsulePath wholeBrushPath(
     const BrushPath& path, BrushRule rule, const VolumeGeometry& geometry);
 
 /// The open stroke of a brush that paints, carves or sets barriers. It is told further points of

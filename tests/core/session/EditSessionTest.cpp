@@ -312,6 +312,32 @@ private Q_SLOTS:
         QCOMPARE(replay.session->stateHash(), grown.stateHash);
     }
 
+    /// The window asks by the kind what stands open; what does not apply to it is ignored.
+    void whatStandsOpenIsKnown()
+    {
+        Bench bench;
+        EditSession& session = *bench.session;
+        QVERIFY(!session.openEdit() && !session.openIsRefused());
+        session.extend(ToSteps{2}); // nothing is open
+        session.forgetPreview();
+        session.closeOpen();
+        bench.run(test::addSegment("Brain"));
+        bench.run(test::seedInBrain(1));
+        QVERIFY(session.begin(test::growBrain()));
+        session.extend(GrowAdvance{.steps = 2});
+        session.extend(ToDepth{1.0}); // a growth has none
+        session.extend(ToSteps{-1});
+        session.forgetPreview(); // it is none
+        session.poll();
+        QVERIFY(session.isOpen<GrowSteps>() && !session.isOpen<ShrinkSteps>());
+        QVERIFY(session.transactionOpen() && !session.openIsRefused());
+        session.closeOpen();
+        QVERIFY(!session.openEdit() && !session.transactionOpen());
+        QVERIFY(session.settle());
+        QCOMPARE(session.history().rows().size(), std::size_t(3));
+        QCOMPARE(*growStepsOf(bench.lastRow().edit), std::optional<int>(2));
+    }
+
     void aGrowthSaysHowFarItCame()
     {
         // Without fresh seeds the opening adds nothing, so steps and generations agree.

@@ -127,7 +127,7 @@ Result<PaintLabel> paintLabel(const PaintStroke& stroke, const Document& documen
 
 CapsulePath paintPath(const PaintStroke& stroke, const VolumeGeometry& geometry)
 {
-    return wholePath(stroke.path, ruleOf(stroke), geometry);
+    return wholeBrushPath(stroke.path, ruleOf(stroke), geometry);
 }
 
 Result<EngineEdit> engineEdit(const PaintStroke& edit, const Document& document)
