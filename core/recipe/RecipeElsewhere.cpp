@@ -3,6 +3,7 @@
 
 #include "core/edits/document/DocumentEdits.h"
 #include "core/edits/kinds/AnyEdit.h"
+#include "core/edits/kinds/IsOneOf.h"
 
 #include <algorithm>
 #include <type_traits>
@@ -17,6 +18,22 @@ constexpr int firstLayer = 1;
 
 using editFields::ThingNumber;
 using editSchema::Presence;
+
+/// Whether no field of a type names a thing that has another number elsewhere. A type that is not
+/// listed, and that NumberVisitor does not show either, does not compile. Those of masks, splits
+/// and chunks hold labels, but their edits are bound to the study.
+template <class Kind>
+inline constexpr bool namesNothing = isOneOf<Kind, editFields::Number, editFields::WholeNumber,
+    editFields::Connectivity, editFields::Flag, editFields::Text, editFields::Colour,
+    editFields::Code, editFields::Point, editFields::Row, editFields::StepCount,
+    editFields::PointList, editFields::ContourList, editFields::Outline,
+    editFields::ClipHalfSpaceList, editFields::SampleList, editFields::PressureList,
+    editFields::RowList, editFields::PlaceList, editFields::CornerPair, editFields::FileName,
+    editFields::SegmentReference, editFields::GridSize, editFields::ImportedSegmentList,
+    editFields::EntryOrder, editFields::PlaneList, editFields::SplitPartList,
+    editFields::ChunkOwnerList, editFields::PackedBytes, editFields::BrickList>;
+template <class E, std::size_t N>
+inline constexpr bool namesNothing<editFields::Choice<E, N>> = true;
 
 /// Shows every number by which an edit names a thing, as its fields say.
 template <class Take> class NumberVisitor {
@@ -34,6 +51,8 @@ public:
             for (int& segment : value)
                 m_take(ThingNumber::Thing::Segment, segment);
             std::sort(value.begin(), value.end());
+        } else {
+            static_assert(namesNothing<Kind>, "does such a field name things by their numbers?");
         }
     }
     template <class Kind>
@@ -142,9 +161,17 @@ std::optional<RecipeElsewhere::Kind> RecipeElsewhere::mayMake(const Edit& edit)
         return Kind::Bookmark;
     case What::Measurements:
         return Kind::Measurement;
-    default:
-        return std::nullopt;
+    case What::Volume:
+    case What::Surface:
+    case What::Chunks:
+    case What::Labels:
+    case What::Coverage:
+    case What::Growth:
+    case What::History:
+    case What::Disk:
+        break; // nothing there has a number
     }
+    return std::nullopt;
 }
 
 RecipeElsewhere::RecipeElsewhere(Recipe recipe)

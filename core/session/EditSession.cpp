@@ -84,7 +84,8 @@ Result<void> EditSession::begin(const Edit& edit)
         if (const Result<void> checked = checkFieldsAtBegin(edit); !checked)
             return checked;
         const Edit rounded = quantised(edit);
-        if (!canStandOpen(rounded))
+        std::unique_ptr<Operation> operation = openOperationOf(rounded);
+        if (!operation || !canStandOpen(rounded))
             return failure(ErrorCode::InvalidField, editName(rounded),
                 Clause::saying("it is carried out whole, there is nothing to begin"));
         m_queue->closeOpen();
@@ -93,12 +94,7 @@ Result<void> EditSession::begin(const Edit& edit)
                 Clause::saying("another stroke has not ended yet"));
         if (const Result<void> checked = m_queue->check(rounded); !checked)
             return checked;
-        if (taskOf(rounded) == EditTask::Surface)
-            m_queue->submit(
-                std::make_unique<SurfaceOperation>(rounded, SurfaceOperation::Kind::Interactive));
-        else
-            m_queue->submit(
-                std::make_unique<VoxelOperation>(rounded, VoxelOperation::Kind::Interactive));
+        m_queue->submit(std::move(operation));
         return {};
     });
 }

@@ -20,6 +20,53 @@ auto refuse(const char* field, const char* reason)
         core::ErrorCode::InvalidField, QLatin1String(field), QLatin1String(reason));
 }
 
+// Why an extension is refused by an open edit for which it is not meant.
+
+const char* notMeantBy(const core::DrillPath&)
+{
+    return "the open edit is no stroke of drill or laser";
+}
+
+const char* notMeantBy(const core::CapsulePath&)
+{
+    return "the open edit is no stroke of a brush";
+}
+
+const char* notMeantBy(const core::PeelDepth&)
+{
+    return "the open edit is no peel";
+}
+
+const char* notMeantBy(const core::ShrinkTo&)
+{
+    return "the open edit is no shrinking";
+}
+
+const char* notMeantBy(const core::CutFurther&)
+{
+    return "the open edit is no cut backwards";
+}
+
+const char* notMeantBy(const core::ForgetSpread&)
+{
+    return "the open edit does not grow from seeds";
+}
+
+const char* notMeantBy(const core::GrowAdvance&)
+{
+    return "the open edit is no growth";
+}
+
+const char* notMeantBy(const core::GrowPause&)
+{
+    return "the open edit is no growth";
+}
+
+const char* notMeantBy(const core::GrowAnew&)
+{
+    return "the open edit is no growth";
+}
+
 } // namespace
 
 core::Result<void> Oracle::openVolume(const glm::ivec3& size, std::span<const std::uint16_t> codes)
@@ -152,29 +199,6 @@ core::Result<Oracle::Work> Oracle::begin(core::CutGrowth& edit)
     if (!done)
         return tl::unexpected(done.error());
     return CutBack{edit, *std::move(done)};
-}
-
-/// Begins again for every step, as far as it is not refused.
-core::Result<void> Oracle::cutFurther(CutBack& cut, const core::CutFurther& further)
-{
-    if (cut.edit.how != core::CutGrowth::How::Backwards)
-        return refuse("extension", "the open edit is no cut backwards");
-    if (further.steps < 1)
-        return refuse("steps", "are none");
-    using Bound = core::BackwardProgress::Bound;
-    while (cut.edit.steps < further.steps && cut.done.backwards.bound == Bound::None) {
-        core::CutGrowth next = cut.edit;
-        ++next.steps;
-        DenseFields fields = m_open->before;
-        core::Result<CutDone> done = cutGrowth(fields, next);
-        if (!done) {
-            cut.done.backwards.bound = Bound::Everything;
-            break;
-        }
-        m_fields = std::move(fields);
-        cut = {next, *std::move(done)};
-    }
-    return {};
 }
 
 core::Result<Oracle::Work> Oracle::begin(core::PaintBarrier& edit)
@@ -382,90 +406,124 @@ Oracle::Outcome Oracle::carryOut(core::BeginEdit& command)
     return std::nullopt;
 }
 
+core::Result<void> Oracle::extend(Drill& stroke, core::DrillPath& path)
+{
+    stroke.extend(path.samples);
+    return {};
+}
+
+core::Result<void> Oracle::extend(Laser& stroke, core::DrillPath& path)
+{
+    stroke.extend(path.samples);
+    return {};
+}
+
+core::Result<void> Oracle::extend(Capsules& stroke, core::CapsulePath& path)
+{
+    stroke.extend(path);
+    return {};
+}
+
+core::Result<void> Oracle::extend(Peel& peel, core::PeelDepth& depth)
+{
+    if (depth.depth < 0)
+        return refuse("depth", "is below 0");
+    peel.setDepth(depth.depth);
+    return {};
+}
+
+core::Result<void> Oracle::extend(Shrunk& shrunk, core::ShrinkTo& to)
+{
+    if (to.keep > shrunk.edit.generation)
+        return refuse("keep", "is more than there is");
+    shrunk.edit.keep = to.keep;
+    shrunk.edit.keepSeeds = to.keep == 0;
+    m_fields = m_open->before;
+    shrunk.to = shrinkGrowth(m_fields, shrunk.edit);
+    return {};
+}
+
+/// Begins again for every step, as far as it is not refused.
+core::Result<void> Oracle::extend(CutBack& cut, core::CutFurther& further)
+{
+    if (cut.edit.how != core::CutGrowth::How::Backwards)
+        return refuse("extension", notMeantBy(further));
+    if (further.steps < 1)
+        return refuse("steps", "are none");
+    using Bound = core::BackwardProgress::Bound;
+    while (cut.edit.steps < further.steps && cut.done.backwards.bound == Bound::None) {
+        core::CutGrowth next = cut.edit;
+        ++next.steps;
+        DenseFields fields = m_open->before;
+        core::Result<CutDone> done = cutGrowth(fields, next);
+        if (!done) {
+            cut.done.backwards.bound = Bound::Everything;
+            break;
+        }
+        m_fields = std::move(fields);
+        cut = {next, *std::move(done)};
+    }
+    return {};
+}
+
+core::Result<void> Oracle::extend(Spread&, core::ForgetSpread&)
+{
+    return {};
+}
+
+core::Result<void> Oracle::extend(Growth& growth, core::GrowAdvance& advance)
+{
+    growth.advance(advance.steps);
+    return {};
+}
+
+/// What it was told before is already done.
+core::Result<void> Oracle::extend(Growth&, core::GrowPause&)
+{
+    return {};
+}
+
+core::Result<void> Oracle::extend(Growth& growth, core::GrowAnew& anew)
+{
+    if (anew.burst.plane != growth.plane())
+        return refuse("plane", "is another one");
+    if (const core::Result<void> checked = check(anew.burst); !checked)
+        return checked;
+    m_fields = m_open->before;
+    m_open->work.emplace<Growth>(m_codes, m_fields.composedCoverage(m_muted), m_fields, anew.burst);
+    return {};
+}
+
+/// An open edit for which an extension is not meant.
+template <class Other, class Extension>
+core::Result<void> Oracle::extend(Other&, Extension& extension)
+{
+    return refuse("extension", notMeantBy(extension));
+}
+
 Oracle::Outcome Oracle::carryOut(core::ExtendEdit& command)
 {
     if (!m_open)
         return refuse("transaction", "no edit is open");
-    if (const auto* path = std::get_if<core::DrillPath>(&command.extension)) {
-        Drill* drill = std::get_if<Drill>(&m_open->work);
-        Laser* laser = std::get_if<Laser>(&m_open->work);
-        if (!drill && !laser)
-            return refuse("extension", "the open edit is no stroke of drill or laser");
-        if (drill)
-            drill->extend(path->samples);
-        else
-            laser->extend(path->samples);
-        return std::nullopt;
-    }
-    if (const auto* path = std::get_if<core::CapsulePath>(&command.extension)) {
-        Capsules* stroke = std::get_if<Capsules>(&m_open->work);
-        if (!stroke)
-            return refuse("extension", "the open edit is no stroke of a brush");
-        stroke->extend(*path);
-        return std::nullopt;
-    }
-    if (const auto* depth = std::get_if<core::PeelDepth>(&command.extension)) {
-        Peel* peel = std::get_if<Peel>(&m_open->work);
-        if (!peel)
-            return refuse("extension", "the open edit is no peel");
-        if (depth->depth < 0)
-            return refuse("depth", "is below 0");
-        peel->setDepth(depth->depth);
-        return std::nullopt;
-    }
-    if (const auto* to = std::get_if<core::ShrinkTo>(&command.extension)) {
-        Shrunk* shrunk = std::get_if<Shrunk>(&m_open->work);
-        if (!shrunk)
-            return refuse("extension", "the open edit is no shrinking");
-        if (to->keep > shrunk->edit.generation)
-            return refuse("keep", "is more than there is");
-        shrunk->edit.keep = to->keep;
-        shrunk->edit.keepSeeds = to->keep == 0;
-        m_fields = m_open->before;
-        shrunk->to = shrinkGrowth(m_fields, shrunk->edit);
-        return std::nullopt;
-    }
-    if (const auto* further = std::get_if<core::CutFurther>(&command.extension)) {
-        CutBack* cut = std::get_if<CutBack>(&m_open->work);
-        if (!cut)
-            return refuse("extension", "the open edit is no cut backwards");
-        if (const core::Result<void> done = cutFurther(*cut, *further); !done)
-            return tl::unexpected(done.error());
-        return std::nullopt;
-    }
-    if (std::holds_alternative<core::ForgetSpread>(command.extension)) {
-        if (!std::holds_alternative<Spread>(m_open->work))
-            return refuse("extension", "the open edit does not grow from seeds");
-        return std::nullopt;
-    }
-    Growth* growth = std::get_if<Growth>(&m_open->work);
-    if (!growth)
-        return refuse("extension", "the open edit is no growth");
-    if (const auto* anew = std::get_if<core::GrowAnew>(&command.extension)) {
-        if (anew->burst.plane != growth->plane())
-            return refuse("plane", "is another one");
-        if (const core::Result<void> checked = check(anew->burst); !checked)
-            return tl::unexpected(checked.error());
-        m_fields = m_open->before;
-        m_open->work.emplace<Growth>(
-            m_codes, m_fields.composedCoverage(m_muted), m_fields, anew->burst);
-        return std::nullopt;
-    }
-    if (const auto* advance = std::get_if<core::GrowAdvance>(&command.extension))
-        growth->advance(advance->steps);
+    const core::Result<void> extended =
+        std::visit([this](auto& work, auto& extension) { return extend(work, extension); },
+            m_open->work, command.extension);
+    if (!extended)
+        return tl::unexpected(extended.error());
     return std::nullopt;
 }
 
+/// As far as the work asks for it.
 std::optional<std::int32_t> Oracle::searchedTo() const
 {
-    if (const auto* drill = std::get_if<Drill>(&m_open->work))
-        return drill->searchedTo();
-    if (const auto* laser = std::get_if<Laser>(&m_open->work))
-        return laser->searchedTo();
-    if (const auto* peel = std::get_if<Peel>(&m_open->work))
-        return peel->searchedTo();
-    const auto* done = std::get_if<Done>(&m_open->work);
-    return done ? done->searchedTo : std::nullopt;
+    return std::visit(
+        [](const auto& work) -> std::optional<std::int32_t> {
+            if constexpr (requires { work.searchedTo(); })
+                return work.searchedTo();
+            else
+                return std::nullopt;
+        },
+        m_open->work);
 }
 
 Oracle::Outcome Oracle::carryOut(core::EndEdit& command)

@@ -32,7 +32,8 @@ public:
 private:
     /// An edit that is done once it has begun.
     struct Done {
-        std::optional<std::int32_t> searchedTo{};
+        std::optional<std::int32_t> to{}; ///< how far a ray searched
+        [[nodiscard]] std::optional<std::int32_t> searchedTo() const { return to; }
     };
     /// Likewise, and may be done anew for another generation; it tells how far the growth is now.
     struct Shrunk {
@@ -80,7 +81,6 @@ private:
     [[nodiscard]] Outcome carryOut(core::DropCutPreview& command);
     [[nodiscard]] Outcome carryOut(core::CompareGrowth& command);
     [[nodiscard]] core::Result<void> checkCut(const core::CutGrowth& edit) const;
-    [[nodiscard]] core::Result<void> cutFurther(CutBack& cut, const core::CutFurther& further);
     [[nodiscard]] core::Result<void> check(const core::GrowBurst& edit) const;
     [[nodiscard]] core::Result<void> checkGroups(const std::vector<core::SeedGroup>& groups) const;
 
@@ -109,6 +109,20 @@ private:
     [[nodiscard]] core::Result<Work> begin(core::CoverLabel& edit);
     [[nodiscard]] core::Result<Work> begin(core::FoldLayer& edit);
     [[nodiscard]] core::Result<Work> begin(core::LaserCut& edit);
+
+    // What an open edit makes of an extension that is meant for it; all others are refused.
+    [[nodiscard]] core::Result<void> extend(Drill& stroke, core::DrillPath& path);
+    [[nodiscard]] core::Result<void> extend(Laser& stroke, core::DrillPath& path);
+    [[nodiscard]] core::Result<void> extend(Capsules& stroke, core::CapsulePath& path);
+    [[nodiscard]] core::Result<void> extend(Peel& peel, core::PeelDepth& depth);
+    [[nodiscard]] core::Result<void> extend(Shrunk& shrunk, core::ShrinkTo& to);
+    [[nodiscard]] core::Result<void> extend(CutBack& cut, core::CutFurther& further);
+    [[nodiscard]] core::Result<void> extend(Spread& spread, core::ForgetSpread& forget);
+    [[nodiscard]] core::Result<void> extend(Growth& growth, core::GrowAdvance& advance);
+    [[nodiscard]] core::Result<void> extend(Growth& growth, core::GrowPause& pause);
+    [[nodiscard]] core::Result<void> extend(Growth& growth, core::GrowAnew& anew);
+    template <class Other, class Extension>
+    [[nodiscard]] core::Result<void> extend(Other& other, Extension& extension);
 
     DenseArray<std::uint16_t> m_codes;
     DenseFields m_fields;

@@ -22,16 +22,31 @@ enum class EditTask {
     History, ///< older rows are taken back or changed
 };
 
+/// A label, or none; it has no default, so whoever makes one says which.
+struct StatedLabel : std::optional<int> {
+    StatedLabel(int label)
+        : std::optional<int>(label)
+    {
+    }
+    StatedLabel(std::nullopt_t) { }
+    StatedLabel(std::optional<int> label)
+        : std::optional<int>(label)
+    {
+    }
+};
+
 /// Segments that may have their first voxels, or seeds, from an edit.
 struct FilledSegments {
-    std::optional<int> label{};
+    StatedLabel label;
     std::optional<int> other{}; ///< a second label that receives voxels
     QString name{}; ///< those that are called so; empty: none
     bool added = false; ///< also those that the edit itself adds
 };
+/// No segment has its first voxels, or seeds, from it.
+inline const FilledSegments fillsNothing{.label = std::nullopt};
 
-/// What is known of an edit before it is carried out. The first two members must be given for each
-/// edit.
+/// What is known of an edit before it is carried out. The first two members and what it fills must
+/// be given for each edit; without the latter it does not compile.
 struct EditEffects {
     EditTask task;
     /// Whether it can be begun and then continued until it ends. All other edits are carried out
@@ -47,7 +62,7 @@ struct EditEffects {
     /// afterwards. What a growth changes is not known in advance, nor what other segments lose.
     std::optional<int> writesTo{};
     /// Who will have to be coded where it is exported with a code.
-    FilledSegments fills{};
+    FilledSegments fills;
     /// It refers to places of one study or to rows of one history, so it means nothing in a recipe
     /// for another study.
     bool boundToStudy = false;
@@ -81,6 +96,7 @@ template <class E> [[nodiscard]] constexpr EditTask engineTask()
         .standsOpen = false,
         .changes = changes,
         .onlyDocument = true,
+        .fills = fillsNothing,
         .boundToStudy = boundToStudy};
 }
 

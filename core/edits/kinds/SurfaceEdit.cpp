@@ -15,9 +15,17 @@
 #include "core/edits/kinds/surface/SurfaceBarrier.h"
 #include "core/edits/kinds/surface/WriteBack.h"
 
+#include <type_traits>
 #include <utility>
 
 namespace core {
+
+namespace {
+
+template <class E>
+concept hasSurfacePath = std::is_same_v<decltype(E::path), SurfacePath>;
+
+} // namespace
 
 std::optional<SurfaceEdit> surfaceEditOf(const Edit& edit)
 {
@@ -28,10 +36,12 @@ std::optional<SurfaceEdit> surfaceEditOf(const Edit& edit)
 
 const SurfacePath* surfacePathOf(const Edit& edit)
 {
-    using WithPath =
-        EditKinds<MarkSurface, SpherePush, PlaneScrape, PointDrag, SmoothSurface, AttractSurface>;
     const SurfacePath* path = nullptr;
-    visitAmong([&path](const auto& known) { path = &known.path; }, edit, WithPath());
+    const auto look = [&path](const auto& known) {
+        if constexpr (hasSurfacePath<std::decay_t<decltype(known)>>)
+            path = &known.path;
+    };
+    visitAmong(look, edit, SurfaceKinds());
     return path;
 }
 

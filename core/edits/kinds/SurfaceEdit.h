@@ -9,16 +9,19 @@ namespace core {
 
 struct SurfacePath;
 
-/// Any edit that lays the surface that is refined, or works on it.
+/// Any edit that lays the surface that is refined, or works on it. What is asked of each of them
+/// is asked by overloads for all, so that a kind that is added does not compile until it answers.
 using SurfaceKinds = EditKinds<LaySurface, DropSurface, FollowMask, MarkSurface, ChangeMarks,
     SpherePush, PlaneScrape, PointDrag, ApplyTemplate, SmoothSurface, AttractSurface, WriteBack,
     SurfaceBarrier>;
 using SurfaceEdit = VariantOfKinds<SurfaceKinds>::Type;
+template <class E>
+concept isSurfaceKind = (placeAmong<E>(SurfaceKinds()) < SurfaceKinds::count);
 
 /// None if it is no such edit.
 [[nodiscard]] std::optional<SurfaceEdit> surfaceEditOf(const Edit& edit);
 
-/// The path of a tool of the surface; null if the edit has none.
+/// The path of a tool of the surface: the member `path` of its edit; null if it has none.
 [[nodiscard]] const SurfacePath* surfacePathOf(const Edit& edit);
 [[nodiscard]] SurfacePath* surfacePathOf(Edit& edit);
 

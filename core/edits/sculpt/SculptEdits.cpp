@@ -3,12 +3,8 @@
 
 #include "core/edits/engine/EngineEdits.h"
 #include "core/edits/engine/SegmentProtection.h"
-#include "core/edits/kinds/EditKinds.h"
+#include "core/edits/kinds/AnyEdit.h"
 #include "core/edits/kinds/IsOneOf.h"
-#include "core/edits/kinds/history/ReviseStroke.h"
-#include "core/edits/kinds/layers/MergeLayers.h"
-#include "core/edits/kinds/layers/RemoveLayer.h"
-#include "core/edits/kinds/layers/SegmentToLayer.h"
 #include "core/edits/kinds/sculpt/DrillPathSampler.h"
 #include "core/edits/kinds/sculpt/ToolMasks.h"
 #include "core/edits/sculpt/SculptVisit.h"
@@ -145,23 +141,43 @@ template <class Visitor> void visitParameters(Visitor& visit, ScissorsCut& cut)
         visit.depth(*cut.depthMm);
 }
 
-/// Edits that write a layer's coverage otherwise than by a cut.
-using LayerWriters = EditKinds<SegmentToLayer, MergeLayers, RemoveLayer>;
-
-bool isWritten(int layer, const SegmentToLayer& segment)
+template <class E>
+concept hasLayer = requires
 {
-    return segment.layer == layer;
-}
+    &E::layer;
+};
 
-bool isWritten(int layer, const MergeLayers& merge)
-{
-    return merge.from == layer || merge.into == layer;
-}
+/// Whether a kind of edit names a layer. One that does is listed in what follows, or it does not
+/// compile: nobody could know whether cuts alone give a layer's content.
+template <class E>
+concept namesLayer =
+    hasLayer<E> || std::is_same_v<decltype(E::into), int> || std::is_same_v<decltype(E::from), int>;
 
-bool isWritten(int layer, const RemoveLayer& remove)
-{
-    return remove.layer == layer;
-}
+/// Whether an edit writes a layer's coverage otherwise than by a cut.
+struct WritesLayer {
+    std::optional<int> layer; ///< id; none: whatever layer
+
+    [[nodiscard]] bool isThat(int id) const { return !layer || id == *layer; }
+
+    bool operator()(const SegmentToLayer& segment) const { return isThat(segment.layer); }
+    bool operator()(const MergeLayers& merge) const
+    {
+        return isThat(merge.from) || isThat(merge.into);
+    }
+    bool operator()(const RemoveLayer& remove) const { return isThat(remove.layer); }
+    /// They read coverage, or change what the list says of a layer. A revision is counted with the
+    /// cut that it changes.
+    template <class E>
+    requires isOneOf<E, ChangeLayer, MoveLayer, LayerToSegment, CutPiece, ReviseStroke>
+    bool operator()(const E&) const { return false; }
+    template <class E>
+    requires(placeAmong<E>(SculptKinds()) < SculptKinds::count) bool operator()(const E&) const
+    {
+        return false;
+    }
+    template <class E>
+    requires(!namesLayer<E>) bool operator()(const E&) const { return false; }
+};
 
 struct ParameterReader {
     void layer(int value) { read.layer = value; }
@@ -204,14 +220,12 @@ struct ParameterWriter {
 
 bool writesLayer(const Edit& edit, int layer)
 {
-    bool writes = false;
-    visitAmong([&](const auto& known) { writes = isWritten(layer, known); }, edit, LayerWriters());
-    return writes;
+    return visitEdit(WritesLayer{.layer = layer}, edit);
 }
 
 bool writesSomeLayer(const Edit& edit)
 {
-    return isAmong(edit, LayerWriters());
+    return visitEdit(WritesLayer{.layer = std::nullopt}, edit);
 }
 
 SculptEdit::SculptEdit()

@@ -1,19 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/session/operations/EditOperation.h"
 
-#include "core/edits/EditTask.h"
-#include "core/edits/kinds/chunks/ChunkToggle.h"
-#include "core/edits/kinds/chunks/DivideSegment.h"
-#include "core/edits/kinds/filling/EvolveContour.h"
-#include "core/edits/kinds/filling/FillBetweenSlices.h"
-#include "core/edits/kinds/filling/FloodFill.h"
-#include "core/edits/kinds/filling/MirrorSegment.h"
-#include "core/edits/kinds/history/RevertRows.h"
-#include "core/edits/kinds/history/ReviseStroke.h"
-#include "core/edits/kinds/segments/CleanSegment.h"
-#include "core/edits/kinds/segments/ReshapeSegment.h"
-#include "core/edits/kinds/splitting/SplitIslands.h"
-#include "core/edits/kinds/splitting/SplitSegment.h"
+#include "core/edits/answers/EditEffects.h"
+#include "core/edits/kinds/AnyEdit.h"
+#include "core/edits/kinds/IsOneOf.h"
+#include "core/edits/kinds/SurfaceEdit.h"
 #include "core/session/operations/ChunkOperation.h"
 #include "core/session/operations/ContourOperation.h"
 #include "core/session/operations/DocumentOperation.h"
@@ -24,43 +15,104 @@
 #include "core/session/operations/history/RevertOperation.h"
 #include "core/session/operations/history/ReviseOperation.h"
 
+#include <type_traits>
+
 namespace core {
+
+namespace {
+
+/// Makes the operation of an edit from its kind. A kind that the engine does not carry out and that
+/// is named nowhere here has no overload, so that it does not compile.
+class OperationMaker {
+public:
+    using Made = std::unique_ptr<Operation>;
+
+    OperationMaker(const Edit& edit, RowId again)
+        : m_edit(edit)
+        , m_again(again)
+    {
+    }
+
+    template <class E>
+    requires hasEngineEdit<E> Made operator()(const E&) const
+    {
+        return std::make_unique<VoxelOperation>(m_edit, VoxelOperation::Kind::Whole, m_again);
+    }
+
+    template <class E>
+    requires isSurfaceKind<E> Made operator()(const E& edit) const
+    {
+        return std::make_unique<SurfaceOperation>(edit, SurfaceOperation::Kind::Whole, m_again);
+    }
+
+    template <class E>
+    requires isOneOf<E, AddSegment, ChangeSegment, MoveSegment, AddLayer, ChangeLayer, MoveLayer,
+        AddBookmark, RemoveBookmark, AddMeasurement, Annotate, MoveMeasurement, RemoveMeasurement,
+        CutPiece, PastePiece, ChangePiece, SendPiecesHome, RemovePiece>
+        Made operator()(const E&) const
+    {
+        return std::make_unique<DocumentOperation>(m_edit, m_again);
+    }
+
+    template <class E>
+    requires isOneOf<E, CleanSegment, ReshapeSegment, FillBetweenSlices, MirrorSegment,
+        SplitIslands, SplitSegment>
+        Made operator()(const E& edit) const
+    {
+        return std::make_unique<IslandOperation>(edit, m_again);
+    }
+
+    Made operator()(const FloodFill& edit) const
+    {
+        return std::make_unique<FloodOperation>(edit, m_again);
+    }
+    Made operator()(const EvolveContour& edit) const
+    {
+        return std::make_unique<ContourOperation>(edit, m_again);
+    }
+    Made operator()(const DivideSegment& edit) const
+    {
+        return std::make_unique<DivideOperation>(edit, m_again);
+    }
+    Made operator()(const ChunkToggle& edit) const
+    {
+        return std::make_unique<ToggleChunks>(edit, m_again);
+    }
+    Made operator()(const RevertRows& edit) const
+    {
+        return std::make_unique<RevertOperation>(edit, m_again);
+    }
+    Made operator()(const ReviseStroke& edit) const
+    {
+        return std::make_unique<ReviseOperation>(edit, m_again);
+    }
+
+private:
+    const Edit& m_edit;
+    RowId m_again;
+};
+
+} // namespace
 
 std::unique_ptr<Operation> operationOf(const Edit& edit, RowId again)
 {
-    switch (taskOf(edit)) {
-    case EditTask::Document:
-        return std::make_unique<DocumentOperation>(edit, again);
-    case EditTask::Surface:
-        return std::make_unique<SurfaceOperation>(edit, SurfaceOperation::Kind::Whole, again);
-    case EditTask::Chunks:
-        if (const auto* chunks = edit.as<DivideSegment>())
-            return std::make_unique<DivideOperation>(*chunks, again);
-        return std::make_unique<ToggleChunks>(edit.get<ChunkToggle>(), again);
-    case EditTask::History:
-        if (const auto* revert = edit.as<RevertRows>())
-            return std::make_unique<RevertOperation>(*revert, again);
-        return std::make_unique<ReviseOperation>(edit.get<ReviseStroke>(), again);
-    case EditTask::Islands:
-        if (const auto* reshape = edit.as<ReshapeSegment>())
-            return std::make_unique<IslandOperation>(*reshape, again);
-        if (const auto* flood = edit.as<FloodFill>())
-            return std::make_unique<FloodOperation>(*flood, again);
-        if (const auto* contour = edit.as<EvolveContour>())
-            return std::make_unique<ContourOperation>(*contour, again);
-        if (const auto* between = edit.as<FillBetweenSlices>())
-            return std::make_unique<IslandOperation>(*between, again);
-        if (const auto* mirror = edit.as<MirrorSegment>())
-            return std::make_unique<IslandOperation>(*mirror, again);
-        if (const auto* islands = edit.as<SplitIslands>())
-            return std::make_unique<IslandOperation>(*islands, again);
-        if (const auto* split = edit.as<SplitSegment>())
-            return std::make_unique<IslandOperation>(*split, again);
-        return std::make_unique<IslandOperation>(edit.get<CleanSegment>(), again);
-    case EditTask::Engine:
-        break;
-    }
-    return std::make_unique<VoxelOperation>(edit, VoxelOperation::Kind::Whole, again);
+    return visitEdit(OperationMaker(edit, again), edit);
+}
+
+std::unique_ptr<Operation> openOperationOf(const Edit& edit)
+{
+    return visitEdit(
+        [&edit](const auto& known) -> std::unique_ptr<Operation> {
+            using E = std::decay_t<decltype(known)>;
+            if constexpr (hasEngineEdit<E>)
+                return std::make_unique<VoxelOperation>(edit, VoxelOperation::Kind::Interactive);
+            else if constexpr (isSurfaceKind<E>)
+                return std::make_unique<SurfaceOperation>(
+                    known, SurfaceOperation::Kind::Interactive);
+            else
+                return nullptr;
+        },
+        edit);
 }
 
 } // namespace core

@@ -23,7 +23,11 @@ public:
         Interactive, ///< the user continues it until end()
     };
     /// @param again as in VoxelOperation
-    SurfaceOperation(Edit edit, Kind kind, RowId again = 0);
+    template <isSurfaceKind E>
+    SurfaceOperation(const E& edit, Kind kind, RowId again = 0)
+        : SurfaceOperation(Edit(edit), kind, again)
+    {
+    }
 
     void start(SessionState& state) override;
     void takeResult(SessionState& state, EngineResult&& result) override;
@@ -44,6 +48,7 @@ public:
     void end(SessionState& state, Ending ending) override;
 
 private:
+    SurfaceOperation(Edit edit, Kind kind, RowId again);
     void readOn(SessionState& state);
     void work(SessionState& state);
     void finish(SessionState& state, Result<SurfaceWork::Outcome>&& outcome);

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/session/past/SeedStrokes.h"
 
+#include "core/edits/answers/EditEffects.h"
 #include "core/edits/engine/EngineEdits.h"
+#include "core/edits/kinds/AnyEdit.h"
 #include "core/edits/kinds/EditParts.h"
-#include "core/edits/kinds/growth/GrowCriteria.h"
-#include "core/edits/kinds/growth/SeedStroke.h"
-#include "core/edits/kinds/segments/PaintStroke.h"
+#include "core/edits/kinds/IsOneOf.h"
 
 #include <utility>
 
@@ -19,14 +19,35 @@ bool asksForStrokes(const Edit& edit)
     return criteria && criteria->sigmas && criteria->perStroke.value_or(false);
 }
 
+/// The segment whose seeds an edit sets or takes away. Only the engine sets seeds, so each kind
+/// that it carries out has to be named.
+struct SegmentOfSeeds {
+    using Found = std::optional<int>;
+
+    Found operator()(const SeedStroke& sketched) const { return sketched.segment; }
+    Found operator()(const PaintStroke& painted) const
+    {
+        return painted.seeds ? Found(painted.segment) : std::nullopt;
+    }
+    template <class E>
+    requires isOneOf<E, BarrierStroke, BrushStroke, ChangeInterval, CombineSegments, DrillStroke,
+        FillOutline, GrowFromSeeds, GrowSteps, ImportMask, InvertSegment, LaserStroke,
+        LayerToSegment, MergeLayers, PeelCut, PlugLeak, RemoveLayer, RemoveSegment, ResumeGrowth,
+        ScissorsCut, SegmentScissors, SegmentSeen, SegmentToLayer, ShrinkAt, ShrinkSteps,
+        ThresholdSegment>
+        Found operator()(const E&) const
+    {
+        return std::nullopt;
+    }
+    template <class E>
+    requires(!hasEngineEdit<E>) Found operator()(const E&) const { return std::nullopt; }
+};
+
 } // namespace
 
 std::optional<int> segmentOfSeeds(const Edit& edit)
 {
-    if (const auto* sketched = edit.as<SeedStroke>())
-        return sketched->segment;
-    const auto* painted = edit.as<PaintStroke>();
-    return painted && painted->seeds ? std::optional(painted->segment) : std::nullopt;
+    return visitEdit(SegmentOfSeeds(), edit);
 }
 
 std::vector<SeedGroup> seedStrokes(const History& history, const Document& document, int plane)

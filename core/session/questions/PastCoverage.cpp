@@ -89,9 +89,18 @@ MuteLayers PastCoverage::mutedAt(const SessionState& state, RowId at)
     return mute;
 }
 
-void PastCoverage::goBefore(SessionState& state, RowId row)
+void PastCoverage::walkBefore(RowId row)
 {
     walk(std::size_t(std::find(m_path.begin(), m_path.end(), row) - m_path.begin()));
+}
+
+void PastCoverage::walkBack()
+{
+    walk(m_path.size());
+}
+
+void PastCoverage::putBefore(SessionState& state, RowId row)
+{
     put(state);
     state.engine.submit(mutedAt(state, state.history.row(row).parent));
 }
@@ -133,7 +142,6 @@ void PastCoverage::discard(const EngineResult& result)
 
 void PastCoverage::restore(SessionState& state)
 {
-    walk(m_path.size());
     // All that was ever put, since on the way some of it may have been refused.
     for (const BrickKey& key : m_touched) {
         const bool ofCuts = key.field == Field::Coverage && key.plane == scratchLayer;

@@ -21,7 +21,8 @@ using StrokeCut = std::map<std::uint32_t, BrickBytes>;
 /// segments. Part of ReviseOperation.
 ///
 /// This makes no row. The caller ends it by restore(). Tickets are consecutive, so of several
-/// commands only the last one is awaited.
+/// commands only the last one is awaited. Only the two walks read voxels; they run on the side
+/// thread.
 class PastCoverage {
 public:
     /// @param path rows from the earliest one that is needed to the position of the history
@@ -36,12 +37,17 @@ public:
     void addImages(const std::vector<BrickChange>& read);
     [[nodiscard]] bool knows(const BrickKey& key) const { return m_images.count(key) != 0; }
 
-    /// A brick at the place to which the engine's coverage was taken.
+    /// Works out the bricks before a row of the path.
+    void walkBefore(RowId row);
+    /// Works out the bricks at the position.
+    void walkBack();
+
+    /// A brick at the place of the last walk.
     [[nodiscard]] const BrickImage& image(const BrickKey& key) const { return m_images.at(key); }
 
-    /// Goes to the state before a row of the path.
-    void goBefore(SessionState& state, RowId row);
-    /// Puts other bricks over the past, until the next goBefore() or restore().
+    /// Takes the engine to the state before a row, after walkBefore().
+    void putBefore(SessionState& state, RowId row);
+    /// Puts other bricks over the past, until the next putBefore() or restore().
     void overlay(SessionState& state, const std::map<BrickKey, BrickImage>& images);
     /// Cuts a stroke. What a restoring stroke would refill is cut too.
     /// @return the ticket whose result cutOf() reads, or why it cannot be cut
@@ -50,7 +56,7 @@ public:
     /// For a result that is not needed: what it may have left in the layer of the cuts is removed
     /// by restore().
     void discard(const EngineResult& result);
-    /// Returns to the position; finished when SessionState owes nothing any more.
+    /// Returns to the position, after walkBack(); finished when SessionState owes nothing any more.
     void restore(SessionState& state);
 
 private:

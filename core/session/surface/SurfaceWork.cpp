@@ -125,7 +125,20 @@ struct KeepsApart {
     template <class Stroke>
     requires requires(const Stroke& stroke) { stroke.path; }
     bool operator()(const Stroke& stroke) const { return keepsApart(stroke.path.rules); }
-    template <class E> bool operator()(const E&) const { return false; }
+    template <class E>
+    requires isOneOf<E, LaySurface, DropSurface, FollowMask, ChangeMarks, WriteBack, SurfaceBarrier>
+    bool operator()(const E&) const { return false; }
+};
+
+/// Whether an edit reads the labels of its segment's plane.
+struct ReadsLabels {
+    template <class E>
+    requires isOneOf<E, LaySurface, FollowMask, WriteBack>
+    bool operator()(const E&) const { return true; }
+    template <class E>
+    requires isOneOf<E, DropSurface, MarkSurface, ChangeMarks, SpherePush, PlaneScrape, PointDrag,
+        ApplyTemplate, SmoothSurface, AttractSurface, SurfaceBarrier>
+    bool operator()(const E&) const { return false; }
 };
 
 /// @param pairs of faces
@@ -138,7 +151,9 @@ tl::unexpected<Error> crosses(std::size_t pairs)
 
 bool readsLabels(const Edit& edit)
 {
-    return isAmong(edit, EditKinds<LaySurface, FollowMask, WriteBack>());
+    bool reads = false;
+    visitAmong([&reads](const auto& known) { reads = ReadsLabels()(known); }, edit, SurfaceKinds());
+    return reads;
 }
 
 std::optional<VoxelBox> greyBoxOf(const Edit& edit, const SurfaceState& surface)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/brick/VoxelRuns.h"
+#include "core/edits/kinds/layers/SegmentToLayer.h"
 #include "core/edits/kinds/segments/ImportMask.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/fixtures/ApplicationFixture.h"
@@ -238,6 +239,10 @@ private Q_SLOTS:
         QCoreApplication::processEvents();
         QCOMPARE(session().history().position(), core::RowId(2));
         QVERIFY(session().history().row(2).statistics.voxelsChanged > 0);
+        QVERIFY(strip().next() == Step::Mend);
+        edit(core::SegmentToLayer{.segment = 1, .layer = 1});
+        QCoreApplication::processEvents();
+        QVERIFY(session().history().row(3).statistics.voxelsChanged > 0);
         QVERIFY(strip().next() == Step::Mend);
         edit(test::paintAt(1, {middle - glm::dvec3(7.0, 0.0, 0.0)}, 3.0));
         QTRY_VERIFY(strip().next() == Step::Compare);

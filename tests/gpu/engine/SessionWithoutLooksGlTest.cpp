@@ -4,11 +4,14 @@
 #include "core/edits/kinds/growth/SeedStroke.h"
 #include "core/edits/kinds/growth/ShrinkSteps.h"
 #include "core/edits/kinds/history/RevertRows.h"
+#include "core/edits/kinds/history/ReviseStroke.h"
+#include "core/edits/kinds/sculpt/BrushStroke.h"
 #include "core/edits/kinds/sculpt/ScissorsCut.h"
 #include "core/edits/kinds/segments/AddSegment.h"
 #include "core/edits/kinds/segments/LayerToSegment.h"
 #include "core/session/EditSession.h"
 #include "core/session/SessionStorage.h"
+#include "core/session/StepFindings.h"
 #include "core/session/questions/Touch.h"
 #include "core/session/questions/VoxelQuestions.h"
 #include "tests/support/faults/FailingLog.h"
@@ -16,6 +19,7 @@
 #include "tests/support/program/LongRun.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/PlainEdits.h"
+#include "tests/support/scenes/SmallStudy.h"
 #include "tests/support/scenes/TestVolumes.h"
 
 #include <QElapsedTimer>
@@ -127,6 +131,49 @@ private Q_SLOTS:
             return Result<void>();
         });
         QVERIFY(touched > 0);
+        step("close", [&] {
+            session->reset();
+            return Result<void>();
+        });
+        QCOMPARE(ThreadWithoutVoxels::looks() - before, std::int64_t(0));
+    }
+
+    /// Strokes that are changed or removed are worked out beside the window, too.
+    void revisedStrokes()
+    {
+        const QTemporaryDir folder;
+        auto session = EditSession::create(m_gpu.engine(), test::smallStudy(),
+            {.file = folder.filePath(QStringLiteral("b.burin"))});
+        QVERIFY(session);
+        m_session = session->get();
+        // In the bone, where only a wider drill comes to.
+        const glm::dvec3 beside = test::pointsInBrain().front() + glm::dvec3(-9.0, -9.5, 0.0);
+        BrushStroke back = test::carveAt(test::pointsInBone(), 3.0).get<BrushStroke>();
+        back.restore = true;
+        const std::vector<HistoryRow>& rows = m_session->history().rows();
+
+        const std::int64_t before = ThreadWithoutVoxels::looks();
+        const ThreadWithoutVoxels here;
+        step("drill", [&] { return m_session->apply(test::drillAt(0.0)); });
+        step("drill into its floor", [&] { return m_session->apply(test::drillAt(2.0)); });
+        step("restore", [&] { return m_session->apply(back); });
+        QCOMPARE(rows.size(), std::size_t(3));
+        step("revise", [&] { return m_session->apply(ReviseStroke{.row = 1, .radiusMm = 7.0}); });
+        QCOMPARE(rows.size(), std::size_t(4));
+        step("add a segment", [&] { return m_session->apply(test::newSegment("A")); });
+        step("paint", [&] { return m_session->apply(test::paintAt(1, {beside}, 2.0)); });
+        step("protect", [&] { return m_session->apply(test::protectSegment(1)); });
+        QCOMPARE(rows.size(), std::size_t(7));
+        step("refused", [&] { return m_session->apply(ReviseStroke{.row = 1, .radiusMm = 12.0}); });
+        QCOMPARE(rows.size(), std::size_t(7));
+        const Result<void> refused = m_session->settle();
+        QVERIFY(!refused);
+        QCOMPARE(refused.error().code, ErrorCode::SegmentProtected);
+        step("remove", [&] { return m_session->apply(ReviseStroke{.row = 1, .removed = true}); });
+        QCOMPARE(rows.size(), std::size_t(8));
+        const std::vector<RowId> inside = m_session->findings().strokesOnRevisedSurface();
+        QVERIFY(std::count(inside.begin(), inside.end(), RowId(2)) == 1);
+        step("undo", [&] { return m_session->undo(); });
         step("close", [&] {
             session->reset();
             return Result<void>();

@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/panels/refine/MendingSteps.h"
 
-#include "core/edits/kinds/EditKinds.h"
 #include "core/edits/kinds/history/RevertRows.h"
 #include "core/edits/kinds/history/ReviseStroke.h"
-#include "core/edits/kinds/layers/MergeLayers.h"
-#include "core/edits/kinds/layers/RemoveLayer.h"
 #include "core/edits/kinds/segments/ImportMask.h"
-#include "core/edits/sculpt/SculptVisit.h"
+#include "core/edits/sculpt/SculptEdits.h"
 #include "ui/panels/refine/ComparePanel.h"
 #include "ui/panels/refine/LookFirstSection.h"
 #include "ui/workspace/Workspace.h"
@@ -26,12 +23,11 @@ QString wantedKey()
     return QStringLiteral("mending/strip");
 }
 
-/// Whether a step may change labels. Carving changes voxels, too, but no segment; what takes older
-/// steps back or changes one is as they are.
+/// Whether a step may change labels. What carves, or writes a layer in another way, changes voxels,
+/// too, but no segment; what takes older steps back or changes one is as they are.
 bool canChangeLabels(const core::History& history, const core::Edit& edit)
 {
-    if (core::isAmong(edit, core::SculptKinds())
-        || core::isAmong(edit, core::EditKinds<core::MergeLayers, core::RemoveLayer>()))
+    if (core::isSculptEdit(edit) || core::writesSomeLayer(edit))
         return false;
     const auto ofRow = [&history](std::int64_t row) {
         return canChangeLabels(history, history.row(core::RowId(row)).edit);

@@ -46,6 +46,7 @@ EditEffects effects(const DivideSegment& edit)
         .standsOpen = false,
         .changes = DocumentChange::What::Chunks,
         .onlyDocument = true,
+        .fills = fillsNothing,
         .boundToStudy = edit.owners.has_value() || edit.probabilities.has_value()};
 }
 

@@ -26,6 +26,7 @@ EditEffects effects(const BarrierStroke&)
 {
     return {.task = engineTask<BarrierStroke>(),
         .standsOpen = opens<BarrierStroke>(),
+        .fills = fillsNothing,
         .boundToStudy = true};
 }
 

@@ -69,6 +69,7 @@ EditEffects effects(const ChangeInterval& edit)
 {
     return {.task = engineTask<ChangeInterval>(),
         .standsOpen = opens<ChangeInterval>(),
+        .fills = fillsNothing,
         .boundToStudy = !edit.asBefore && edit.criteria.box.has_value(),
         .movesGeneration = true};
 }

@@ -84,6 +84,7 @@ EditEffects effects(const GrowFromSeeds& edit)
 {
     return {.task = engineTask<GrowFromSeeds>(),
         .standsOpen = opens<GrowFromSeeds>(),
+        .fills = fillsNothing,
         .boundToStudy = edit.box.has_value()};
 }
 

@@ -27,6 +27,7 @@ EditEffects effects(const GrowSteps& edit)
 {
     return {.task = engineTask<GrowSteps>(),
         .standsOpen = opens<GrowSteps>(),
+        .fills = fillsNothing,
         .boundToStudy = edit.criteria.box.has_value(),
         .movesGeneration = true};
 }

@@ -26,6 +26,7 @@ EditEffects effects(const PlugLeak&)
 {
     return {.task = engineTask<PlugLeak>(),
         .standsOpen = false,
+        .fills = fillsNothing,
         .boundToStudy = true,
         .movesGeneration = true};
 }

@@ -26,6 +26,7 @@ EditEffects effects(const ResumeGrowth&)
 {
     return {.task = engineTask<ResumeGrowth>(),
         .standsOpen = opens<ResumeGrowth>(),
+        .fills = fillsNothing,
         .movesGeneration = true};
 }
 

@@ -68,6 +68,7 @@ EditEffects effects(const ShrinkAt& edit)
     // Backwards it goes as long as it is held.
     return {.task = engineTask<ShrinkAt>(),
         .standsOpen = opensIf<ShrinkAt>(edit.steps.has_value()),
+        .fills = fillsNothing,
         .boundToStudy = true,
         .movesGeneration = true};
 }

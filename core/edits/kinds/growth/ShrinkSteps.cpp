@@ -71,6 +71,7 @@ EditEffects effects(const ShrinkSteps&)
 {
     return {.task = engineTask<ShrinkSteps>(),
         .standsOpen = opens<ShrinkSteps>(),
+        .fills = fillsNothing,
         .movesGeneration = true};
 }
 

@@ -22,7 +22,10 @@ Result<bool> apply(const RevertRows&, Document&)
 
 EditEffects effects(const RevertRows&)
 {
-    return {.task = EditTask::History, .standsOpen = false, .boundToStudy = true};
+    return {.task = EditTask::History,
+        .standsOpen = false,
+        .fills = fillsNothing,
+        .boundToStudy = true};
 }
 
 RowTitle rowTitle(const RevertRows& edit, const RowFacts& row)

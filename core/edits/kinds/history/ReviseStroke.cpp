@@ -22,7 +22,10 @@ Result<bool> apply(const ReviseStroke&, Document&)
 
 EditEffects effects(const ReviseStroke&)
 {
-    return {.task = EditTask::History, .standsOpen = false, .boundToStudy = true};
+    return {.task = EditTask::History,
+        .standsOpen = false,
+        .fills = fillsNothing,
+        .boundToStudy = true};
 }
 
 namespace {

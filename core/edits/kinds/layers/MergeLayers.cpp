@@ -42,7 +42,8 @@ EditEffects effects(const MergeLayers&)
 {
     return {.task = engineTask<MergeLayers>(),
         .standsOpen = false,
-        .changes = DocumentChange::What::Layers};
+        .changes = DocumentChange::What::Layers,
+        .fills = fillsNothing};
 }
 
 FoldLayer foldLayer(const MergeLayers& edit)

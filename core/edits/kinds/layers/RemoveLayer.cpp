@@ -33,7 +33,8 @@ EditEffects effects(const RemoveLayer&)
 {
     return {.task = engineTask<RemoveLayer>(),
         .standsOpen = false,
-        .changes = DocumentChange::What::Layers};
+        .changes = DocumentChange::What::Layers,
+        .fills = fillsNothing};
 }
 
 FoldLayer foldLayer(const RemoveLayer& edit)

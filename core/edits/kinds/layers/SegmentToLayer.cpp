@@ -26,7 +26,7 @@ Result<bool> apply(const SegmentToLayer&, Document&)
 
 EditEffects effects(const SegmentToLayer&)
 {
-    return {.task = engineTask<SegmentToLayer>(), .standsOpen = false};
+    return {.task = engineTask<SegmentToLayer>(), .standsOpen = false, .fills = fillsNothing};
 }
 
 Result<CoverLabel> coverLabel(const SegmentToLayer& edit, const Document& document)

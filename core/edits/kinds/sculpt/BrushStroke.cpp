@@ -28,6 +28,7 @@ EditEffects effects(const BrushStroke&)
 {
     return {.task = engineTask<BrushStroke>(),
         .standsOpen = opens<BrushStroke>(),
+        .fills = fillsNothing,
         .boundToStudy = true};
 }
 

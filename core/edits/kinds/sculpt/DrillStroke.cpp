@@ -51,6 +51,7 @@ EditEffects effects(const DrillStroke&)
 {
     return {.task = engineTask<DrillStroke>(),
         .standsOpen = opens<DrillStroke>(),
+        .fills = fillsNothing,
         .boundToStudy = true};
 }
 

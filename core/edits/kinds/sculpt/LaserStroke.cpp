@@ -58,6 +58,7 @@ EditEffects effects(const LaserStroke&)
 {
     return {.task = engineTask<LaserStroke>(),
         .standsOpen = opens<LaserStroke>(),
+        .fills = fillsNothing,
         .boundToStudy = true};
 }
 

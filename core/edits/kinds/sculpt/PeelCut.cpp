@@ -70,7 +70,10 @@ Result<bool> apply(const PeelCut&, Document&)
 
 EditEffects effects(const PeelCut&)
 {
-    return {.task = engineTask<PeelCut>(), .standsOpen = opens<PeelCut>(), .boundToStudy = true};
+    return {.task = engineTask<PeelCut>(),
+        .standsOpen = opens<PeelCut>(),
+        .fills = fillsNothing,
+        .boundToStudy = true};
 }
 
 Result<ShellPeel> shellPeel(const PeelCut& peel, const Document& document)

@@ -35,7 +35,10 @@ Result<bool> apply(const ScissorsCut&, Document&)
 
 EditEffects effects(const ScissorsCut&)
 {
-    return {.task = engineTask<ScissorsCut>(), .standsOpen = false, .boundToStudy = true};
+    return {.task = engineTask<ScissorsCut>(),
+        .standsOpen = false,
+        .fills = fillsNothing,
+        .boundToStudy = true};
 }
 
 Result<OutlineCut> outlineCut(const ScissorsCut& cut, const Document& document)

@@ -40,7 +40,8 @@ EditEffects effects(const RemoveSegment&)
 {
     return {.task = engineTask<RemoveSegment>(),
         .standsOpen = false,
-        .changes = DocumentChange::What::Segments};
+        .changes = DocumentChange::What::Segments,
+        .fills = fillsNothing};
 }
 
 Result<EraseLabel> eraseLabel(const RemoveSegment& edit, const Document& document)

@@ -44,7 +44,7 @@ EditEffects effects(const SplitIslands& edit)
         .changes = DocumentChange::What::Segments,
         .takesVoxelsOrNothing = true,
         .writesTo = edit.segment,
-        .fills = {.added = true},
+        .fills = {.label = std::nullopt, .added = true},
         .boundToStudy = edit.into.has_value()}; // elsewhere there may be more islands, or fewer
 }
 

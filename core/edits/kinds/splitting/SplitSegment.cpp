@@ -103,7 +103,7 @@ EditEffects effects(const SplitSegment& edit)
         .changes = DocumentChange::What::Segments,
         .takesVoxelsOrNothing = true,
         .writesTo = edit.segment,
-        .fills = {.added = true},
+        .fills = {.label = std::nullopt, .added = true},
         .boundToStudy = true};
 }
 

@@ -33,7 +33,7 @@ Result<bool> apply(const SurfaceBarrier&, Document& document)
 
 EditEffects effects(const SurfaceBarrier&)
 {
-    return {.task = EditTask::Surface, .standsOpen = false};
+    return {.task = EditTask::Surface, .standsOpen = false, .fills = fillsNothing};
 }
 
 RowTitle rowTitle(const SurfaceBarrier& edit, const RowFacts& row)

@@ -28,6 +28,7 @@ EditEffects surfaceEffects(Opening standsOpen)
         .standsOpen = standsOpen,
         .changes = DocumentChange::What::Surface,
         .onlyDocument = true,
+        .fills = fillsNothing,
         .boundToStudy = bool(standsOpen)};
 }
 

@@ -30,8 +30,10 @@ Result<bool> apply(const WriteBack&, Document& document)
 
 EditEffects effects(const WriteBack&)
 {
-    return {
-        .task = EditTask::Surface, .standsOpen = false, .changes = DocumentChange::What::Surface};
+    return {.task = EditTask::Surface,
+        .standsOpen = false,
+        .changes = DocumentChange::What::Surface,
+        .fills = fillsNothing};
 }
 
 RowTitle rowTitle(const WriteBack&, const RowFacts& row)

@@ -46,9 +46,15 @@ Clause listOf(DocumentChange::What part)
         return Clause::saying("the surface");
     case DocumentChange::What::Chunks:
         return Clause::saying("what is divided into chunks");
-    default:
-        return Clause::saying("the document");
+    case DocumentChange::What::Volume:
+    case DocumentChange::What::Labels:
+    case DocumentChange::What::Coverage:
+    case DocumentChange::What::Growth:
+    case DocumentChange::What::History:
+    case DocumentChange::What::Disk:
+        break; // they are no list of the document
     }
+    return Clause::saying("the document");
 }
 
 tl::unexpected<Error> entangled(const HistoryRow& later, const HistoryRow& earlier)

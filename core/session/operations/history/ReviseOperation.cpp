@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/session/operations/history/ReviseOperation.h"
 
-#include "core/brick/ThreadWithoutVoxels.h"
 #include "core/edits/EditJson.h"
 #include "core/edits/engine/SegmentProtection.h"
 #include "core/edits/kinds/parts/ProtectedSegments.h"
 #include "core/engine/EngineCommands.h"
-#include "core/sculpt/CutFrame.h"
 #include "core/session/past/GuardedLabels.h"
 #include "core/session/past/RowDependencies.h"
 
@@ -66,9 +64,9 @@ void ReviseOperation::start(SessionState& state)
         m_done = true;
         return;
     }
-    m_past = PastCoverage(m_path,
-        protectsSegments(m_before)
-            || std::any_of(m_strokes.begin(), m_strokes.end(), protectsSegments));
+    const bool labels = protectsSegments(m_before)
+        || std::any_of(m_strokes.begin(), m_strokes.end(), protectsSegments);
+    m_fold = std::make_shared<StrokeFold>(StrokeFold{.past = PastCoverage(m_path, labels)});
     m_toLoad = m_path;
     loadNext(state);
 }
@@ -155,9 +153,9 @@ void ReviseOperation::loadNext(SessionState& state)
 {
     if (!m_toLoad.empty())
         return state.worker->load(m_toLoad.back());
-    await(state.engine.submit(ReadBricks{m_past.keys()}),
+    await(state.engine.submit(ReadBricks{m_fold->past.keys()}),
         [this](SessionState& now, EngineResult&& read) {
-            m_past.addImages(read.changes);
+            m_fold->past.addImages(read.changes);
             cutTarget(now);
         });
 }
@@ -166,8 +164,7 @@ void ReviseOperation::takeDifferences(SessionState& state, Result<RowDifferences
 {
     if (!differences)
         return giveUp(state, differences.error());
-    const VoxelsAllowed folds; // one stroke at a time, still on this thread
-    m_past.addDifferences(m_toLoad.back(), std::move(differences->images));
+    m_fold->past.addDifferences(m_toLoad.back(), std::move(differences->images));
     m_toLoad.pop_back();
     loadNext(state);
 }
@@ -180,20 +177,44 @@ void ReviseOperation::await(Ticket ticket, Then then)
 
 void ReviseOperation::takeResult(SessionState& state, EngineResult&& result)
 {
-    if (!m_then)
+    if (!m_then && !m_isAside)
         return;
     if (result.error && !m_refused)
         m_refused = result.error;
-    if (result.ticket != m_awaited)
+    if (!m_then || result.ticket != m_awaited)
         return;
     if (m_refused) {
         // All that was asked for until then has been done or refused by now.
-        m_past.discard(result);
+        m_fold->past.discard(result);
         return giveUp(
             state, withSegmentName(*std::exchange(m_refused, std::nullopt), state.document));
     }
-    const VoxelsAllowed folds;
     std::exchange(m_then, nullptr)(state, std::move(result));
+}
+
+/// What is thrown on the way leaves the fold between two rows, from where nothing leads back.
+void ReviseOperation::workAside(SessionState& state, std::function<Sequel(StrokeFold&)> work)
+{
+    m_isAside = true;
+    state.side->post(
+        [this, fold = m_fold, work = std::move(work)] {
+            return Sequel([this, then = work(*fold)](SessionState& now) {
+                m_isAside = false;
+                then(now);
+            });
+        },
+        [](SessionState& now, const Error& error) { now.lose(error); });
+}
+
+void ReviseOperation::goBefore(SessionState& state, RowId row, Sequel then)
+{
+    workAside(state, [this, row, then = std::move(then)](StrokeFold& fold) {
+        fold.past.walkBefore(row);
+        return Sequel([this, row, then](SessionState& now) {
+            m_fold->past.putBefore(now, row);
+            then(now);
+        });
+    });
 }
 
 void ReviseOperation::cut(SessionState& state, const StandingStroke& stroke,
@@ -201,35 +222,46 @@ void ReviseOperation::cut(SessionState& state, const StandingStroke& stroke,
 {
     if (stroke.removed)
         return then(state, {});
-    const Result<Ticket> ticket = m_past.cut(state, stroke.form);
+    const Result<Ticket> ticket = m_fold->past.cut(state, stroke.form);
     if (!ticket)
         return giveUp(state, ticket.error());
     await(*ticket, [this, then = std::move(then)](SessionState& now, EngineResult&& result) {
-        then(now, m_past.cutOf(result));
+        then(now, m_fold->past.cutOf(result));
     });
 }
 
 void ReviseOperation::cutTarget(SessionState& state)
 {
-    m_past.goBefore(state, m_edit.row);
-    cut(state, m_before, [this](SessionState& now, StrokeCut cutBefore) {
-        m_cutBefore = std::move(cutBefore);
-        // The layer that the cut stands in is emptied before the next one.
-        m_past.goBefore(now, m_edit.row);
-        cut(now, m_after, [this](SessionState& then, StrokeCut cutAfter) {
-            m_cutAfter = std::move(cutAfter);
-            chooseBricks(then);
+    goBefore(state, m_edit.row, [this](SessionState& there) {
+        cut(there, m_before, [this](SessionState& now, StrokeCut cutBefore) {
+            m_fold->cutBefore = std::move(cutBefore);
+            // The layer that the cut stands in is emptied before the next one.
+            m_fold->past.putBefore(now, m_edit.row);
+            cut(now, m_after, [this](SessionState& then, StrokeCut cutAfter) {
+                m_fold->cutAfter = std::move(cutAfter);
+                compareTarget(then);
+            });
         });
     });
 }
 
-void ReviseOperation::chooseBricks(SessionState& state)
+void ReviseOperation::compareTarget(SessionState& state)
 {
-    if (layerOf(m_before.form) != layerOf(m_after.form) || m_cutBefore != m_cutAfter) {
+    const bool isOfOther = layerOf(m_before.form) != layerOf(m_after.form);
+    workAside(state, [this, isOfOther](StrokeFold& fold) {
+        const bool isMoved = isOfOther || fold.cutBefore != fold.cutAfter;
+        return Sequel([this, isMoved](SessionState& now) { chooseBricks(now, isMoved); });
+    });
+}
+
+void ReviseOperation::chooseBricks(SessionState& state, bool isMoved)
+{
+    StrokeFold& fold = *m_fold;
+    if (isMoved) {
         for (const auto* each : {&m_before, &m_after}) {
-            for (const auto& [brick, bytes] : each == &m_before ? m_cutBefore : m_cutAfter) {
+            for (const auto& [brick, bytes] : each == &m_before ? fold.cutBefore : fold.cutAfter) {
                 const BrickKey key{Field::Coverage, std::uint8_t(layerOf(each->form)), brick};
-                m_folded[key] = {key, {}};
+                fold.bricks[key] = {key, {}};
             }
         }
     }
@@ -237,95 +269,90 @@ void ReviseOperation::chooseBricks(SessionState& state)
         if (stroke.row == m_edit.row)
             return false;
         const RowDependencies dependencies(stroke.form.plain(), state.document, {});
-        return std::none_of(m_folded.begin(), m_folded.end(),
+        return std::none_of(fold.bricks.begin(), fold.bricks.end(),
             [&dependencies](const auto& brick) { return dependencies.covers(brick.first); });
     };
     m_strokes.erase(std::remove_if(m_strokes.begin(), m_strokes.end(), misses), m_strokes.end());
 
     ReadBricks unknown;
-    for (const auto& [key, image] : m_folded) {
-        if (!m_past.knows(key))
+    for (const auto& [key, image] : fold.bricks) {
+        if (!fold.past.knows(key))
             unknown.keys.push_back(key);
     }
     await(state.engine.submit(std::move(unknown)), [this](SessionState& now, EngineResult&& read) {
-        m_past.addImages(read.changes);
+        m_fold->past.addImages(read.changes);
         beginFold(now);
     });
 }
 
 void ReviseOperation::beginFold(SessionState& state)
 {
-    m_past.goBefore(state, m_path.front());
-    for (auto& [key, image] : m_folded)
-        image = m_past.image(key);
-    foldNext(state);
+    goBefore(state, m_path.front(), [this](SessionState& now) {
+        for (auto& [key, image] : m_fold->bricks)
+            image = m_fold->past.image(key);
+        foldNext(now);
+    });
 }
 
 void ReviseOperation::foldNext(SessionState& state)
 {
-    if (m_folded.empty() || m_next == m_strokes.size())
+    if (m_fold->bricks.empty() || m_next == m_strokes.size())
         return put(state);
     const StandingStroke& stroke = m_strokes[m_next++];
-    if (stroke.row == m_edit.row) {
-        lay(m_cutAfter, stroke);
-        return foldNext(state);
-    }
-    m_past.goBefore(state, stroke.row);
-    cut(state, stroke, [this, &stroke](SessionState& now, StrokeCut recorded) {
-        if (stroke.row > m_edit.row && startsOnSurface(stroke.form))
-            return compare(now, stroke, std::move(recorded));
-        lay(recorded, stroke);
-        foldNext(now);
+    if (stroke.row == m_edit.row)
+        return lay(state, stroke, m_fold->cutAfter);
+    goBefore(state, stroke.row, [this, &stroke](SessionState& there) {
+        cut(there, stroke, [this, &stroke](SessionState& now, StrokeCut recorded) {
+            if (stroke.row > m_edit.row && startsOnSurface(stroke.form))
+                compare(now, stroke, std::move(recorded));
+            else
+                lay(now, stroke, std::move(recorded));
+        });
     });
 }
 
 void ReviseOperation::compare(SessionState& state, const StandingStroke& stroke, StrokeCut recorded)
 {
-    m_past.goBefore(state, stroke.row);
-    m_past.overlay(state, m_folded);
+    // It is before the stroke already; only the layer that the cut stands in is emptied.
+    m_fold->past.putBefore(state, stroke.row);
+    m_fold->past.overlay(state, m_fold->bricks);
     cut(state, stroke,
-        [this, &stroke, recorded = std::move(recorded)](SessionState& now, StrokeCut anew) {
-            if (anew != recorded)
-                m_begunInside.push_back(stroke.row);
-            lay(recorded, stroke);
-            foldNext(now);
-        });
+        [this, &stroke, recorded = std::move(recorded)](
+            SessionState& now, StrokeCut anew) { lay(now, stroke, recorded, std::move(anew)); });
 }
 
-void ReviseOperation::lay(const StrokeCut& cut, const StandingStroke& stroke)
+void ReviseOperation::lay(SessionState& state, const StandingStroke& stroke, StrokeCut recorded,
+    std::optional<StrokeCut> anew)
 {
-    for (const auto& [brick, bytes] : cut) {
-        const auto found =
-            m_folded.find({Field::Coverage, std::uint8_t(layerOf(stroke.form)), brick});
-        if (found == m_folded.end())
-            continue;
-        std::vector<std::uint8_t> held = found->second.bytes.read();
-        const std::vector<std::uint8_t>& laid = bytes.read();
-        if (restores(stroke.form)) {
-            std::transform(held.begin(), held.end(), laid.begin(), held.begin(),
-                [](std::uint8_t a, std::uint8_t b) { return refilled(a, b); });
-            if (std::all_of(held.begin(), held.end(), [](std::uint8_t a) { return a == 0; }))
-                held.clear(); // an empty brick has no bytes
-        } else if (held.empty()) {
-            held = laid;
-        } else {
-            std::transform(held.begin(), held.end(), laid.begin(), held.begin(),
-                [](std::uint8_t a, std::uint8_t b) { return std::max(a, b); });
-        }
-        found->second.bytes = std::move(held);
-    }
+    workAside(state,
+        [this, row = stroke.row, layer = layerOf(stroke.form), restoring = restores(stroke.form),
+            recorded = std::move(recorded), anew = std::move(anew)](StrokeFold& fold) {
+            const bool differs = anew && *anew != recorded;
+            fold.lay(recorded, layer, restoring);
+            return Sequel([this, row, differs](SessionState& now) {
+                if (differs)
+                    m_begunInside.push_back(row);
+                foldNext(now);
+            });
+        });
 }
 
 void ReviseOperation::put(SessionState& state)
 {
-    m_past.restore(state);
-    state.afterRequired([this](SessionState& now) { putFolded(now); });
+    workAside(state, [this](StrokeFold& fold) {
+        fold.past.walkBack();
+        return Sequel([this](SessionState& now) {
+            m_refused.reset(); // what was refused on the way here is put again
+            m_fold->past.restore(now);
+            now.afterRequired([this](SessionState& then) { putFolded(then); });
+        });
+    });
 }
 
 void ReviseOperation::putFolded(SessionState& state)
 {
     std::vector<BrickImage> bricks;
-    for (auto& [key, image] : m_folded)
+    for (auto& [key, image] : m_fold->bricks)
         bricks.push_back(std::move(image));
     SwapBricks swap{.bricks = std::move(bricks), .guard = carvingGuard(state.document)};
     await(state.engine.submit(std::move(swap)),
@@ -346,11 +373,15 @@ void ReviseOperation::finish(SessionState& state, EngineResult&& result)
 
 void ReviseOperation::giveUp(SessionState& state, const Error& error)
 {
-    const VoxelsAllowed folds;
     m_then = nullptr;
-    m_past.restore(state);
-    state.fail(error);
-    m_done = true;
+    workAside(state, [this, error](StrokeFold& fold) {
+        fold.past.walkBack();
+        return Sequel([this, error](SessionState& now) {
+            m_fold->past.restore(now);
+            now.fail(error);
+            m_done = true;
+        });
+    });
 }
 
 } // namespace core

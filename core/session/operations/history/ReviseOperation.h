@@ -3,20 +3,21 @@
 
 #include "core/edits/kinds/history/ReviseStroke.h"
 #include "core/history/StandingStrokes.h"
-#include "core/session/questions/PastCoverage.h"
+#include "core/session/operations/history/StrokeFold.h"
 #include "core/session/state/Operation.h"
+#include "core/session/surface/SideThread.h"
 
-#include <deque>
 #include <functional>
-#include <map>
-#include <set>
+#include <memory>
+#include <optional>
+#include <vector>
 
 namespace core {
 
 /// Changes or removes an earlier stroke: computes the bricks that its old and its new cut touch
 /// again, as a new row. In each brick, the cuts of all strokes in effect are combined in the order
 /// of the history (carving takes the deeper cut, restoring what it leaves), starting from what was
-/// there before the first of them.
+/// there before the first of them. Voxels are only looked at on the side thread.
 ///
 /// It is refused, naming the row, if something other than a stroke has written to the layer since,
 /// such as a segment that was carved into it or a merged layer: the cuts alone would not give the
@@ -37,20 +38,30 @@ public:
 
 private:
     using Then = std::function<void(SessionState&, EngineResult&&)>;
+    using Sequel = SideThread::Sequel;
 
     [[nodiscard]] Result<void> findStrokes(const SessionState& state);
     /// @param first the row before which the content is taken as the base for the cuts
     [[nodiscard]] Result<void> checkLayers(const SessionState& state, RowId first) const;
     void loadNext(SessionState& state);
     void await(Ticket ticket, Then then);
+    /// Has the fold worked on aside, then continues with what the work returns.
+    void workAside(SessionState& state, std::function<Sequel(StrokeFold&)> work);
+    /// Goes to the state before a row of the path.
+    void goBefore(SessionState& state, RowId row, Sequel then);
     void cut(SessionState& state, const StandingStroke& stroke,
         std::function<void(SessionState&, StrokeCut)> then);
     void cutTarget(SessionState& state);
-    void chooseBricks(SessionState& state);
+    void compareTarget(SessionState& state);
+    /// @param isMoved whether the stroke cuts otherwise now
+    void chooseBricks(SessionState& state, bool isMoved);
     void beginFold(SessionState& state);
     void foldNext(SessionState& state);
-    void lay(const StrokeCut& cut, const StandingStroke& stroke);
-    /// Checks whether a stroke would now start on another surface, then continues with foldNext().
+    /// Combines a cut with those before it, then continues with foldNext().
+    /// @param anew what the stroke would cut now; if it is another cut, that is reported
+    void lay(SessionState& state, const StandingStroke& stroke, StrokeCut recorded,
+        std::optional<StrokeCut> anew = {});
+    /// Checks whether a stroke would now start on another surface, then continues with lay().
     void compare(SessionState& state, const StandingStroke& stroke, StrokeCut recorded);
     void put(SessionState& state);
     void putFolded(SessionState& state);
@@ -61,14 +72,12 @@ private:
     RowId m_again = 0;
     StandingStroke m_before; ///< the stroke itself
     StandingStroke m_after;
-    StrokeCut m_cutBefore;
-    StrokeCut m_cutAfter;
     std::vector<StandingStroke> m_strokes; ///< to combine, once the bricks are known
     std::size_t m_next = 0; ///< index into m_strokes
     std::vector<RowId> m_path; ///< from the first of them to the position
     std::vector<RowId> m_toLoad; ///< the last one is loaded next
-    PastCoverage m_past{std::vector<RowId>(), false};
-    std::map<BrickKey, BrickImage> m_folded; ///< the bricks that are computed again
+    std::shared_ptr<StrokeFold> m_fold; ///< from when the strokes are known
+    bool m_isAside = false; ///< the side thread works on the fold
     std::vector<RowId> m_begunInside;
     Ticket m_awaited = 0;
     std::optional<Error> m_refused; ///< why something before the awaited result failed

@@ -36,12 +36,13 @@ using Coverage = std::map<std::pair<int, std::uint32_t>, std::vector<std::uint8_
 
 constexpr int layers = 2;
 
-/// All coverage that an engine holds, by layer and brick; empty bricks are left out.
-Coverage coverageOf(EditEngine& engine, const glm::ivec3& size, int lastLayer = layers)
+/// All coverage that an engine holds in some layers, by layer and brick; empty bricks are left out.
+Coverage coverageOf(
+    EditEngine& engine, const glm::ivec3& size, int firstLayer = 1, int lastLayer = layers)
 {
     ReadBricks read;
     const int bricks = BrickGrid{size}.brickCount();
-    for (int layer = 1; layer <= lastLayer; ++layer) {
+    for (int layer = firstLayer; layer <= lastLayer; ++layer) {
         for (int brick = 0; brick < bricks; ++brick)
             read.keys.push_back({Field::Coverage, std::uint8_t(layer), std::uint32_t(brick)});
     }
@@ -93,6 +94,38 @@ struct Bench {
 
     reference::ReferenceEngine engine;
     std::unique_ptr<EditSession> session;
+};
+
+/// The oracle, but one that refuses one of the commands to come, as an engine without memory does.
+class RefusingOnce final : public EditEngine {
+public:
+    /// @param after how many commands; the end of an edit is none
+    void refuse(int after) { m_left = after + 1; }
+    void relent() { m_left = 0; }
+    [[nodiscard]] bool hasRefused() const { return m_left == 0; }
+
+    Result<void> openVolume(const glm::ivec3& size, std::span<const std::uint16_t> codes) override
+    {
+        return m_inner.openVolume(size, codes);
+    }
+    Ticket submit(EngineCommand command) override
+    {
+        // What is asked instead is refused, too, and takes its place among the tickets.
+        if (m_left > 0 && !std::holds_alternative<EndEdit>(command) && --m_left == 0)
+            return m_inner.submit(ReadSeedWords{.voxels = {glm::ivec3(-1)}});
+        return m_inner.submit(std::move(command));
+    }
+    [[nodiscard]] std::vector<EngineResult> collect() override { return m_inner.collect(); }
+    void finish() override { m_inner.finish(); }
+    void setWakeUp(std::function<void()> wakeUp) override { m_inner.setWakeUp(std::move(wakeUp)); }
+    [[nodiscard]] GrowthProgress growthProgress() const override
+    {
+        return m_inner.growthProgress();
+    }
+
+private:
+    reference::ReferenceEngine m_inner;
+    int m_left = 0; ///< commands until one is refused, and that one; 0: none is
 };
 
 QByteArray hashOf(const std::vector<Edit>& edits)
@@ -440,6 +473,72 @@ private Q_SLOTS:
         QCOMPARE(edit.row, std::int64_t(1));
         QCOMPARE(edit.radiusMm.value_or(0.0), 2.5);
         QVERIFY(!edit.depthMm && !edit.removed);
+    }
+
+    /// Who closes a session waits for what is worked out beside it.
+    void isWholeWhenTheSessionIsClosedMeanwhile()
+    {
+        const QTemporaryDir folder;
+        const QString file = folder.filePath(QStringLiteral("s.burin"));
+        const ReviseStroke narrower{.row = 1, .radiusMm = 2.5};
+        reference::ReferenceEngine engine;
+        {
+            auto session = *EditSession::create(engine, test::smallStudy(), {.file = file});
+            QVERIFY(session->apply(drill(0)));
+            QVERIFY(session->apply(drill(3)));
+            QVERIFY(session->settle());
+            QVERIFY(session->apply(narrower));
+        }
+        auto session = EditSession::open(engine, test::smallStudy(), file);
+        QVERIFY(session);
+        QCOMPARE((*session)->history().position(), RowId(3));
+        QCOMPARE((*session)->stateHash(), hashOf({drill(0), drill(3), narrower}));
+    }
+
+    /// Whatever is refused on the way: either nothing has changed, or all is as it should be.
+    void aRefusalOnTheWayChangesNothing()
+    {
+        const Edit first = drill(0, 6.0, 4.0);
+        const Edit second = drill(2, 4.0, 4.0);
+        const ReviseStroke deeper{.row = 1, .depthMm = 7.0};
+        constexpr int scratch = 255; // where strokes of the past are tried
+        const glm::ivec3 size = test::smallStudy().volume.geometry.size;
+        Bench bench({first, second});
+        const QByteArray before = bench.session->stateHash();
+        const Coverage heldBefore = bench.coverage();
+        bench.run(deeper);
+        const QByteArray after = bench.session->stateHash();
+        const Coverage heldAfter = bench.coverage();
+        QVERIFY(heldAfter != heldBefore);
+
+        RefusingOnce engine;
+        const auto session = *EditSession::create(engine, test::smallStudy(), {});
+        const auto attempt = [&session](const Edit& edit) {
+            const Result<void> applied = session->apply(edit);
+            return applied ? session->settle() : applied;
+        };
+        QVERIFY(attempt(first));
+        QVERIFY(attempt(second));
+        int refused = 0;
+        bool isThrough = false;
+        for (int command = 0; !isThrough; ++command) {
+            const std::size_t rows = session->history().rows().size();
+            engine.refuse(command);
+            const bool isDone = bool(attempt(deeper));
+            isThrough = !engine.hasRefused();
+            engine.relent();
+            QVERIFY(isDone || !isThrough);
+            refused += isDone ? 0 : 1;
+            QCOMPARE(session->history().rows().size(), isDone ? rows + 1 : rows);
+            QVERIFY(session->stateHash() == (isDone ? after : before));
+            QVERIFY(coverageOf(engine, size) == (isDone ? heldAfter : heldBefore));
+            QVERIFY(coverageOf(engine, size, scratch, scratch).empty());
+            if (isDone) {
+                QVERIFY(session->undo());
+                QVERIFY(session->settle());
+            }
+        }
+        QVERIFY(refused > 10);
     }
 
     /// Random strokes, revisions, removals, "undo only" and undo, against cuts worked out one by
