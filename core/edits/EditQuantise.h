@@ -3,14 +3,14 @@
 
 #include "core/edits/fields/Quantum.h"
 #include "core/edits/kinds/Edit.h"
+#include "core/edits/open/StrokeExtension.h"
 
 #include <glm/glm.hpp>
 
+#include <optional>
 #include <vector>
 
 namespace core {
-
-struct PenSample;
 
 /// The edit with every number rounded to its grid. quantised(quantised(e)) equals quantised(e), and
 /// editFromJson(editToJson(quantised(e))) equals quantised(e), bit by bit.
@@ -22,5 +22,8 @@ struct PenSample;
 [[nodiscard]] std::vector<glm::dvec3> quantised(const std::vector<glm::dvec3>& pointsLps);
 /// The same for the pressures along it; what is out of range is brought into it.
 [[nodiscard]] std::vector<double> quantisedPressures(const std::vector<double>& pressures);
+/// The same for anything that an open edit is told. None: one of its numbers is out of the range
+/// that it has in edits, so it must be ignored.
+[[nodiscard]] std::optional<StrokeExtension> quantisedIfInRange(const StrokeExtension& extension);
 
 } // namespace core

@@ -3,6 +3,7 @@
 
 #include "core/edits/document/DocumentEdits.h"
 #include "core/edits/kinds/AnyEdit.h"
+#include "core/edits/open/OpenStroke.h"
 #include "core/engine/EngineEdit.h"
 
 #include <type_traits>
@@ -37,7 +38,7 @@ EditTask taskOf(const Edit& edit)
 
 bool canStandOpen(const Edit& edit)
 {
-    return effectsOf(edit).standsOpen;
+    return bool(effectsOf(edit).standsOpen);
 }
 
 bool changesDocumentOnly(const Edit& edit)
@@ -64,6 +65,33 @@ Result<EngineEdit> engineEditOf(const Edit& edit, const Document& document)
             else
                 return failure(ErrorCode::InvalidField, QStringLiteral("edit"),
                     Clause::saying("is not carried out by the engine alone"));
+        },
+        edit);
+}
+
+std::unique_ptr<OpenStroke> openStrokeOf(Edit& edit)
+{
+    return visitEdit(
+        [](auto& known) -> std::unique_ptr<OpenStroke> {
+            using E = std::decay_t<decltype(known)>;
+            static_assert(!hasOpenStroke<E> || hasEngineEdit<E>,
+                "what an open stroke returns is told to the engine, which must carry the edit out");
+            if constexpr (hasOpenStroke<E>)
+                return openStroke(known);
+            else
+                return nullptr;
+        },
+        edit);
+}
+
+OpenManner surfaceMannerOf(const Edit& edit)
+{
+    return visitEdit(
+        [](const auto& known) -> OpenManner {
+            if constexpr (hasOpenManner<std::decay_t<decltype(known)>>)
+                return openManner(known);
+            else
+                return {};
         },
         edit);
 }

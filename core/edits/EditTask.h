@@ -6,9 +6,13 @@
 #include "core/edits/answers/EditEffects.h"
 #include "core/edits/kinds/Edit.h"
 
+#include <memory>
+
 namespace core {
 
+class OpenStroke;
 struct EngineEdit;
+struct OpenManner;
 
 /// Everything that is known of an edit before it is carried out. The next two functions, and those
 /// of DocumentEdits.h, take their answers from it.
@@ -24,5 +28,12 @@ struct EngineEdit;
 /// later. A ResumeGrowth must first be replaced by the growth that it stands for (RecentGrowth.h).
 /// Errors: those of the conversion; InvalidField if the engine does not carry out the edit.
 [[nodiscard]] Result<EngineEdit> engineEditOf(const Edit& edit, const Document& document);
+
+/// What the edit can be told while it stands open. It refers to the edit, which must keep its kind.
+/// Null: the engine does not carry it out, or only whole.
+[[nodiscard]] std::unique_ptr<OpenStroke> openStrokeOf(Edit& edit);
+
+/// How an edit of the surface stands open; of others, OpenStroke says it.
+[[nodiscard]] OpenManner surfaceMannerOf(const Edit& edit);
 
 } // namespace core

@@ -5,11 +5,10 @@
 #include "core/edits/EditJson.h"
 #include "core/edits/EditQuantise.h"
 #include "core/edits/EditTask.h"
-#include "core/edits/kinds/sculpt/PenSample.h"
-#include "core/edits/schema/SchemaParts.h"
 #include "core/session/operations/EditOperation.h"
 #include "core/session/operations/OperationQueue.h"
 #include "core/session/operations/SurfaceOperation.h"
+#include "core/session/operations/VoxelOperation.h"
 #include "core/session/operations/history/WalkOperation.h"
 
 #include <utility>
@@ -69,7 +68,7 @@ Result<void> EditSession::apply(const Edit& edit)
         if (const Result<void> checked = checkFields(edit); !checked)
             return checked;
         const Edit rounded = quantised(edit);
-        m_queue->closeGrowth();
+        m_queue->closeOpen();
         if (const Result<void> checked = m_queue->check(rounded); !checked)
             return checked;
         m_queue->submit(operationOf(rounded));
@@ -89,7 +88,7 @@ Result<void> EditSession::begin(const Edit& edit)
         if (!operation || !canStandOpen(rounded))
             return failure(ErrorCode::InvalidField, editName(rounded),
                 Clause::saying("it is carried out whole, there is nothing to begin"));
-        m_queue->closeGrowth();
+        m_queue->closeOpen();
         if (m_queue->interactive())
             return failure(ErrorCode::InvalidField, editName(rounded),
                 Clause::saying("another stroke has not ended yet"));
@@ -100,55 +99,15 @@ Result<void> EditSession::begin(const Edit& edit)
     });
 }
 
-void EditSession::extendDrill(const std::vector<PenSample>& samples)
+void EditSession::extend(const StrokeExtension& extension)
 {
-    if (VoxelOperation* open = m_queue->interactiveVoxels())
-        m_queue->guard([&] { open->extendDrill(m_queue->state(), quantised(samples)); });
-}
-
-void EditSession::extendPath(
-    const std::vector<glm::dvec3>& pointsLps, bool lifted, const std::vector<double>& pressures)
-{
-    if (OpenOperation* open = m_queue->interactive())
-        m_queue->guard([&] {
-            open->extendPath(
-                m_queue->state(), quantised(pointsLps), lifted, quantisedPressures(pressures));
-        });
-}
-
-void EditSession::setPeelDepth(double depthMm)
-{
-    const editFields::Number& field = editSchema::peelDepth;
-    if (VoxelOperation* open = m_queue->interactiveVoxels(); open && field.check(depthMm).isEmpty())
-        m_queue->guard([&] { open->setPeelDepth(m_queue->state(), field.rounded(depthMm)); });
-}
-
-void EditSession::setShrinkSteps(int steps)
-{
-    if (VoxelOperation* open = m_queue->interactiveVoxels(); open && steps >= 0)
-        m_queue->guard([&] { open->setShrinkSteps(m_queue->state(), steps); });
-}
-
-void EditSession::extendGrowth(GrowAdvance advance)
-{
-    if (VoxelOperation* open = m_queue->interactiveVoxels())
-        m_queue->guard([&] { open->extendGrowth(m_queue->state(), advance); });
-}
-
-void EditSession::setInterval(double lower, double upper)
-{
-    const editFields::Number& field = editSchema::modalityValue;
-    VoxelOperation* open = m_queue->interactiveVoxels();
-    if (open && lower <= upper && field.check(lower).isEmpty() && field.check(upper).isEmpty())
-        m_queue->guard([&] {
-            open->setInterval(m_queue->state(), field.rounded(lower), field.rounded(upper));
-        });
-}
-
-void EditSession::pauseGrowth()
-{
-    if (VoxelOperation* open = m_queue->interactiveVoxels())
-        m_queue->guard([&] { open->extendGrowth(m_queue->state(), GrowPause{}); });
+    OpenOperation* open = m_queue->interactive();
+    if (!open)
+        return;
+    m_queue->guard([&] {
+        if (const std::optional<StrokeExtension> told = quantisedIfInRange(extension))
+            open->extend(m_queue->state(), *told);
+    });
 }
 
 void EditSession::end(Ending ending)
@@ -157,58 +116,41 @@ void EditSession::end(Ending ending)
         m_queue->end(*open, ending);
 }
 
-void EditSession::cancelPreview()
+void EditSession::forgetPreview()
 {
-    VoxelOperation* open = m_queue->interactiveVoxels();
-    if (!open || !open->isPreview())
+    OpenOperation* open = m_queue->interactive();
+    if (!open || !open->manner().keepsForNext)
         return;
-    m_queue->guard([&] { open->forgetPreview(m_queue->state()); });
+    extend(ForgetPreview{});
     m_queue->end(*open, Ending::Rollback);
+}
+
+const Edit* EditSession::openEdit() const
+{
+    const OpenOperation* open = m_queue->interactive();
+    return open ? &open->edit() : nullptr;
+}
+
+bool EditSession::openIsRefused() const
+{
+    const OpenOperation* open = m_queue->interactive();
+    return open && open->refused();
 }
 
 bool EditSession::transactionOpen() const
 {
-    return m_queue->interactive() != nullptr;
+    return openEdit() != nullptr;
 }
 
-bool EditSession::templateOpen() const
+void EditSession::closeOpen()
 {
-    const auto* open = dynamic_cast<const SurfaceOperation*>(m_queue->interactive());
-    return open && open->isTemplate();
-}
-
-bool EditSession::previewOpen() const
-{
-    const VoxelOperation* open = m_queue->interactiveVoxels();
-    return open && open->isPreview();
-}
-
-bool EditSession::thresholdOpen() const
-{
-    const VoxelOperation* open = m_queue->interactiveVoxels();
-    return open && open->isThreshold();
-}
-
-bool EditSession::backwardsOpen() const
-{
-    const VoxelOperation* open = m_queue->interactiveVoxels();
-    return open && open->isBackwards();
-}
-
-bool EditSession::backwardsRefused() const
-{
-    return backwardsOpen() && m_queue->interactiveVoxels()->refused();
-}
-
-void EditSession::closeGrowth()
-{
-    m_queue->closeGrowth();
+    m_queue->closeOpen();
 }
 
 Result<void> EditSession::undo()
 {
     return guarded([&]() -> Result<void> {
-        m_queue->closeGrowth();
+        m_queue->closeOpen();
         if (m_queue->idle() && !history().canUndo())
             return failure(ErrorCode::InvalidField, QStringLiteral("undo"),
                 Clause::saying("the history is at its beginning"));
@@ -220,7 +162,7 @@ Result<void> EditSession::undo()
 Result<void> EditSession::redo()
 {
     return guarded([&]() -> Result<void> {
-        m_queue->closeGrowth();
+        m_queue->closeOpen();
         if (m_queue->idle() && !history().canRedo())
             return failure(ErrorCode::InvalidField, QStringLiteral("redo"),
                 Clause::saying("the history is at its end"));
@@ -235,7 +177,7 @@ Result<void> EditSession::goTo(RowId row)
         if (row < 0 || row > RowId(history().rows().size()))
             return failure(ErrorCode::InvalidField, QStringLiteral("goTo"),
                 Clause::saying("the history has no row %1", row));
-        m_queue->closeGrowth();
+        m_queue->closeOpen();
         m_queue->submit(std::make_unique<WalkOperation>(WalkOperation::Aim::Row, row));
         return {};
     });

@@ -6,6 +6,7 @@
 #include "core/delta/Ending.h"
 #include "core/document/Document.h"
 #include "core/edits/kinds/Edit.h"
+#include "core/edits/open/StrokeExtension.h"
 #include "core/growth/GrowthProgress.h"
 #include "core/history/History.h"
 
@@ -15,8 +16,6 @@
 #include <memory>
 
 namespace core {
-
-struct PenSample;
 
 class EditEngine;
 class OperationQueue;
@@ -76,35 +75,30 @@ public:
     Result<void> apply(const Edit& edit);
 
     /// Interactive edits (canStandOpen() in core/edits/EditTask.h): begin, then extend any number
-    /// of times, then end. A stroke begins without drill samples and with the first point of its
-    /// path. Calls that do not apply to the open edit, and values out of range, are ignored.
+    /// of times, then end. A stroke begins without samples of the pen and with the first point of
+    /// its path.
     Result<void> begin(const Edit& edit);
-    void extendDrill(const std::vector<PenSample>& samples);
-    /// @param lifted a new path begins at the first of these points (not for tools of a surface)
-    /// @param pressures of the points (PenPressures), for an edit that began with one
-    void extendPath(const std::vector<glm::dvec3>& pointsLps, bool lifted = false,
-        const std::vector<double>& pressures = {});
-    void setPeelDepth(double depthMm);
-    /// Of a ShrinkSteps: replaces the earlier number; more than there are: back to the seeds. Of a
-    /// ShrinkAt with steps: goes on until there are so many, as far as that is possible
-    /// (growthProgress() tells how far it is); never back.
-    void setShrinkSteps(int steps);
-    void extendGrowth(GrowAdvance advance);
-    /// as if begun with it; extendGrowth() must be called again
-    void setInterval(double lower, double upper);
-    void pauseGrowth();
+    /// What does not apply to the open edit, and what is out of range, is ignored. The kind of the
+    /// edit decides what it makes of it (core/edits/open/OpenStroke.h).
+    void extend(const StrokeExtension& extension);
     void end(Ending ending);
-    void cancelPreview(); ///< and what the engine keeps for the next preview
+    /// Takes an open preview back, with what the engine keeps for the next one of its kind. Does
+    /// nothing if no such preview is open.
+    void forgetPreview();
+    /// Ends an edit that stands open without a pen, as is usual for its kind (OpenManner): a growth
+    /// is committed at its generation, a preview taken back. An open stroke is left alone. apply(),
+    /// begin(), undo() and others do this themselves.
+    void closeOpen();
     [[nodiscard]] bool transactionOpen() const;
-    [[nodiscard]] bool previewOpen() const; ///< a GrowFromSeeds is open
-    [[nodiscard]] bool thresholdOpen() const; ///< a ThresholdSegment is open
-    [[nodiscard]] bool backwardsOpen() const; ///< a ShrinkAt with steps is open, refused or not
-    [[nodiscard]] bool backwardsRefused() const; ///< it is open, and takes nothing
-    [[nodiscard]] bool templateOpen() const; ///< an ApplyTemplate that is being previewed is open
-    /// Commits a running growth at its generation and an open peel at its depth, and takes a
-    /// preview or a threshold back; an open stroke is left alone. apply(), begin(), undo() and
-    /// others do this themselves.
-    void closeGrowth();
+    /// The edit that stands open, with what it was told; null: none.
+    [[nodiscard]] const Edit* openEdit() const;
+    template <isEdit E> [[nodiscard]] bool isOpen() const
+    {
+        const Edit* open = openEdit();
+        return open && open->is<E>();
+    }
+    /// Whether an edit stands open of which nothing will remain: the engine has refused it.
+    [[nodiscard]] bool openIsRefused() const;
 
     Result<void> undo();
     Result<void> redo();

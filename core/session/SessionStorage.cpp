@@ -38,7 +38,7 @@ bool SessionStorage::holdsImages() const
 void SessionStorage::saveAs(const QString& target, bool replaceExisting,
     std::function<void(const Result<void>&)> done, SavedImages images)
 {
-    m_queue.closeGrowth();
+    m_queue.closeOpen();
     if (SessionFile* file = fileOf(m_queue))
         file->saveAs(target, replaceExisting, std::move(done), std::move(images));
     else

@@ -97,7 +97,7 @@ void AuditSaver::save(const QString& path)
     }
     m_busy = true;
     m_path = path;
-    session->closeGrowth();
+    session->closeOpen();
     std::set<std::uint8_t> used;
     for (const core::Segment& segment : session->document().segments)
         used.insert(segment.plane);

@@ -51,7 +51,7 @@ void GrowthRun::goOn()
 void GrowthRun::pause()
 {
     if (core::EditSession* session = m_workspace.session())
-        session->pauseGrowth();
+        session->extend(core::PauseGrowth{});
     m_turns.clear();
     finish();
 }
@@ -77,7 +77,7 @@ bool GrowthRun::beginBurst(const core::Edit& growth, double generationsPerSecond
     Q_EMIT begun();
     core::GrowAdvance advance;
     advance.generationsPerSecond = generationsPerSecond;
-    session->extendGrowth(advance);
+    session->extend(advance);
     m_watch.start();
     Q_EMIT changed();
     return true;
@@ -90,7 +90,7 @@ void GrowthRun::finish()
     m_nextTurn = false;
     // What is open may be a threshold by now, which its dialog shows.
     if (core::EditSession* session = m_workspace.session();
-        session && session->transactionOpen() && !session->thresholdOpen())
+        session && session->transactionOpen() && !session->isOpen<core::ThresholdSegment>())
         session->end(core::Ending::Commit);
     Q_EMIT changed();
 }

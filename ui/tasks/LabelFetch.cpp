@@ -23,7 +23,7 @@ void LabelFetch::start(
     core::EditSession& session, const std::set<std::uint8_t>& planes, core::Field field)
 {
     m_assembling.cancel();
-    session.closeGrowth();
+    session.closeOpen();
     const glm::ivec3 size = session.document().volumes.front().geometry.size;
     m_work = std::make_shared<Work>(Work{session, {}});
     for (const std::uint8_t plane : planes)

@@ -100,11 +100,11 @@ void LiveInterval::send(bool atOnce)
         const bool arrived = !session->growthProgress().running;
         if (!atOnce && !arrived && m_sinceSent.elapsed() < patienceMilliseconds)
             return;
-        session->setInterval(m_wanted->first, m_wanted->second);
+        session->extend(core::ToInterval{.lower = m_wanted->first, .upper = m_wanted->second});
     }
     m_wanted.reset();
     m_sinceSent.start();
-    session->extendGrowth({});
+    session->extend(core::GrowAdvance{});
     ++m_sent;
     m_isWhole = false;
 }

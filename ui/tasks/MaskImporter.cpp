@@ -146,7 +146,7 @@ void MaskImporter::apply(const core::ReadImport& read, const QString& path)
     core::EditSession* session = m_workspace.session();
     if (!session)
         return;
-    session->closeGrowth();
+    session->closeOpen();
     const std::size_t rows = session->history().rows().size();
     if (const core::Result<void> applied = session->apply(read.edit); !applied) {
         Q_EMIT failed(applied.error());

@@ -247,7 +247,7 @@ void Pieces::liftLast(int layer)
     core::EditSession* session = m_workspace.session();
     if (!session)
         return;
-    session->closeGrowth();
+    session->closeOpen();
     // Which cut is the last one is known when everything that waits is done.
     session->questions().bricks({}, [this, layer](const auto& answer) {
         if (!answer)

@@ -204,7 +204,7 @@ void Refinement::clearContours()
 bool Refinement::isPreviewing() const
 {
     const core::EditSession* session = m_workspace.session();
-    return session && session->templateOpen();
+    return session && session->isOpen<core::ApplyTemplate>();
 }
 
 void Refinement::previewTemplate()

@@ -83,7 +83,7 @@ void removeSegment(Workspace& workspace, int label)
     core::EditSession* session = workspace.session();
     if (!session)
         return;
-    session->closeGrowth();
+    session->closeOpen();
     const core::Document before = session->foreseenDocument();
     const core::Segment* segment = before.segment(label);
     // What still waits for the engine may change the count.
@@ -180,7 +180,7 @@ QString nothingText(const Workspace& workspace, const QString& nothing)
 void carryOut(Workspace& workspace, core::Edit edit, const QString& nothing)
 {
     if (core::EditSession* session = workspace.session())
-        session->closeGrowth();
+        session->closeOpen();
     if (std::optional<core::EditableRange>* const range = core::editableRangeOf(edit))
         *range = workspace.editableRange();
     tellOf(workspace, edit.kind(), nothingText(workspace, nothing),
@@ -267,7 +267,7 @@ void fillBetweenSlices(Workspace& workspace, const core::FillBetweenSlices& edit
 void splitIslands(Workspace& workspace, const core::SplitIslands& edit)
 {
     if (core::EditSession* session = workspace.session())
-        session->closeGrowth();
+        session->closeOpen();
     tellOf(workspace, core::Edit(edit).kind(),
         QObject::tr("'%1' has no other island that is large enough")
             .arg(nameOfSegment(workspace, edit.segment)),

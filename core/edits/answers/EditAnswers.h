@@ -3,6 +3,8 @@
 
 #include "core/base/Result.h"
 
+#include <memory>
+
 namespace core {
 
 // The functions that every kind of edit X must provide, in X.cpp beside X.h, with exactly these
@@ -25,14 +27,24 @@ namespace core {
 //   Result<EngineEdit> engineEdit(const X&, const Document&)
 //     Only for those that the engine carries out: the command, in integers, that begins it.
 //     Their effects name engineTask<X>(), which does not compile without this function.
+//   std::unique_ptr<OpenStroke> openStroke(X&)
+//     Only for those of these that can stand open until the user ends them: what they can be told
+//     meanwhile, and what the engine is told then (core/edits/open/OpenStroke.h). It refers to the
+//     edit. Null: this one is carried out whole, although others of its kind are not. Their effects
+//     name opens<X>() or opensIf<X>() (Opening.h), which do not compile without this function.
+//   OpenManner openManner(const X&)
+//     Only for edits of the surface that stand open otherwise than under a pen. Tools of the
+//     surface are told further points of their path (SurfacePath), which needs no function.
 //
 // This header contains only what headers of edits need to declare them.
 
+class OpenStroke;
 struct DependencyFacts;
 struct Document;
 struct EditDependencies;
 struct EditEffects;
 struct EngineEdit;
+struct OpenManner;
 struct RowFacts;
 struct RowTitle;
 

@@ -3,6 +3,7 @@
 
 #include "core/document/Document.h"
 #include "core/edits/answers/EditAnswers.h"
+#include "core/edits/answers/Opening.h"
 
 #include <QString>
 
@@ -50,9 +51,9 @@ inline const FilledSegments fillsNothing{.label = std::nullopt};
 /// be given for each edit; without the latter it does not compile.
 struct EditEffects {
     EditTask task;
-    /// Whether it can be begun and then continued until it ends: a stroke, a growth that is
-    /// watched, a preview. All other edits are carried out whole.
-    bool standsOpen;
+    /// Whether it can be begun and then continued until it ends. All other edits are carried out
+    /// whole.
+    Opening standsOpen;
     /// The list of the document that it changes; none if it changes only voxels.
     std::optional<DocumentChange::What> changes{};
     /// It changes the document and no voxel.
@@ -67,6 +68,8 @@ struct EditEffects {
     /// It refers to places of one study or to rows of one history, so it means nothing in a recipe
     /// for another study.
     bool boundToStudy = false;
+    /// The document's growth has another generation afterwards.
+    bool movesGeneration = false;
 };
 
 /// Whether there is a command of the engine for this kind of edit.

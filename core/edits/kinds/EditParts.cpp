@@ -2,8 +2,6 @@
 #include "core/edits/kinds/EditParts.h"
 
 #include "core/edits/kinds/AnyEdit.h"
-#include "core/edits/kinds/sculpt/DrillPathSampler.h"
-#include "core/engine/EngineEdit.h"
 
 #include <type_traits>
 #include <utility>
@@ -76,15 +74,6 @@ bool* byTimeOf(Edit& edit)
                 return nullptr;
         },
         edit);
-}
-
-std::optional<DrillPathSampler> samplerOf(const Edit& edit, const EngineEdit& begun)
-{
-    if (const auto* drill = edit.as<DrillStroke>())
-        return DrillPathSampler(*drill, std::get<DrillCut>(begun));
-    if (const auto* laser = edit.as<LaserStroke>())
-        return DrillPathSampler(*laser, std::get<LaserCut>(begun));
-    return std::nullopt;
 }
 
 const BrushPath* brushPathOf(const Edit& edit)

@@ -8,10 +8,8 @@
 
 namespace core {
 
-class DrillPathSampler;
 struct BrushPath;
 struct EditableRange;
-struct EngineEdit;
 struct GrowCriteria;
 struct GrowGuard;
 struct PenSample;
@@ -26,10 +24,6 @@ struct PenSample;
 
 /// Whether such samples are looked at by time (DrillPathSampler.h).
 [[nodiscard]] bool* byTimeOf(Edit& edit);
-
-/// What makes the path of such samples, in a stroke that begins with this command; none for other
-/// edits.
-[[nodiscard]] std::optional<DrillPathSampler> samplerOf(const Edit& edit, const EngineEdit& begun);
 
 /// The way of a brush that paints, carves or shuts voxels to growth.
 [[nodiscard]] BrushPath* brushPathOf(Edit& edit);

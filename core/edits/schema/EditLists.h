@@ -5,7 +5,7 @@
 #include "core/edits/fields/EditFields.h"
 #include "core/edits/kinds/parts/ClipHalfSpaces.h"
 #include "core/edits/kinds/parts/GrowBox.h"
-#include "core/edits/kinds/sculpt/PenSample.h"
+#include "core/edits/kinds/parts/PenSample.h"
 
 #include <cstdint>
 #include <vector>

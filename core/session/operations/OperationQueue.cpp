@@ -3,6 +3,7 @@
 
 #include "core/base/Guarded.h"
 #include "core/edits/document/DocumentEdits.h"
+#include "core/edits/open/StrokeExtension.h"
 #include "core/engine/EngineCommands.h"
 #include "core/session/operations/SurfaceOperation.h"
 
@@ -58,7 +59,7 @@ OperationQueue::~OperationQueue()
     m_closing = true;
     guard([this] {
         if (OpenOperation* open = interactive())
-            open->end(m_state, open->usualEnding());
+            open->end(m_state, open->manner().usualEnding);
     });
     // A smoothing with a large ball may have minutes to go, and nobody could abort it any more.
     for (const std::unique_ptr<Operation>& operation : m_operations) {
@@ -116,11 +117,6 @@ AbortableOperation* OperationQueue::runningAbortable() const
         : nullptr;
 }
 
-VoxelOperation* OperationQueue::interactiveVoxels() const
-{
-    return dynamic_cast<VoxelOperation*>(interactive());
-}
-
 void OperationQueue::end(OpenOperation& stroke, Ending ending)
 {
     guard([&] {
@@ -130,15 +126,14 @@ void OperationQueue::end(OpenOperation& stroke, Ending ending)
     notifyListeners();
 }
 
-void OperationQueue::closeGrowth()
+void OperationQueue::closeOpen()
 {
     OpenOperation* open = interactive();
-    if (!open || !open->standsOpen())
+    if (!open || !open->manner().withoutPen)
         return;
     guard([&] {
-        if (VoxelOperation* voxels = interactiveVoxels(); voxels && voxels->isGrowth())
-            voxels->extendGrowth(m_state, GrowPause{});
-        open->end(m_state, open->usualEnding());
+        open->extend(m_state, PauseGrowth{}); // a growth stops where it is
+        open->end(m_state, open->manner().usualEnding);
         advance();
     });
 }
@@ -307,7 +302,7 @@ Result<void> OperationQueue::settle()
 
 Result<void> OperationQueue::waitUntilSettled()
 {
-    closeGrowth();
+    closeOpen();
     m_state.engine.finish();
     poll();
     while (!settled()) {

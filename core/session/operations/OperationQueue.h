@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/session/operations/VoxelOperation.h"
 #include "core/session/questions/QuestionLine.h"
+#include "core/session/state/Operation.h"
 
 #include <deque>
 #include <functional>
@@ -25,24 +25,21 @@ public:
     /// @param wakeUp as in EditSession::Options
     OperationQueue(EditEngine& engine, Volume volume, std::unique_ptr<SessionFile> file,
         std::function<void()> wakeUp);
-    /// Commits a running growth or an open peel, rolls a stroke back, and waits for the disk.
+    /// Ends what is open as is usual for it (OpenManner), and waits for the disk.
     ~OperationQueue() override;
 
     void submit(std::unique_ptr<Operation> operation) override;
     void ask(EngineCommand question, Answer answer) override;
 
-    /// The open stroke or the running growth; null: none.
+    /// What the user continues until it ends; null: nothing.
     [[nodiscard]] OpenOperation* interactive() const;
-    /// The same if it edits voxels.
-    [[nodiscard]] VoxelOperation* interactiveVoxels() const;
     /// The edit of the surface that is running; null: another operation, or none.
     [[nodiscard]] SurfaceOperation* runningSurface() const;
     /// The edit that is being worked out; null: another operation is running, or none.
     [[nodiscard]] AbortableOperation* runningAbortable() const;
     void end(OpenOperation& stroke, Ending ending);
-    /// Commits a running growth at its generation and an open peel at its depth, and takes a
-    /// preview back.
-    void closeGrowth() override;
+    /// Ends what stands open without a pen, as is usual for it (OpenManner).
+    void closeOpen() override;
 
     void poll();
     void waitForEngine() override;

@@ -2,10 +2,12 @@
 #include "core/session/operations/SurfaceOperation.h"
 
 #include "core/base/Guarded.h"
+#include "core/edits/EditTask.h"
 #include "core/edits/document/DocumentEdits.h"
 #include "core/edits/kinds/surface/FollowMask.h"
 #include "core/edits/kinds/surface/LaySurface.h"
 #include "core/edits/kinds/surface/SurfacePath.h"
+#include "core/edits/open/StrokeExtension.h"
 #include "core/engine/EngineCommands.h"
 
 #include <utility>
@@ -14,6 +16,7 @@ namespace core {
 
 SurfaceOperation::SurfaceOperation(Edit edit, Kind kind, RowId again)
     : m_edit(std::move(edit))
+    , m_manner(surfaceMannerOf(m_edit))
     , m_kind(kind)
     , m_again(again)
 {
@@ -90,7 +93,7 @@ void SurfaceOperation::abort()
 
 bool SurfaceOperation::isAbortable() const
 {
-    const bool isMoving = isTemplate() && !m_hasBegun && m_ending != Ending::Rollback;
+    const bool isMoving = m_manner.withoutPen && !m_hasBegun && m_ending != Ending::Rollback;
     return !m_done && (m_edit.is<LaySurface>() || m_edit.is<FollowMask>() || isMoving);
 }
 
@@ -124,16 +127,17 @@ void SurfaceOperation::work(SessionState& state)
         end(state, *m_ending);
 }
 
-void SurfaceOperation::extendPath(SessionState& state, const std::vector<glm::dvec3>& pointsLps,
-    bool, const std::vector<double>& pressures)
+void SurfaceOperation::extend(SessionState& state, const StrokeExtension& extension)
 {
+    const auto* further = std::get_if<PathPoints>(&extension);
     SurfacePath* const extended = surfacePathOf(m_edit);
-    if (!extended || !open() || pointsLps.empty())
+    if (!further || !extended || !open() || further->pointsLps.empty())
         return;
+    const std::vector<glm::dvec3>& pointsLps = further->pointsLps;
     SurfacePath& path = *extended;
     path.pointsLps.insert(path.pointsLps.end(), pointsLps.begin(), pointsLps.end());
     const std::vector<double> pressed =
-        continuePressures(path.pressures, pointsLps.size(), pressures);
+        continuePressures(path.pressures, pointsLps.size(), further->pressures);
     // What waits in line still gets them with the edit.
     if (m_work) {
         post(state, [work = m_work, pointsLps, pressed] {

@@ -37,14 +37,14 @@ public:
     /// For an edit that is abortable: it ends with Cancelled and changes nothing. One that stands
     /// open must be rolled back afterwards.
     void abort();
-    /// Laying a surface, following the mask, and a template while it moves.
+    /// Laying a surface, following the mask, and a preview until it can be seen.
     [[nodiscard]] bool isAbortable() const;
 
-    [[nodiscard]] bool isTemplate() const { return m_edit.is<ApplyTemplate>(); }
     [[nodiscard]] bool open() const override { return m_kind == Kind::Interactive && !m_ending; }
-    [[nodiscard]] bool standsOpen() const override { return isTemplate() && open(); }
-    void extendPath(SessionState& state, const std::vector<glm::dvec3>& pointsLps, bool lifted,
-        const std::vector<double>& pressures) override;
+    [[nodiscard]] const Edit& edit() const override { return m_edit; }
+    [[nodiscard]] OpenManner manner() const override { return m_manner; }
+    /// By points of its path.
+    void extend(SessionState& state, const StrokeExtension& extension) override;
     void end(SessionState& state, Ending ending) override;
 
 private:
@@ -59,6 +59,7 @@ private:
     void reportFailure(SessionState& state, const Error& error);
 
     Edit m_edit;
+    OpenManner m_manner;
     Kind m_kind;
     RowId m_again = 0;
     std::optional<LabelReader> m_reader; ///< while labels are being read
@@ -68,7 +69,7 @@ private:
     std::optional<Ending> m_ending;
     std::optional<Ticket> m_written; ///< the end of the transaction that writes voxels
     bool m_isAborted = false;
-    bool m_hasBegun = false; ///< SurfaceWork::begin() is through; a template stands
+    bool m_hasBegun = false; ///< SurfaceWork::begin() is through; a preview can be seen
     bool m_reported = false; ///< the reason for the failure was reported
     bool m_done = false;
 };

@@ -20,7 +20,7 @@ public:
     /// error.
     virtual void ask(EngineCommand question, Answer answer) = 0;
     virtual void submit(std::unique_ptr<Operation> operation) = 0;
-    virtual void closeGrowth() = 0;
+    virtual void closeOpen() = 0;
     /// Blocks until the engine is done, then delivers the answers.
     virtual void waitForEngine() = 0;
     /// The document after everything that is waiting, as far as that is known.

@@ -134,7 +134,7 @@ void VoxelQuestions::compareGrowth(Answer<std::optional<GrowthComparison>> answe
 
 void VoxelQuestions::lastTouching(const Touch& touch, std::function<void(RowId)> answer)
 {
-    m_line.closeGrowth();
+    m_line.closeOpen();
     m_line.submit(std::make_unique<TouchSearch>(touch, std::move(answer)));
 }
 

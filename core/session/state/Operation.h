@@ -2,9 +2,13 @@
 #pragma once
 
 #include "core/delta/Ending.h"
+#include "core/edits/open/OpenStroke.h"
 #include "core/session/state/SessionState.h"
 
 namespace core {
+
+class Edit;
+struct StrokeExtension;
 
 /// One thing that a session was asked to do. Operations wait in a queue; the first one is started,
 /// receives the answers of engine and worker, and is removed when it is done. Nothing here blocks.
@@ -46,14 +50,13 @@ public:
 class OpenOperation : public Operation {
 public:
     [[nodiscard]] virtual bool open() const = 0;
-    /// @param pressures as in EditSession
-    virtual void extendPath(SessionState& state, const std::vector<glm::dvec3>& pointsLps,
-        bool lifted, const std::vector<double>& pressures) = 0;
+    /// What does not apply to its edit is ignored.
+    virtual void extend(SessionState& state, const StrokeExtension& extension) = 0;
     virtual void end(SessionState& state, Ending ending) = 0;
-    /// Whether it stays open although no pen is down; the next operation then closes it.
-    [[nodiscard]] virtual bool standsOpen() const { return false; }
-    /// How it ends if the user does not end it.
-    [[nodiscard]] virtual Ending usualEnding() const { return Ending::Rollback; }
+    [[nodiscard]] virtual const Edit& edit() const = 0;
+    [[nodiscard]] virtual OpenManner manner() const = 0;
+    /// Whether nothing of it will remain, however it is ended.
+    [[nodiscard]] virtual bool refused() const { return false; }
 };
 
 } // namespace core

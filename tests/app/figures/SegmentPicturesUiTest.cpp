@@ -143,7 +143,7 @@ private Q_SLOTS:
         views.volume().setCamera(camera);
         show(gpu::Context::Hidden);
         // To settle would end what is shown before it is applied.
-        QVERIFY(wait([this] { return session().thresholdOpen(); }));
+        QVERIFY(wait([this] { return session().isOpen<core::ThresholdSegment>(); }));
         for (int picture = 0; picture < 3; ++picture) {
             QTest::qWait(2 * restMs);
             QVERIFY(wait([&views] { return views.refined(); }));

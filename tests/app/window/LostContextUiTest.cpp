@@ -66,7 +66,7 @@ private Q_SLOTS:
         QCOMPARE(position, core::RowId(4));
         if (what == QStringLiteral("a growth")) {
             QVERIFY(session().begin(test::growBrain()));
-            session().extendGrowth({.generationsPerSecond = 2.0});
+            session().extend(core::GrowAdvance{.generationsPerSecond = 2.0});
         }
         const LosingGl losing(1);
         if (what == QStringLiteral("a step"))

@@ -202,10 +202,12 @@ QString measureDrill(PeerReport& report, Desk& desk)
             [&] {
                 if (!session.begin(test::begunStroke(stroke)))
                     return false;
-                session.extendDrill({samples.front()});
+                session.extend(core::PenSamples{.samples = {samples.front()}});
                 return true;
             },
-            [&](int number) { session.extendDrill({samples[std::size_t(number) + 1]}); });
+            [&](int number) {
+                session.extend(core::PenSamples{.samples = {samples[std::size_t(number) + 1]}});
+            });
         !why.isEmpty())
         return why;
 
@@ -241,10 +243,10 @@ QString measureGrow(PeerReport& report, Desk& desk, const glm::dvec3& bone)
         [&] {
             if (!session.begin(test::growBetween(300.0, 3000.0, 20)))
                 return false;
-            session.extendGrowth({.steps = 20});
+            session.extend(core::GrowAdvance{.steps = 20});
             return true;
         },
-        [&](int) { session.extendGrowth({.steps = 4}); });
+        [&](int) { session.extend(core::GrowAdvance{.steps = 4}); });
 }
 
 /// The head, from the front and a little from above and from the side.

@@ -2,7 +2,7 @@
 #include "tests/benchmarks/own/SessionDriver.h"
 
 #include "core/edits/kinds/EditParts.h"
-#include "core/edits/kinds/sculpt/PenSample.h"
+#include "core/edits/kinds/parts/PenSample.h"
 #include "core/engine/EditEngine.h"
 #include "core/session/SessionStorage.h"
 #include "core/session/questions/VoxelQuestions.h"
@@ -109,7 +109,7 @@ SessionDriver::Commit SessionDriver::stroke(const core::Edit& stroke)
 {
     note(m_session->begin(test::begunStroke(stroke)));
     for (const core::PenSample& sample : *core::penSamplesOf(stroke)) {
-        m_session->extendDrill({sample});
+        m_session->extend(core::PenSamples{.samples = {sample}});
         m_session->poll();
     }
     // The pen is slower than this loop: by pen-up the cut is done.

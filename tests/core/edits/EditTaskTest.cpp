@@ -46,6 +46,16 @@ class EditTaskTest : public QObject {
 private Q_SLOTS:
     void effectsFitTogether() { checkKinds(AllEdits()); }
 
+    void growthsAndTheirCutsMoveTheGeneration()
+    {
+        for (const Edit& edit : {Edit(GrowSteps()), Edit(ChangeInterval()), Edit(ResumeGrowth()),
+                 Edit(ShrinkSteps()), Edit(ShrinkAt()), Edit(PlugLeak())})
+            QVERIFY2(effectsOf(edit).movesGeneration, qPrintable(editName(edit)));
+        for (const Edit& edit :
+            {Edit(SeedStroke()), Edit(BarrierStroke()), Edit(GrowFromSeeds()), Edit(PaintStroke())})
+            QVERIFY2(!effectsOf(edit).movesGeneration, qPrintable(editName(edit)));
+    }
+
     /// Whoever may have its first voxels from an edit is told, so that a code is asked for in time.
     void whoReceivesVoxelsIsTold()
     {

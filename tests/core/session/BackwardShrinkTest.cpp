@@ -87,7 +87,7 @@ private Q_SLOTS:
         EditSession& session = *held.session;
         QVERIFY(session.begin(held.at(1)));
         for (const int steps : {2, 3, 2, 4})
-            session.setShrinkSteps(steps);
+            session.extend(ToSteps{steps});
         session.end(Ending::Commit);
         QVERIFY(session.settle());
         QCOMPARE(held.rows(), rows + 1);
@@ -123,7 +123,7 @@ private Q_SLOTS:
         // Held, the row says how many there were.
         Ball held;
         QVERIFY(held.session->begin(held.at(1)));
-        held.session->setShrinkSteps(40);
+        held.session->extend(ToSteps{40});
         held.session->end(Ending::Commit);
         QVERIFY(held.session->settle());
         const int done = held.lastRow().edit.get<ShrinkAt>().steps.value_or(0);
@@ -136,12 +136,12 @@ private Q_SLOTS:
         Ball ball;
         const std::size_t rows = ball.rows();
         QVERIFY(ball.session->begin(ball.at(1)));
-        ball.session->setShrinkSteps(3);
+        ball.session->extend(ToSteps{3});
         ball.session->end(Ending::Rollback);
         QVERIFY(ball.session->settle());
         // Over a seed.
         QVERIFY(ball.session->begin(ball.at(1, 0.0)));
-        ball.session->setShrinkSteps(3);
+        ball.session->extend(ToSteps{3});
         ball.session->end(Ending::Commit);
         const auto over = ball.session->settle();
         QVERIFY(!over && over.error().code == ErrorCode::SeedsStay);
@@ -166,7 +166,7 @@ private Q_SLOTS:
         Ball ball;
         const std::size_t rows = ball.rows();
         QVERIFY(ball.session->begin(ball.at(1)));
-        ball.session->setShrinkSteps(2);
+        ball.session->extend(ToSteps{2});
         QVERIFY(ball.session->apply(test::addSegment("Other")) && ball.session->settle());
         QCOMPARE(ball.rows(), rows + 2);
         QCOMPARE(
@@ -196,7 +196,7 @@ private Q_SLOTS:
         {
             Ball ball(false, file);
             QVERIFY(ball.session->begin(ball.at(1)));
-            ball.session->setShrinkSteps(3);
+            ball.session->extend(ToSteps{3});
             ball.session->end(Ending::Commit);
             QVERIFY(ball.session->settle());
             shrunk = ball.session->stateHash();

@@ -306,13 +306,13 @@ private Q_SLOTS:
                 if (round > 0 && random() % 3 == 0)
                     batch.push_back(sample); // told twice
                 if (round > 0 && random() % 3 == 0) {
-                    (*session)->extendDrill(batch);
+                    (*session)->extend(PenSamples{.samples = batch});
                     batch.clear();
                     if (random() % 2)
                         (*session)->poll();
                 }
             }
-            (*session)->extendDrill(batch);
+            (*session)->extend(PenSamples{.samples = batch});
             (*session)->end(Ending::Commit);
             QVERIFY((*session)->settle());
             QCOMPARE((*session)->history().rows().size(), std::size_t(1));

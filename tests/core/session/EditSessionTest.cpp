@@ -4,7 +4,7 @@
 #include "core/edits/kinds/growth/GrowCriteria.h"
 #include "core/edits/kinds/growth/SeedStroke.h"
 #include "core/edits/kinds/growth/ShrinkSteps.h"
-#include "core/edits/kinds/sculpt/PenSample.h"
+#include "core/edits/kinds/parts/PenSample.h"
 #include "core/edits/kinds/segments/ChangeSegment.h"
 #include "core/edits/kinds/segments/MoveSegment.h"
 #include "core/session/SessionDisplay.h"
@@ -209,7 +209,7 @@ private Q_SLOTS:
         const QByteArray before = bench.session->stateHash();
         const Edit stroke = test::drillAt(0);
         QVERIFY(bench.session->begin(test::begunStroke(stroke)));
-        bench.session->extendDrill(*penSamplesOf(stroke));
+        bench.session->extend(PenSamples{.samples = *penSamplesOf(stroke)});
         QVERIFY(bench.session->transactionOpen());
         QVERIFY(!bench.inner.fields().occupiedBricks().empty());
         bench.session->end(Ending::Rollback);
@@ -254,8 +254,9 @@ private Q_SLOTS:
         Bench pieces(delayed);
         QVERIFY(pieces.session->begin(test::begunStroke(stroke)));
         for (std::size_t i = 0; i < samples.size(); i += 3) {
-            pieces.session->extendDrill({samples.begin() + std::ptrdiff_t(i),
-                samples.begin() + std::ptrdiff_t(std::min(i + 3, samples.size()))});
+            pieces.session->extend(
+                PenSamples{.samples = {samples.begin() + std::ptrdiff_t(i),
+                               samples.begin() + std::ptrdiff_t(std::min(i + 3, samples.size()))}});
             pieces.session->poll();
         }
         pieces.session->end(Ending::Commit);
@@ -282,7 +283,7 @@ private Q_SLOTS:
         bench.run(test::seedInBrain(1));
         const QByteArray seeded = bench.session->stateHash();
         QVERIFY(bench.session->begin(test::growBrain()));
-        bench.session->extendGrowth({.steps = 2});
+        bench.session->extend(GrowAdvance{.steps = 2});
         bench.session->poll();
         QVERIFY(bench.session->transactionOpen());
         if (what == 0)
@@ -311,6 +312,32 @@ private Q_SLOTS:
         QCOMPARE(replay.session->stateHash(), grown.stateHash);
     }
 
+    /// The window asks by the kind what stands open; what does not apply to it is ignored.
+    void whatStandsOpenIsKnown()
+    {
+        Bench bench;
+        EditSession& session = *bench.session;
+        QVERIFY(!session.openEdit() && !session.openIsRefused());
+        session.extend(ToSteps{2}); // nothing is open
+        session.forgetPreview();
+        session.closeOpen();
+        bench.run(test::addSegment("Brain"));
+        bench.run(test::seedInBrain(1));
+        QVERIFY(session.begin(test::growBrain()));
+        session.extend(GrowAdvance{.steps = 2});
+        session.extend(ToDepth{1.0}); // a growth has none
+        session.extend(ToSteps{-1});
+        session.forgetPreview(); // it is none
+        session.poll();
+        QVERIFY(session.isOpen<GrowSteps>() && !session.isOpen<ShrinkSteps>());
+        QVERIFY(session.transactionOpen() && !session.openIsRefused());
+        session.closeOpen();
+        QVERIFY(!session.openEdit() && !session.transactionOpen());
+        QVERIFY(session.settle());
+        QCOMPARE(session.history().rows().size(), std::size_t(3));
+        QCOMPARE(*growStepsOf(bench.lastRow().edit), std::optional<int>(2));
+    }
+
     void aGrowthSaysHowFarItCame()
     {
         // Without fresh seeds the opening adds nothing, so steps and generations agree.
@@ -319,14 +346,14 @@ private Q_SLOTS:
         bench.run(test::seedInBrain(1));
         bench.run(test::growBrain(1));
         QVERIFY(bench.session->begin(test::growBrain()));
-        bench.session->extendGrowth({.steps = 2});
-        bench.session->extendGrowth({.steps = 1});
+        bench.session->extend(GrowAdvance{.steps = 2});
+        bench.session->extend(GrowAdvance{.steps = 1});
         bench.session->end(Ending::Commit);
         QVERIFY(bench.session->settle());
         QCOMPARE(*growStepsOf(bench.lastRow().edit), std::optional<int>(3));
         QCOMPARE(bench.lastRow().growthGeneration, 5u);
         QVERIFY(bench.session->begin(test::growBrain()));
-        bench.session->extendGrowth({});
+        bench.session->extend(GrowAdvance{});
         bench.session->end(Ending::Commit);
         QVERIFY(bench.session->settle());
         QVERIFY(!*growStepsOf(bench.lastRow().edit));
@@ -346,7 +373,7 @@ private Q_SLOTS:
         EditSession& session = *scrubbed.session;
         QVERIFY(session.begin(ShrinkSteps{.steps = 0}));
         for (const int steps : {1, 5, 100, 0, 4, 2})
-            session.setShrinkSteps(steps);
+            session.extend(ToSteps{steps});
         session.end(Ending::Commit);
         QVERIFY(session.settle());
         QCOMPARE(session.stateHash(), whole.session->stateHash());
@@ -361,9 +388,9 @@ private Q_SLOTS:
         const std::size_t rows = session.history().rows().size();
         for (const Ending ending : {Ending::Commit, Ending::Rollback}) {
             QVERIFY(session.begin(ShrinkSteps{.steps = 0}));
-            session.setShrinkSteps(3);
+            session.extend(ToSteps{3});
             if (ending == Ending::Commit)
-                session.setShrinkSteps(0);
+                session.extend(ToSteps{0});
             session.end(ending);
             QVERIFY(session.settle());
             QCOMPARE(session.stateHash(), grown);
@@ -371,8 +398,8 @@ private Q_SLOTS:
         }
         // All the way back leaves the seeds, as "to the seeds" does.
         QVERIFY(session.begin(ShrinkSteps{.steps = 0}));
-        session.setShrinkSteps(1000);
-        session.closeGrowth();
+        session.extend(ToSteps{1000});
+        session.closeOpen();
         QVERIFY(session.settle());
         QVERIFY(whole.session->undo());
         whole.run(ShrinkSteps{});

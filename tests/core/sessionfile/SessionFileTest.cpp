@@ -144,7 +144,7 @@ private Q_SLOTS:
         // What a crash would leave behind at this moment, with a stroke under the pen.
         const Edit stroke = test::drillAt(0);
         QVERIFY(session->begin(test::begunStroke(stroke)));
-        session->extendDrill(*penSamplesOf(stroke));
+        session->extend(PenSamples{.samples = *penSamplesOf(stroke)});
         const QString copy = m_folder->filePath(QStringLiteral("copy.burin"));
         for (const char* suffix : {"", "-wal"})
             QVERIFY(QFile::copy(m_path + QLatin1String(suffix), copy + QLatin1String(suffix)));

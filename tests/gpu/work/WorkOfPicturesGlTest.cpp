@@ -182,10 +182,10 @@ std::vector<Counted> WorkOfPicturesGlTest::stepsIn(int side)
         look();
         m_gpu.doInTurn(known, [&] {
             require(known.begin(test::begunStroke(drill)));
-            known.extendDrill({pen[0]});
+            known.extend(PenSamples{.samples = {pen[0]}});
         });
         look();
-        step("tick of the drill", [&] { known.extendDrill({pen[1]}); });
+        step("tick of the drill", [&] { known.extend(PenSamples{.samples = {pen[1]}}); });
         end(Ending::Commit);
         look();
         step("undo of the drill", [&] { require(known.undo()); });
@@ -195,28 +195,28 @@ std::vector<Counted> WorkOfPicturesGlTest::stepsIn(int side)
         look();
         m_gpu.doInTurn(known, [&] {
             require(known.begin(test::growBetween(500.0, 2000.0, 20)));
-            known.extendGrowth({.steps = 6});
+            known.extend(GrowAdvance{.steps = 6});
         });
         look();
-        step("generation of a growth", [&] { known.extendGrowth({.steps = 1}); });
+        step("generation of a growth", [&] { known.extend(GrowAdvance{.steps = 1}); });
         end(Ending::Commit);
         look();
 
         m_gpu.doInTurn(known, [&] { require(known.begin(ShrinkSteps{.steps = 0})); });
         look();
-        step("scrub of a growth", [&] { known.setShrinkSteps(2); });
+        step("scrub of a growth", [&] { known.extend(ToSteps{2}); });
         end(Ending::Rollback);
         ChangeInterval change;
         change.criteria.lower = 600.0;
         change.criteria.upper = 2000.0;
         m_gpu.doInTurn(known, [&] {
             require(known.begin(change));
-            known.extendGrowth({.steps = 1});
+            known.extend(GrowAdvance{.steps = 1});
         });
         look();
         step("event of the interval", [&] {
-            known.setInterval(Ball::valueAt(5.0), 2000.0);
-            known.extendGrowth({.steps = 1});
+            known.extend(ToInterval{.lower = Ball::valueAt(5.0), .upper = 2000.0});
+            known.extend(GrowAdvance{.steps = 1});
         });
         end(Ending::Rollback);
         look();

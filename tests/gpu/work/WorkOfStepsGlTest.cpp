@@ -264,18 +264,18 @@ std::vector<Counted> WorkOfStepsGlTest::stepsIn(int side)
         // Parts of steps: what one event of a slider costs.
         prepare(test::growBetween(500.0, 2000.0, 12));
         m_gpu.doInTurn(known, [&] { begin(ShrinkSteps{.steps = 0}); });
-        event("scrub of a growth", [&] { known.setShrinkSteps(3); });
+        event("scrub of a growth", [&] { known.extend(ToSteps{3}); });
         end(Ending::Rollback);
         ChangeInterval change;
         change.criteria.lower = 600.0;
         change.criteria.upper = 2000.0;
         m_gpu.doInTurn(known, [&] {
             begin(change);
-            known.extendGrowth({.steps = 1});
+            known.extend(GrowAdvance{.steps = 1});
         });
         const auto interval = [&known](double lower) {
-            known.setInterval(lower, 2000.0);
-            known.extendGrowth({.steps = 1});
+            known.extend(ToInterval{.lower = lower, .upper = 2000.0});
+            known.extend(GrowAdvance{.steps = 1});
         };
         const auto told = [&](double lower) {
             m_gpu.doInTurn(known, [&] { interval(lower); });

@@ -4,11 +4,11 @@
 #include "core/edits/engine/EngineEdits.h"
 #include "core/edits/kinds/filling/SegmentScissors.h"
 #include "core/edits/kinds/parts/ClipHalfSpaces.h"
+#include "core/edits/kinds/parts/PenSample.h"
 #include "core/edits/kinds/sculpt/DrillPathSampler.h"
 #include "core/edits/kinds/sculpt/DrillStroke.h"
 #include "core/edits/kinds/sculpt/LaserStroke.h"
 #include "core/edits/kinds/sculpt/PeelCut.h"
-#include "core/edits/kinds/sculpt/PenSample.h"
 #include "core/edits/kinds/sculpt/ScissorsCut.h"
 #include "core/edits/kinds/sculpt/ToolMask.h"
 

@@ -31,6 +31,7 @@
 #include "core/edits/kinds/parts/BrushPath.h"
 #include "core/edits/kinds/parts/ClipHalfSpaces.h"
 #include "core/edits/kinds/parts/EditableRange.h"
+#include "core/edits/kinds/parts/PenSample.h"
 #include "core/edits/kinds/parts/SegmentChoice.h"
 #include "core/edits/kinds/pieces/ChangePiece.h"
 #include "core/edits/kinds/pieces/CutPiece.h"
@@ -41,7 +42,6 @@
 #include "core/edits/kinds/sculpt/DrillStroke.h"
 #include "core/edits/kinds/sculpt/LaserStroke.h"
 #include "core/edits/kinds/sculpt/PeelCut.h"
-#include "core/edits/kinds/sculpt/PenSample.h"
 #include "core/edits/kinds/sculpt/ScissorsCut.h"
 #include "core/edits/kinds/segments/ChangeSegment.h"
 #include "core/edits/kinds/segments/CleanSegment.h"
@@ -332,14 +332,14 @@ private:
             if (stroke.path.pressures)
                 stroke.path.pressures->resize(1);
             if (m_session->begin(stroke))
-                m_session->extendPath(points);
+                m_session->extend(PathPoints{.pointsLps = points});
         } else if (chance(50)) {
             DrillStroke stroke = randomDrill();
             const std::vector<PenSample> samples = std::exchange(stroke.samples, {});
             if (m_session->begin(stroke))
-                m_session->extendDrill(samples);
+                m_session->extend(PenSamples{.samples = samples});
         } else if (m_session->begin(edit)) {
-            m_session->extendGrowth({.steps = 2});
+            m_session->extend(GrowAdvance{.steps = 2});
         }
         m_session->poll();
         m_session->end(Ending::Rollback);

@@ -197,7 +197,7 @@ private:
             push.path.pointsLps.resize(1);
             push.path.pressures.reset();
             if (m_session->begin(push)) {
-                m_session->extendPath(points);
+                m_session->extend(PathPoints{.pointsLps = points});
                 m_session->poll();
                 m_session->end(Ending::Rollback);
             }

@@ -9,8 +9,8 @@
 #include "core/edits/kinds/growth/ResumeGrowth.h"
 #include "core/edits/kinds/growth/ShrinkAt.h"
 #include "core/edits/kinds/parts/BrushPath.h"
+#include "core/edits/kinds/parts/PenSample.h"
 #include "core/edits/kinds/sculpt/PeelCut.h"
-#include "core/edits/kinds/sculpt/PenSample.h"
 #include "core/edits/kinds/surface/SurfacePath.h"
 #include "core/edits/kinds/values/ThresholdSegment.h"
 #include "core/session/EditSession.h"
@@ -74,8 +74,8 @@ bool tellInPieces(EditSession& session, const core::Edit& edit, core::Ending end
         require(session.begin(begunStroke(edit)), "begin");
         for (std::size_t first = 0; first < samples.size(); first += 2) {
             const std::size_t last = std::min(first + 2, samples.size());
-            session.extendDrill(
-                {samples.begin() + std::ptrdiff_t(first), samples.begin() + std::ptrdiff_t(last)});
+            session.extend(core::PenSamples{.samples = {samples.begin() + std::ptrdiff_t(first),
+                                                samples.begin() + std::ptrdiff_t(last)}});
             session.poll();
         }
     } else if (const core::BrushPath* way = core::brushPathOf(edit)) {
@@ -89,10 +89,10 @@ bool tellInPieces(EditSession& session, const core::Edit& edit, core::Ending end
             path.pressures->resize(1);
         require(session.begin(first), "begin");
         for (std::size_t next = 1; next < points.size(); ++next) {
-            session.extendPath({points[next]},
-                std::find(whole.lifts.begin(), whole.lifts.end(), std::int64_t(next))
+            session.extend(core::PathPoints{.pointsLps = {points[next]},
+                .lifted = std::find(whole.lifts.begin(), whole.lifts.end(), std::int64_t(next))
                     != whole.lifts.end(),
-                pressuresAt(whole.pressures, next));
+                .pressures = pressuresAt(whole.pressures, next)});
             session.poll();
         }
     } else if (const core::SurfacePath* surface = core::surfacePathOf(edit)) {
@@ -102,8 +102,8 @@ bool tellInPieces(EditSession& session, const core::Edit& edit, core::Ending end
             pressures->resize(1);
         require(session.begin(first), "begin");
         for (std::size_t next = 1; next < surface->pointsLps.size(); ++next) {
-            session.extendPath(
-                {surface->pointsLps[next]}, false, pressuresAt(surface->pressures, next));
+            session.extend(core::PathPoints{.pointsLps = {surface->pointsLps[next]},
+                .pressures = pressuresAt(surface->pressures, next)});
             session.poll();
         }
     } else if (const auto* peel = edit.as<core::PeelCut>()) {
@@ -111,7 +111,7 @@ bool tellInPieces(EditSession& session, const core::Edit& edit, core::Ending end
         first.depthMm = std::min(2.0 * peel->depthMm + 1.0, 60.0);
         require(session.begin(first), "begin");
         for (const double depthMm : {1.0, 0.0, 0.5 * peel->depthMm, peel->depthMm}) {
-            session.setPeelDepth(depthMm);
+            session.extend(core::ToDepth{depthMm});
             session.poll();
         }
     } else if (const auto* change = edit.as<core::ChangeInterval>()) {
@@ -119,29 +119,33 @@ bool tellInPieces(EditSession& session, const core::Edit& edit, core::Ending end
         core::ChangeInterval first = *change;
         first.criteria.upper += 200.0;
         require(session.begin(first), "begin");
-        session.extendGrowth({});
+        session.extend(core::GrowAdvance{});
         session.poll();
-        session.setInterval(change->criteria.lower - 100.0, change->criteria.upper);
-        session.extendGrowth({});
+        session.extend(core::ToInterval{
+            .lower = change->criteria.lower - 100.0, .upper = change->criteria.upper});
+        session.extend(core::GrowAdvance{});
         session.poll();
-        session.setInterval(change->criteria.lower, change->criteria.upper);
-        session.extendGrowth({.steps = change->steps.value_or(core::GrowAdvance::toClosure)});
+        session.extend(
+            core::ToInterval{.lower = change->criteria.lower, .upper = change->criteria.upper});
+        session.extend(
+            core::GrowAdvance{.steps = change->steps.value_or(core::GrowAdvance::toClosure)});
     } else if (const auto* resume = edit.as<core::ResumeGrowth>()) {
         require(session.begin(*resume), "begin");
-        session.extendGrowth({.steps = resume->steps.value_or(core::GrowAdvance::toClosure)});
+        session.extend(
+            core::GrowAdvance{.steps = resume->steps.value_or(core::GrowAdvance::toClosure)});
     } else if (const auto* shrink = edit.as<core::ShrinkAt>(); shrink && shrink->steps) {
         // As it is held.
         core::ShrinkAt first = *shrink;
         first.steps = 1;
         require(session.begin(first), "begin");
         for (int steps = 1; steps <= *shrink->steps; ++steps) {
-            session.setShrinkSteps(steps);
+            session.extend(core::ToSteps{steps});
             session.poll();
         }
     } else if (edit.is<core::GrowFromSeeds>()) {
         require(session.begin(edit), "begin");
         // Whatever else is done takes a preview back, and the next goes on from what it found.
-        session.closeGrowth();
+        session.closeOpen();
         session.poll();
         require(session.begin(edit), "begin again");
         session.poll();
@@ -154,7 +158,7 @@ bool tellInPieces(EditSession& session, const core::Edit& edit, core::Ending end
         session.end(core::Ending::Rollback);
         require(session.begin(edit), "begin again");
         // Whatever else is done takes it back.
-        session.closeGrowth();
+        session.closeOpen();
         session.poll();
         require(session.begin(edit), "begin once more");
         session.poll();
@@ -162,11 +166,11 @@ bool tellInPieces(EditSession& session, const core::Edit& edit, core::Ending end
         require(session.begin(edit), "begin");
         const int steps = core::growStepsOf(edit)->value_or(core::GrowAdvance::toClosure);
         if (steps > 1) {
-            session.extendGrowth({.steps = 1});
+            session.extend(core::GrowAdvance{.steps = 1});
             session.poll();
-            session.extendGrowth({.steps = steps - 1});
+            session.extend(core::GrowAdvance{.steps = steps - 1});
         } else {
-            session.extendGrowth({.steps = steps});
+            session.extend(core::GrowAdvance{.steps = steps});
         }
     } else {
         return false;

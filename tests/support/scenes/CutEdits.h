@@ -4,8 +4,8 @@
 #include "core/document/OrthographicView.h"
 #include "core/edits/kinds/Edit.h"
 #include "core/edits/kinds/parts/ClipHalfSpaces.h"
+#include "core/edits/kinds/parts/PenSample.h"
 #include "core/edits/kinds/parts/ProtectedSegments.h"
-#include "core/edits/kinds/sculpt/PenSample.h"
 #include "core/edits/kinds/sculpt/ToolMask.h"
 #include "core/sculpt/DrillCut.h"
 

@@ -121,7 +121,7 @@ void DeidentifySessionDialog::start()
     m_run->showProgress(tr("Writing the last steps"), 0, 0);
     m_waits = true;
     showRunning();
-    session->closeGrowth();
+    session->closeOpen();
     // The session's own file is open, and stays so.
     const auto folder = std::make_shared<QTemporaryDir>();
     session->storage().copyTo(copyIn(*folder),

@@ -28,7 +28,7 @@ ThresholdTrial::ThresholdTrial(Workspace& workspace, QObject* parent)
 bool ThresholdTrial::isOpen() const
 {
     const core::EditSession* session = m_workspace.session();
-    return m_shown && session && session->thresholdOpen();
+    return m_shown && session && session->isOpen<core::ThresholdSegment>();
 }
 
 void ThresholdTrial::show(const core::ThresholdSegment& edit)
@@ -47,7 +47,7 @@ void ThresholdTrial::begin()
         return m_wanted.reset();
     m_shown.reset();
     // The one before is taken back by this. A growth that stands open is left to its user.
-    const bool isTaken = session->transactionOpen() && !session->thresholdOpen();
+    const bool isTaken = session->transactionOpen() && !session->isOpen<core::ThresholdSegment>();
     if (isTaken)
         return m_soon.start(laterMilliseconds);
     if (session->begin(*m_wanted))

@@ -118,7 +118,7 @@ void GenerationSection::goTo(int generation)
     // The first generation is that of the accepted seeds: all steps lead there.
     const int steps =
         generation <= 1 ? int(growth->generation) : int(growth->generation) - generation;
-    session->setShrinkSteps(std::max(steps, 0));
+    session->extend(core::ToSteps{std::max(steps, 0)});
     Q_EMIT scrubMoved();
 }
 
@@ -126,7 +126,7 @@ void GenerationSection::end(bool kept)
 {
     // What is open may be a threshold by now, which its dialog shows.
     if (core::EditSession* session = m_workspace.session();
-        session && session->transactionOpen() && !session->thresholdOpen())
+        session && session->transactionOpen() && !session->isOpen<core::ThresholdSegment>())
         session->end(kept ? core::Ending::Commit : core::Ending::Rollback);
     m_countLater.start();
     Q_EMIT scrubMoved();

@@ -54,7 +54,8 @@ SpreadBar::SpreadBar(Workspace& workspace, QWidget* parent)
     connect(&workspace, &Workspace::failed, this, [this] {
         // A preview that was refused would be refused again.
         const core::EditSession* session = m_workspace.session();
-        if (m_wanted && session && !session->previewOpen() && !session->transactionOpen())
+        if (m_wanted && session && !session->isOpen<core::GrowFromSeeds>()
+            && !session->transactionOpen())
             stop();
     });
     showState();
@@ -149,7 +150,7 @@ void SpreadBar::follow()
     core::EditSession* session = m_workspace.session();
     if (!m_wanted || !session)
         return stop();
-    if (session->previewOpen())
+    if (session->isOpen<core::GrowFromSeeds>())
         return showState();
     if (session->transactionOpen()) {
         m_begunAt.reset();
@@ -166,7 +167,7 @@ void SpreadBar::follow()
 void SpreadBar::apply()
 {
     core::EditSession* session = m_workspace.session();
-    const bool open = session && session->previewOpen();
+    const bool open = session && session->isOpen<core::GrowFromSeeds>();
     stop();
     if (open)
         session->end(core::Ending::Commit);
@@ -177,7 +178,7 @@ void SpreadBar::cancel()
     core::EditSession* session = m_workspace.session();
     stop();
     if (session)
-        session->cancelPreview();
+        session->forgetPreview();
 }
 
 void SpreadBar::stop()
@@ -208,7 +209,7 @@ void SpreadBar::showState()
 {
     core::EditSession* session = m_workspace.session();
     const int count = competitors();
-    const bool shown = session && session->previewOpen();
+    const bool shown = session && session->isOpen<core::GrowFromSeeds>();
     const bool working = shown && session->growthProgress().running;
     m_preview->setEnabled(!m_wanted && count >= 2);
     m_apply->setEnabled(m_wanted && shown);

@@ -122,7 +122,7 @@ void HistoryTimeline::want(int lineIndex)
         hidePopup(); // by keys
     showStep(lineIndex);
     Q_EMIT scrubbed(lineIndex);
-    session->closeGrowth();
+    session->closeOpen();
     advance();
 }
 

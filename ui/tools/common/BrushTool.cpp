@@ -190,8 +190,9 @@ void BrushTool::goTo(Stroke& stroke, const glm::dvec3& pointLps, bool lifted, do
         const bool widens = stroke.isPressed && pressesHarder(pressure, stroke.lastPressure);
         if (pointLps == stroke.last && !lifted && !widens)
             return;
-        session.extendPath({pointLps}, lifted,
-            stroke.isPressed ? std::vector<double>{pressure} : std::vector<double>());
+        session.extend(core::PathPoints{.pointsLps = {pointLps},
+            .lifted = lifted,
+            .pressures = stroke.isPressed ? std::vector<double>{pressure} : std::vector<double>()});
         stroke.last = pointLps;
         stroke.lastPressure = pressure;
         return;

@@ -135,7 +135,7 @@ void ContourRun::begin(const core::EvolveContour& edit)
         return; // it is on its way, or there
     const bool readAlready = before && startsAlike(*before, *m_edit);
     if (!before) {
-        session->closeGrowth();
+        session->closeOpen();
         m_wanted = 0;
         m_playing.start();
     }

@@ -55,7 +55,7 @@ bool HeldShrink::begin(const std::vector<glm::ivec3>& voxels)
 void HeldShrink::goOn()
 {
     core::EditSession* session = open();
-    if (!session || session->backwardsRefused()) {
+    if (!session || session->openIsRefused()) {
         m_pace.stop();
         Q_EMIT changed();
         return;
@@ -67,7 +67,7 @@ void HeldShrink::goOn()
     if (progress->bound != core::BackwardProgress::Bound::None)
         return m_pace.stop();
     if (int(progress->steps) >= m_steps)
-        session->setShrinkSteps(++m_steps);
+        session->extend(core::ToSteps{++m_steps});
 }
 
 void HeldShrink::end(bool kept)
@@ -85,13 +85,13 @@ void HeldShrink::end(bool kept)
 bool HeldShrink::refused() const
 {
     const core::EditSession* session = open();
-    return session && session->backwardsRefused();
+    return session && session->openIsRefused();
 }
 
 core::EditSession* HeldShrink::open() const
 {
     core::EditSession* session = m_workspace.session();
-    return m_on && session && session->backwardsOpen() ? session : nullptr;
+    return m_on && session && session->isOpen<core::ShrinkAt>() ? session : nullptr;
 }
 
 QString HeldShrink::words() const
@@ -99,7 +99,7 @@ QString HeldShrink::words() const
     const core::EditSession* session = open();
     if (!session)
         return m_on ? tr("has become a step of the history") : QString();
-    if (session->backwardsRefused())
+    if (session->openIsRefused())
         return tr("takes nothing back by generations; lift the pen to cut it off");
     const auto progress = session->growthProgress().backwards;
     if (!progress)

@@ -72,7 +72,7 @@ QString ShrinkTool::keys() const
 void ShrinkTool::sketchBegan(const ViewContext& view)
 {
     // The preview is said of a growth that stands; the edit would end it anyway.
-    workspace().session()->closeGrowth();
+    workspace().session()->closeOpen();
     m_preview->begin(modifiers().testFlag(Qt::ControlModifier));
     m_sketched->begin(view);
     m_restsAt.reset();

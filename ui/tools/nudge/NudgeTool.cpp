@@ -166,7 +166,7 @@ void NudgeTool::press(const PointerSample& sample, const ViewContext& view)
     if (!label)
         return m_workspace.fail(label.error());
     // The stroke would end a growth that runs; what that has grown by now counts, too.
-    session->closeGrowth();
+    session->closeOpen();
     m_stroke = std::make_unique<Stroke>(Stroke{.view = view,
         .edit = strokeAt(sample.position, view, *label),
         .isInverse = isInverseNudge(sample),
@@ -208,7 +208,7 @@ void NudgeTool::begin(const core::Result<core::NudgeStart>& start)
     }
     m_stroke->isBegun = true;
     if (!m_stroke->waiting.empty())
-        session->extendPath(std::exchange(m_stroke->waiting, {}));
+        session->extend(core::PathPoints{.pointsLps = std::exchange(m_stroke->waiting, {})});
     if (m_stroke->isReleased)
         finish();
     Q_EMIT overlayChanged();
@@ -221,7 +221,7 @@ void NudgeTool::drag(const PointerSample& sample, const ViewContext& view)
     const glm::dvec3 place = m_stroke->view.toLps(sample.position);
     if (place != std::exchange(m_stroke->last, place)) {
         if (m_stroke->isBegun)
-            m_workspace.session()->extendPath({place});
+            m_workspace.session()->extend(core::PathPoints{.pointsLps = {place}});
         else
             m_stroke->waiting.push_back(place);
     }

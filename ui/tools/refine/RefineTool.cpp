@@ -238,8 +238,9 @@ void RefineTool::drag(const PointerSample& sample, const ViewContext& view)
     const double pressure = pressedShare(sample);
     const bool widens = m_stroke->isPressed && pressesHarder(pressure, m_stroke->lastPressure);
     if (place && (*place != m_stroke->last || widens)) {
-        m_workspace.session()->extendPath({*place}, false,
-            m_stroke->isPressed ? std::vector<double>{pressure} : std::vector<double>());
+        m_workspace.session()->extend(core::PathPoints{.pointsLps = {*place},
+            .pressures =
+                m_stroke->isPressed ? std::vector<double>{pressure} : std::vector<double>()});
         m_stroke->last = *place;
         m_stroke->lastPressure = pressure;
     }

@@ -281,7 +281,7 @@ void DrillTool::extend(const PointerSample& sample)
     }
     m_lastSample = penSample(sample);
     m_sinceLastSample.start();
-    m_workspace.session()->extendDrill({m_lastSample});
+    m_workspace.session()->extend(core::PenSamples{.samples = {m_lastSample}});
 }
 
 /// A pen that does not move reports nothing, yet it goes on pressing.
@@ -292,7 +292,7 @@ void DrillTool::rest()
     core::PenSample now = m_lastSample;
     now.tSeconds += double(m_sinceLastSample.elapsed()) / 1000.0;
     if (core::EditSession* session = m_workspace.session(); session && m_strokeView)
-        session->extendDrill({now});
+        session->extend(core::PenSamples{.samples = {now}});
 }
 
 void DrillTool::drag(const PointerSample& sample, const ViewContext& view)

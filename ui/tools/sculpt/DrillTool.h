@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/edits/kinds/Edit.h"
-#include "core/edits/kinds/sculpt/PenSample.h"
+#include "core/edits/kinds/parts/PenSample.h"
 #include "ui/tools/aim/SurfacePreview.h"
 #include "ui/tools/aim/SweepAim.h"
 #include "ui/tools/common/CursorTool.h"

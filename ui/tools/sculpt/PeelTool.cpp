@@ -81,7 +81,7 @@ void PeelTool::setDepthMm(double depthMm)
         return;
     m_depthMm = depthMm;
     if (m_open)
-        workspace().session()->setPeelDepth(depthMm);
+        workspace().session()->extend(core::ToDepth{depthMm});
     Q_EMIT changed();
     Q_EMIT overlayChanged();
 }

@@ -6,6 +6,7 @@
 #include "core/edits/answers/EditEffects.h"
 #include "core/edits/answers/RowFacts.h"
 #include "core/edits/engine/EngineEdits.h"
+#include "core/edits/open/OpenBrush.h"
 
 namespace core {
 
@@ -24,7 +25,7 @@ Result<bool> apply(const BarrierStroke&, Document&)
 EditEffects effects(const BarrierStroke&)
 {
     return {.task = engineTask<BarrierStroke>(),
-        .standsOpen = true,
+        .standsOpen = opens<BarrierStroke>(),
         .fills = fillsNothing,
         .boundToStudy = true};
 }
@@ -45,6 +46,11 @@ Result<PaintBarrier> paintBarrier(const BarrierStroke& stroke, const Document& d
 Result<EngineEdit> engineEdit(const BarrierStroke& edit, const Document& document)
 {
     return engineEditFrom(paintBarrier(edit, document));
+}
+
+std::unique_ptr<OpenStroke> openStroke(BarrierStroke& edit)
+{
+    return std::make_unique<OpenBrush>(edit.path);
 }
 
 RowTitle rowTitle(const BarrierStroke& edit, const RowFacts& row)

@@ -20,6 +20,7 @@ Result<bool> apply(const BarrierStroke& edit, Document& document);
 [[nodiscard]] RowTitle rowTitle(const BarrierStroke& edit, const RowFacts& row);
 [[nodiscard]] EditDependencies dependencies(const BarrierStroke& edit, const DependencyFacts& row);
 [[nodiscard]] Result<EngineEdit> engineEdit(const BarrierStroke& edit, const Document& document);
+[[nodiscard]] std::unique_ptr<OpenStroke> openStroke(BarrierStroke& edit);
 
 /// The command without the path. Errors: InvalidField.
 [[nodiscard]] Result<PaintBarrier> paintBarrier(

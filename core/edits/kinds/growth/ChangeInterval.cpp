@@ -7,10 +7,53 @@
 #include "core/edits/answers/RowFacts.h"
 #include "core/edits/engine/EngineEdits.h"
 #include "core/edits/kinds/growth/GrowthParts.h"
+#include "core/edits/kinds/growth/OpenGrowth.h"
+#include "core/edits/open/StrokeExtension.h"
 
 namespace core {
 
 using namespace rowWords;
+
+namespace {
+
+/// A growth whose interval can be changed again while it is open (ToInterval): it then begins anew.
+class OpenInterval final : public OpenGrowth {
+public:
+    explicit OpenInterval(ChangeInterval& change)
+        : OpenGrowth(change.steps)
+        , m_change(change)
+    {
+    }
+    [[nodiscard]] Told begin(
+        const EngineEdit& command, const Document& document, bool isWhole) override
+    {
+        m_hasBegun = true;
+        return OpenGrowth::begin(command, document, isWhole);
+    }
+    [[nodiscard]] Result<Told> extend(
+        const StrokeExtension& extension, const Document& document) override
+    {
+        const auto* to = std::get_if<ToInterval>(&extension);
+        if (!to)
+            return OpenGrowth::extend(extension, document);
+        m_change.criteria.lower = to->lower;
+        m_change.criteria.upper = to->upper;
+        Told told;
+        if (!m_hasBegun)
+            return told;
+        Result<GrowBurst> burst = growBurst(m_change, document);
+        if (!burst)
+            return tl::unexpected(burst.error());
+        told.push_back(GrowAnew{*std::move(burst)});
+        return told;
+    }
+
+private:
+    ChangeInterval& m_change;
+    bool m_hasBegun = false;
+};
+
+} // namespace
 
 Result<void> check(const ChangeInterval& edit, const Document& document)
 {
@@ -25,9 +68,10 @@ Result<bool> apply(const ChangeInterval&, Document&)
 EditEffects effects(const ChangeInterval& edit)
 {
     return {.task = engineTask<ChangeInterval>(),
-        .standsOpen = true,
+        .standsOpen = opens<ChangeInterval>(),
         .fills = fillsNothing,
-        .boundToStudy = !edit.asBefore && edit.criteria.box.has_value()};
+        .boundToStudy = !edit.asBefore && edit.criteria.box.has_value(),
+        .movesGeneration = true};
 }
 
 Result<GrowBurst> growBurst(const ChangeInterval& change, const Document& document)
@@ -46,6 +90,11 @@ Result<GrowBurst> growBurst(const ChangeInterval& change, const Document& docume
 Result<EngineEdit> engineEdit(const ChangeInterval& edit, const Document& document)
 {
     return engineEditFrom(growBurst(edit, document));
+}
+
+std::unique_ptr<OpenStroke> openStroke(ChangeInterval& edit)
+{
+    return std::make_unique<OpenInterval>(edit);
 }
 
 /// "Recover 120 … 300 HU, +2 104 voxels"; the name says what was done.

@@ -32,6 +32,7 @@ Result<bool> apply(const ChangeInterval& edit, Document& document);
 [[nodiscard]] RowTitle rowTitle(const ChangeInterval& edit, const RowFacts& row);
 [[nodiscard]] EditDependencies dependencies(const ChangeInterval& edit, const DependencyFacts& row);
 [[nodiscard]] Result<EngineEdit> engineEdit(const ChangeInterval& edit, const Document& document);
+[[nodiscard]] std::unique_ptr<OpenStroke> openStroke(ChangeInterval& edit);
 
 /// For an edit that states everything it reads (RecentGrowth.h). Errors: those of GrowSteps.
 [[nodiscard]] Result<GrowBurst> growBurst(const ChangeInterval& change, const Document& document);

@@ -8,6 +8,8 @@
 #include "core/edits/engine/EngineEdits.h"
 #include "core/edits/engine/FirstPlane.h"
 #include "core/edits/kinds/growth/GrowthParts.h"
+#include "core/edits/open/OpenStroke.h"
+#include "core/edits/open/StrokeExtension.h"
 #include "core/growth/SeedWord.h"
 
 #include <algorithm>
@@ -49,6 +51,23 @@ std::array<std::uint32_t, 13> lengthCosts(double perMm, const Volume& volume)
     return costs;
 }
 
+/// A preview, for the user to decide. The engine keeps what it computed for the next one, until it
+/// is told to forget that (ForgetPreview).
+class OpenSpread final : public OpenStroke {
+public:
+    [[nodiscard]] OpenManner manner() const override
+    {
+        return {.withoutPen = true, .endsIfRefused = true, .keepsForNext = true};
+    }
+    [[nodiscard]] Result<Told> extend(const StrokeExtension& extension, const Document&) override
+    {
+        Told told;
+        if (std::holds_alternative<ForgetPreview>(extension))
+            told.push_back(ForgetSpread{});
+        return told;
+    }
+};
+
 } // namespace
 
 Result<void> check(const GrowFromSeeds& edit, const Document& document)
@@ -64,7 +83,7 @@ Result<bool> apply(const GrowFromSeeds&, Document&)
 EditEffects effects(const GrowFromSeeds& edit)
 {
     return {.task = engineTask<GrowFromSeeds>(),
-        .standsOpen = true,
+        .standsOpen = opens<GrowFromSeeds>(),
         .fills = fillsNothing,
         .boundToStudy = edit.box.has_value()};
 }
@@ -116,6 +135,11 @@ Result<SpreadLabels> spreadLabels(const GrowFromSeeds& edit, const Document& doc
 Result<EngineEdit> engineEdit(const GrowFromSeeds& edit, const Document& document)
 {
     return engineEditFrom(spreadLabels(edit, document));
+}
+
+std::unique_ptr<OpenStroke> openStroke(GrowFromSeeds&)
+{
+    return std::make_unique<OpenSpread>();
 }
 
 RowTitle rowTitle(const GrowFromSeeds&, const RowFacts& row)

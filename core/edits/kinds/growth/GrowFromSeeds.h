@@ -29,6 +29,7 @@ Result<bool> apply(const GrowFromSeeds& edit, Document& document);
 [[nodiscard]] RowTitle rowTitle(const GrowFromSeeds& edit, const RowFacts& row);
 [[nodiscard]] EditDependencies dependencies(const GrowFromSeeds& edit, const DependencyFacts& row);
 [[nodiscard]] Result<EngineEdit> engineEdit(const GrowFromSeeds& edit, const Document& document);
+[[nodiscard]] std::unique_ptr<OpenStroke> openStroke(GrowFromSeeds& edit);
 
 /// Errors: UnknownSegment, SegmentLocked, InvalidField (fewer than two segments, a box outside).
 [[nodiscard]] Result<SpreadLabels> spreadLabels(

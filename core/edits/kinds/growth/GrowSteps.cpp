@@ -7,6 +7,7 @@
 #include "core/edits/answers/RowFacts.h"
 #include "core/edits/engine/EngineEdits.h"
 #include "core/edits/kinds/growth/GrowthParts.h"
+#include "core/edits/kinds/growth/OpenGrowth.h"
 
 namespace core {
 
@@ -25,9 +26,10 @@ Result<bool> apply(const GrowSteps&, Document&)
 EditEffects effects(const GrowSteps& edit)
 {
     return {.task = engineTask<GrowSteps>(),
-        .standsOpen = true,
+        .standsOpen = opens<GrowSteps>(),
         .fills = fillsNothing,
-        .boundToStudy = edit.criteria.box.has_value()};
+        .boundToStudy = edit.criteria.box.has_value(),
+        .movesGeneration = true};
 }
 
 Result<GrowBurst> growBurst(const GrowSteps& grow, const Document& document)
@@ -46,6 +48,11 @@ Result<GrowBurst> growBurst(const GrowSteps& grow, const Document& document)
 Result<EngineEdit> engineEdit(const GrowSteps& edit, const Document& document)
 {
     return engineEditFrom(growBurst(edit, document));
+}
+
+std::unique_ptr<OpenStroke> openStroke(GrowSteps& edit)
+{
+    return std::make_unique<OpenGrowth>(edit.steps);
 }
 
 int grownSteps(std::uint32_t first, const EditStatistics& statistics, const ChangeFacts& facts)

@@ -30,6 +30,7 @@ Result<bool> apply(const GrowSteps& edit, Document& document);
 [[nodiscard]] RowTitle rowTitle(const GrowSteps& edit, const RowFacts& row);
 [[nodiscard]] EditDependencies dependencies(const GrowSteps& edit, const DependencyFacts& row);
 [[nodiscard]] Result<EngineEdit> engineEdit(const GrowSteps& edit, const Document& document);
+[[nodiscard]] std::unique_ptr<OpenStroke> openStroke(GrowSteps& edit);
 
 /// Errors: InvalidField (connectivity other than 6, 18 and 26, lower > upper, a box outside the
 /// volume), SegmentLocked (no segment may change).

@@ -27,7 +27,8 @@ EditEffects effects(const PlugLeak&)
     return {.task = engineTask<PlugLeak>(),
         .standsOpen = false,
         .fills = fillsNothing,
-        .boundToStudy = true};
+        .boundToStudy = true,
+        .movesGeneration = true};
 }
 
 Result<CutGrowth> cutGrowth(const PlugLeak& plug, const Document& document)

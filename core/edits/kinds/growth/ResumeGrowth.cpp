@@ -7,6 +7,7 @@
 #include "core/edits/answers/RowFacts.h"
 #include "core/edits/engine/EngineEdits.h"
 #include "core/edits/kinds/growth/GrowSteps.h"
+#include "core/edits/kinds/growth/OpenGrowth.h"
 
 namespace core {
 
@@ -23,13 +24,21 @@ Result<bool> apply(const ResumeGrowth&, Document&)
 
 EditEffects effects(const ResumeGrowth&)
 {
-    return {.task = engineTask<ResumeGrowth>(), .standsOpen = true, .fills = fillsNothing};
+    return {.task = engineTask<ResumeGrowth>(),
+        .standsOpen = opens<ResumeGrowth>(),
+        .fills = fillsNothing,
+        .movesGeneration = true};
 }
 
 Result<EngineEdit> engineEdit(const ResumeGrowth&, const Document&)
 {
     return failure(ErrorCode::InvalidField, QStringLiteral("resume"),
         Clause::saying("no growth was named that it goes on with"));
+}
+
+std::unique_ptr<OpenStroke> openStroke(ResumeGrowth& edit)
+{
+    return std::make_unique<OpenGrowth>(edit.steps);
 }
 
 /// It is kept as the growth that it was.

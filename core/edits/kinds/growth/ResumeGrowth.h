@@ -19,5 +19,6 @@ Result<bool> apply(const ResumeGrowth& edit, Document& document);
 [[nodiscard]] RowTitle rowTitle(const ResumeGrowth& edit, const RowFacts& row);
 [[nodiscard]] EditDependencies dependencies(const ResumeGrowth& edit, const DependencyFacts& row);
 [[nodiscard]] Result<EngineEdit> engineEdit(const ResumeGrowth& edit, const Document& document);
+[[nodiscard]] std::unique_ptr<OpenStroke> openStroke(ResumeGrowth& edit);
 
 } // namespace core

@@ -7,12 +7,51 @@
 #include "core/edits/answers/RowFacts.h"
 #include "core/edits/engine/EngineEdits.h"
 #include "core/edits/kinds/growth/GrowthParts.h"
+#include "core/edits/open/OpenStroke.h"
+#include "core/edits/open/StrokeExtension.h"
+#include "core/engine/EngineResult.h"
 
 #include <cstdint>
 
 namespace core {
 
 using namespace rowWords;
+
+namespace {
+
+/// It is told up to how many steps to go on (ToSteps), as far as that is possible
+/// (EditSession::growthProgress() tells how far it is), and never goes back. When it is done, the
+/// edit says how far it came.
+class OpenBackwards final : public OpenStroke {
+public:
+    explicit OpenBackwards(int& steps)
+        : m_steps(steps)
+    {
+    }
+    [[nodiscard]] OpenManner manner() const override
+    {
+        return {.withoutPen = true, .usualEnding = Ending::Commit};
+    }
+    /// It begins with the steps that it was begun with: as an extension more of them are no error
+    /// where they would take everything.
+    [[nodiscard]] Result<Told> extend(const StrokeExtension& extension, const Document&) override
+    {
+        Told told;
+        if (const auto* to = std::get_if<ToSteps>(&extension); to && to->steps > 0)
+            told.push_back(CutFurther{.steps = std::uint32_t(to->steps)});
+        return told;
+    }
+    void carriedOut(const EngineResult& result, bool isWhole) override
+    {
+        if (!isWhole)
+            m_steps = int(result.statistics.generations);
+    }
+
+private:
+    int& m_steps;
+};
+
+} // namespace
 
 Result<void> check(const ShrinkAt& edit, const Document& document)
 {
@@ -28,9 +67,10 @@ EditEffects effects(const ShrinkAt& edit)
 {
     // Backwards it goes as long as it is held.
     return {.task = engineTask<ShrinkAt>(),
-        .standsOpen = edit.steps.has_value(),
+        .standsOpen = opensIf<ShrinkAt>(edit.steps.has_value()),
         .fills = fillsNothing,
-        .boundToStudy = true};
+        .boundToStudy = true,
+        .movesGeneration = true};
 }
 
 Result<CutGrowth> cutGrowth(const ShrinkAt& shrink, const Document& document)
@@ -53,6 +93,11 @@ Result<CutGrowth> cutGrowth(const ShrinkAt& shrink, const Document& document)
 Result<EngineEdit> engineEdit(const ShrinkAt& edit, const Document& document)
 {
     return engineEditFrom(cutGrowth(edit, document));
+}
+
+std::unique_ptr<OpenStroke> openStroke(ShrinkAt& edit)
+{
+    return edit.steps ? std::make_unique<OpenBackwards>(*edit.steps) : nullptr;
 }
 
 RowTitle rowTitle(const ShrinkAt& edit, const RowFacts& row)

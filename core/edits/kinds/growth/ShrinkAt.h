@@ -31,6 +31,7 @@ Result<bool> apply(const ShrinkAt& edit, Document& document);
 [[nodiscard]] RowTitle rowTitle(const ShrinkAt& edit, const RowFacts& row);
 [[nodiscard]] EditDependencies dependencies(const ShrinkAt& edit, const DependencyFacts& row);
 [[nodiscard]] Result<EngineEdit> engineEdit(const ShrinkAt& edit, const Document& document);
+[[nodiscard]] std::unique_ptr<OpenStroke> openStroke(ShrinkAt& edit);
 
 /// Converts the edit to an engine's command. Errors: InvalidField (no point, a point outside the
 /// volume, `steps` together with `onlyHere`), SegmentLocked (no segment may change).

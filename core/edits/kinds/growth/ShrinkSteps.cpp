@@ -7,11 +7,55 @@
 #include "core/edits/answers/RowFacts.h"
 #include "core/edits/engine/EngineEdits.h"
 #include "core/edits/kinds/growth/GrowthParts.h"
+#include "core/edits/open/OpenStroke.h"
+#include "core/edits/open/StrokeExtension.h"
 #include "core/growth/SeedWord.h"
+
+#include <algorithm>
+#include <cstdint>
 
 namespace core {
 
 using namespace rowWords;
+
+namespace {
+
+/// Another number of steps (ToSteps) replaces the earlier one, so that it goes back and forth. More
+/// than there are: back to the seeds.
+class OpenShrink final : public OpenStroke {
+public:
+    explicit OpenShrink(ShrinkSteps& shrink)
+        : m_shrink(shrink)
+    {
+    }
+    [[nodiscard]] OpenManner manner() const override
+    {
+        return {.withoutPen = true, .usualEnding = Ending::Commit};
+    }
+    [[nodiscard]] Told begin(const EngineEdit& command, const Document&, bool) override
+    {
+        m_first = std::get<ShrinkGrowth>(command).generation;
+        return {};
+    }
+    [[nodiscard]] Result<Told> extend(const StrokeExtension& extension, const Document&) override
+    {
+        Told told;
+        const auto* to = std::get_if<ToSteps>(&extension);
+        if (!to)
+            return told;
+        m_shrink.steps = to->steps;
+        if (m_first)
+            told.push_back(
+                ShrinkTo{.keep = *m_first - std::min(std::uint32_t(to->steps), *m_first)});
+        return told;
+    }
+
+private:
+    ShrinkSteps& m_shrink;
+    std::optional<std::uint32_t> m_first; ///< the generation with which it began
+};
+
+} // namespace
 
 Result<void> check(const ShrinkSteps& edit, const Document& document)
 {
@@ -25,7 +69,10 @@ Result<bool> apply(const ShrinkSteps&, Document&)
 
 EditEffects effects(const ShrinkSteps&)
 {
-    return {.task = engineTask<ShrinkSteps>(), .standsOpen = true, .fills = fillsNothing};
+    return {.task = engineTask<ShrinkSteps>(),
+        .standsOpen = opens<ShrinkSteps>(),
+        .fills = fillsNothing,
+        .movesGeneration = true};
 }
 
 Result<ShrinkGrowth> shrinkGrowth(const ShrinkSteps& shrink, const Document& document)
@@ -47,6 +94,11 @@ Result<ShrinkGrowth> shrinkGrowth(const ShrinkSteps& shrink, const Document& doc
 Result<EngineEdit> engineEdit(const ShrinkSteps& edit, const Document& document)
 {
     return engineEditFrom(shrinkGrowth(edit, document));
+}
+
+std::unique_ptr<OpenStroke> openStroke(ShrinkSteps& edit)
+{
+    return std::make_unique<OpenShrink>(edit);
 }
 
 RowTitle rowTitle(const ShrinkSteps& edit, const RowFacts& row)

@@ -21,6 +21,7 @@ Result<bool> apply(const ShrinkSteps& edit, Document& document);
 [[nodiscard]] RowTitle rowTitle(const ShrinkSteps& edit, const RowFacts& row);
 [[nodiscard]] EditDependencies dependencies(const ShrinkSteps& edit, const DependencyFacts& row);
 [[nodiscard]] Result<EngineEdit> engineEdit(const ShrinkSteps& edit, const Document& document);
+[[nodiscard]] std::unique_ptr<OpenStroke> openStroke(ShrinkSteps& edit);
 
 /// Errors: SegmentLocked (no segment may change).
 [[nodiscard]] Result<ShrinkGrowth> shrinkGrowth(

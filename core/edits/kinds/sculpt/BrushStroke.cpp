@@ -8,6 +8,7 @@
 #include "core/edits/engine/EngineEdits.h"
 #include "core/edits/engine/HalfSpaces.h"
 #include "core/edits/kinds/sculpt/CutParts.h"
+#include "core/edits/open/OpenBrush.h"
 
 namespace core {
 
@@ -26,7 +27,7 @@ Result<bool> apply(const BrushStroke&, Document&)
 EditEffects effects(const BrushStroke&)
 {
     return {.task = engineTask<BrushStroke>(),
-        .standsOpen = true,
+        .standsOpen = opens<BrushStroke>(),
         .fills = fillsNothing,
         .boundToStudy = true};
 }
@@ -53,6 +54,11 @@ Result<CapsuleCut> capsuleCut(const BrushStroke& stroke, const Document& documen
 Result<EngineEdit> engineEdit(const BrushStroke& edit, const Document& document)
 {
     return engineEditFrom(capsuleCut(edit, document));
+}
+
+std::unique_ptr<OpenStroke> openStroke(BrushStroke& edit)
+{
+    return std::make_unique<OpenBrush>(edit.path);
 }
 
 RowTitle rowTitle(const BrushStroke& edit, const RowFacts& row)

@@ -25,6 +25,7 @@ Result<bool> apply(const BrushStroke& edit, Document& document);
 [[nodiscard]] RowTitle rowTitle(const BrushStroke& edit, const RowFacts& row);
 [[nodiscard]] EditDependencies dependencies(const BrushStroke& edit, const DependencyFacts& row);
 [[nodiscard]] Result<EngineEdit> engineEdit(const BrushStroke& edit, const Document& document);
+[[nodiscard]] std::unique_ptr<OpenStroke> openStroke(BrushStroke& edit);
 
 /// The command without the path. Errors: InvalidField.
 [[nodiscard]] Result<CapsuleCut> capsuleCut(const BrushStroke& stroke, const Document& document);

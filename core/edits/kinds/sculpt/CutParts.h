@@ -5,7 +5,7 @@
 #include "core/edits/answers/EditDependencies.h"
 #include "core/edits/answers/EditEffects.h"
 #include "core/edits/engine/SegmentProtection.h"
-#include "core/edits/kinds/sculpt/PenSample.h"
+#include "core/edits/kinds/parts/PenSample.h"
 #include "core/sculpt/CutFrame.h"
 
 #include <glm/glm.hpp>

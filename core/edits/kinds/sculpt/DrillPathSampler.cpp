@@ -3,9 +3,9 @@
 
 #include "core/edits/engine/CutFrames.h"
 #include "core/edits/fields/Quantum.h"
+#include "core/edits/kinds/parts/PenSample.h"
 #include "core/edits/kinds/sculpt/DrillStroke.h"
 #include "core/edits/kinds/sculpt/LaserStroke.h"
-#include "core/edits/kinds/sculpt/PenSample.h"
 #include "core/edits/kinds/sculpt/ToolMask.h"
 #include "core/edits/kinds/sculpt/ToolMasks.h"
 

@@ -8,6 +8,7 @@
 #include "core/edits/engine/CutFrames.h"
 #include "core/edits/engine/EngineEdits.h"
 #include "core/edits/kinds/sculpt/CutParts.h"
+#include "core/edits/kinds/sculpt/OpenPen.h"
 #include "core/edits/kinds/sculpt/PressedTitle.h"
 #include "core/edits/kinds/sculpt/ToolMasks.h"
 
@@ -49,7 +50,7 @@ Result<bool> apply(const DrillStroke&, Document&)
 EditEffects effects(const DrillStroke&)
 {
     return {.task = engineTask<DrillStroke>(),
-        .standsOpen = true,
+        .standsOpen = opens<DrillStroke>(),
         .fills = fillsNothing,
         .boundToStudy = true};
 }
@@ -100,6 +101,13 @@ Result<DrillCut> drillCut(const DrillStroke& stroke, const Document& document)
 Result<EngineEdit> engineEdit(const DrillStroke& edit, const Document& document)
 {
     return engineEditFrom(drillCut(edit, document));
+}
+
+std::unique_ptr<OpenStroke> openStroke(DrillStroke& edit)
+{
+    return std::make_unique<OpenPen>(edit.samples, [&edit](const EngineEdit& command) {
+        return DrillPathSampler(edit, std::get<DrillCut>(command));
+    });
 }
 
 RowTitle rowTitle(const DrillStroke& edit, const RowFacts& row)

@@ -4,8 +4,8 @@
 #include "core/document/OrthographicView.h"
 #include "core/edits/answers/EditAnswers.h"
 #include "core/edits/kinds/parts/ClipHalfSpaces.h"
+#include "core/edits/kinds/parts/PenSample.h"
 #include "core/edits/kinds/parts/ProtectedSegments.h"
-#include "core/edits/kinds/sculpt/PenSample.h"
 #include "core/edits/kinds/sculpt/ToolMask.h"
 #include "core/sculpt/DrillCut.h"
 
@@ -42,6 +42,7 @@ Result<bool> apply(const DrillStroke& edit, Document& document);
 [[nodiscard]] RowTitle rowTitle(const DrillStroke& edit, const RowFacts& row);
 [[nodiscard]] EditDependencies dependencies(const DrillStroke& edit, const DependencyFacts& row);
 [[nodiscard]] Result<EngineEdit> engineEdit(const DrillStroke& edit, const Document& document);
+[[nodiscard]] std::unique_ptr<OpenStroke> openStroke(DrillStroke& edit);
 
 /// A stroke without its path (DrillPathSampler.h); its samples are not used. Errors: InvalidField
 /// (also for a mask that is too small).

@@ -8,6 +8,7 @@
 #include "core/edits/engine/CutFrames.h"
 #include "core/edits/engine/EngineEdits.h"
 #include "core/edits/kinds/sculpt/CutParts.h"
+#include "core/edits/kinds/sculpt/OpenPen.h"
 #include "core/edits/kinds/sculpt/PressedTitle.h"
 #include "core/edits/kinds/sculpt/ToolMasks.h"
 #include "core/sculpt/LaserCut.h"
@@ -56,7 +57,7 @@ Result<bool> apply(const LaserStroke&, Document&)
 EditEffects effects(const LaserStroke&)
 {
     return {.task = engineTask<LaserStroke>(),
-        .standsOpen = true,
+        .standsOpen = opens<LaserStroke>(),
         .fills = fillsNothing,
         .boundToStudy = true};
 }
@@ -119,6 +120,13 @@ double laserReachMm(const LaserCut& cut)
 Result<EngineEdit> engineEdit(const LaserStroke& edit, const Document& document)
 {
     return engineEditFrom(laserCut(edit, document));
+}
+
+std::unique_ptr<OpenStroke> openStroke(LaserStroke& edit)
+{
+    return std::make_unique<OpenPen>(edit.samples, [&edit](const EngineEdit& command) {
+        return DrillPathSampler(edit, std::get<LaserCut>(command));
+    });
 }
 
 RowTitle rowTitle(const LaserStroke& edit, const RowFacts& row)

@@ -4,8 +4,8 @@
 #include "core/document/OrthographicView.h"
 #include "core/edits/answers/EditAnswers.h"
 #include "core/edits/kinds/parts/ClipHalfSpaces.h"
+#include "core/edits/kinds/parts/PenSample.h"
 #include "core/edits/kinds/parts/ProtectedSegments.h"
-#include "core/edits/kinds/sculpt/PenSample.h"
 #include "core/edits/kinds/sculpt/ToolMask.h"
 #include "core/sculpt/DrillCut.h"
 
@@ -40,6 +40,7 @@ Result<bool> apply(const LaserStroke& edit, Document& document);
 [[nodiscard]] RowTitle rowTitle(const LaserStroke& edit, const RowFacts& row);
 [[nodiscard]] EditDependencies dependencies(const LaserStroke& edit, const DependencyFacts& row);
 [[nodiscard]] Result<EngineEdit> engineEdit(const LaserStroke& edit, const Document& document);
+[[nodiscard]] std::unique_ptr<OpenStroke> openStroke(LaserStroke& edit);
 
 /// A stroke without its path (DrillPathSampler.h). Errors: InvalidField (also for a mask that is
 /// too small).

@@ -9,6 +9,8 @@
 #include "core/edits/engine/EngineEdits.h"
 #include "core/edits/kinds/sculpt/CutParts.h"
 #include "core/edits/kinds/sculpt/OutlinedPlane.h"
+#include "core/edits/open/OpenStroke.h"
+#include "core/edits/open/StrokeExtension.h"
 
 #include <utility>
 
@@ -20,6 +22,39 @@ namespace {
 
 /// No peel reaches farther than this along the view, however steep the surface.
 constexpr double farthestPeelMm = 64.0;
+
+/// An open peel can be set to another depth (ToDepth) until it is closed.
+class OpenPeel final : public OpenStroke {
+public:
+    explicit OpenPeel(PeelCut& peel)
+        : m_peel(peel)
+    {
+    }
+    [[nodiscard]] OpenManner manner() const override
+    {
+        return {.withoutPen = true, .usualEnding = Ending::Commit};
+    }
+    [[nodiscard]] Told begin(const EngineEdit&, const Document&, bool) override
+    {
+        m_hasBegun = true;
+        return {peelDepth(m_peel)};
+    }
+    [[nodiscard]] Result<Told> extend(const StrokeExtension& extension, const Document&) override
+    {
+        Told told;
+        const auto* to = std::get_if<ToDepth>(&extension);
+        if (!to || m_peel.depthMm == to->mm)
+            return told;
+        m_peel.depthMm = to->mm;
+        if (m_hasBegun)
+            told.push_back(peelDepth(m_peel));
+        return told;
+    }
+
+private:
+    PeelCut& m_peel;
+    bool m_hasBegun = false;
+};
 
 } // namespace
 
@@ -36,7 +71,7 @@ Result<bool> apply(const PeelCut&, Document&)
 EditEffects effects(const PeelCut&)
 {
     return {.task = engineTask<PeelCut>(),
-        .standsOpen = true,
+        .standsOpen = opens<PeelCut>(),
         .fills = fillsNothing,
         .boundToStudy = true};
 }
@@ -70,6 +105,11 @@ PeelDepth peelDepth(const PeelCut& peel)
 Result<EngineEdit> engineEdit(const PeelCut& edit, const Document& document)
 {
     return engineEditFrom(shellPeel(edit, document));
+}
+
+std::unique_ptr<OpenStroke> openStroke(PeelCut& edit)
+{
+    return std::make_unique<OpenPeel>(edit);
 }
 
 /// "Peel 4.0 mm, 214 bricks".

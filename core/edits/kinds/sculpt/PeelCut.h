@@ -39,6 +39,7 @@ Result<bool> apply(const PeelCut& edit, Document& document);
 [[nodiscard]] RowTitle rowTitle(const PeelCut& edit, const RowFacts& row);
 [[nodiscard]] EditDependencies dependencies(const PeelCut& edit, const DependencyFacts& row);
 [[nodiscard]] Result<EngineEdit> engineEdit(const PeelCut& edit, const Document& document);
+[[nodiscard]] std::unique_ptr<OpenStroke> openStroke(PeelCut& edit);
 
 /// A peel without its depth, and its depth. Errors: InvalidField (also for a curve that is too
 /// small).

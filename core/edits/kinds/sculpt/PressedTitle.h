@@ -3,7 +3,7 @@
 
 #include "core/delta/EditStatistics.h"
 #include "core/edits/answers/RowWords.h"
-#include "core/edits/kinds/sculpt/PenSample.h"
+#include "core/edits/kinds/parts/PenSample.h"
 #include "core/sculpt/DrillCut.h"
 #include "core/titles/RowTitle.h"
 

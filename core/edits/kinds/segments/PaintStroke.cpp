@@ -8,6 +8,7 @@
 #include "core/edits/engine/EditableRanges.h"
 #include "core/edits/engine/EngineEdits.h"
 #include "core/edits/engine/FirstPlane.h"
+#include "core/edits/open/OpenBrush.h"
 
 #include <algorithm>
 
@@ -42,6 +43,12 @@ bool hasPressedTolerance(const PaintStroke& stroke)
     return stroke.toleranceByPressure.value_or(false);
 }
 
+BrushRule ruleOf(const PaintStroke& stroke)
+{
+    return {.followsEdges = stroke.edgeTolerance.has_value(),
+        .ofTolerance = hasPressedTolerance(stroke)};
+}
+
 RowTitleCode titleCode(const PaintStroke& stroke)
 {
     if (stroke.tool == PaintStroke::Tool::Nudge)
@@ -66,7 +73,7 @@ Result<bool> apply(const PaintStroke&, Document&)
 EditEffects effects(const PaintStroke& edit)
 {
     return {.task = engineTask<PaintStroke>(),
-        .standsOpen = true,
+        .standsOpen = opens<PaintStroke>(),
         .writesTo = edit.segment,
         .fills = {.label = edit.erase ? std::nullopt : std::optional(edit.segment)},
         .boundToStudy = true};
@@ -120,15 +127,17 @@ Result<PaintLabel> paintLabel(const PaintStroke& stroke, const Document& documen
 
 CapsulePath paintPath(const PaintStroke& stroke, const VolumeGeometry& geometry)
 {
-    CapsulePath path{capsules(stroke.path, geometry, hasPressedTolerance(stroke))};
-    if (stroke.edgeTolerance)
-        path.under = voxelsUnder(stroke.path, geometry);
-    return path;
+    return wholeBrushPath(stroke.path, ruleOf(stroke), geometry);
 }
 
 Result<EngineEdit> engineEdit(const PaintStroke& edit, const Document& document)
 {
     return engineEditFrom(paintLabel(edit, document));
+}
+
+std::unique_ptr<OpenStroke> openStroke(PaintStroke& edit)
+{
+    return std::make_unique<OpenBrush>(edit.path, ruleOf(edit));
 }
 
 RowTitle rowTitle(const PaintStroke& stroke, const RowFacts& row)

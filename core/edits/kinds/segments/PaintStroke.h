@@ -47,6 +47,7 @@ Result<bool> apply(const PaintStroke& edit, Document& document);
 [[nodiscard]] RowTitle rowTitle(const PaintStroke& edit, const RowFacts& row);
 [[nodiscard]] EditDependencies dependencies(const PaintStroke& edit, const DependencyFacts& row);
 [[nodiscard]] Result<EngineEdit> engineEdit(const PaintStroke& edit, const Document& document);
+[[nodiscard]] std::unique_ptr<OpenStroke> openStroke(PaintStroke& edit);
 
 /// The command without the path. Errors: UnknownSegment, SegmentLocked, InvalidField.
 [[nodiscard]] Result<PaintLabel> paintLabel(const PaintStroke& stroke, const Document& document);

@@ -6,6 +6,7 @@
 #include "core/edits/answers/EditEffects.h"
 #include "core/edits/answers/RowFacts.h"
 #include "core/edits/kinds/surface/SurfaceParts.h"
+#include "core/edits/open/OpenStroke.h"
 
 namespace core {
 
@@ -23,7 +24,7 @@ Result<bool> apply(const ApplyTemplate&, Document& document)
 
 EditEffects effects(const ApplyTemplate&)
 {
-    return surfaceEffects(true);
+    return surfaceEffects(opens<ApplyTemplate>());
 }
 
 RowTitle rowTitle(const ApplyTemplate& shape, const RowFacts& row)
@@ -36,6 +37,12 @@ RowTitle rowTitle(const ApplyTemplate& shape, const RowFacts& row)
 EditDependencies dependencies(const ApplyTemplate&, const DependencyFacts& row)
 {
     return row.whatWasWritten();
+}
+
+/// A preview, for the user to decide.
+OpenManner openManner(const ApplyTemplate&)
+{
+    return {.withoutPen = true};
 }
 
 } // namespace core

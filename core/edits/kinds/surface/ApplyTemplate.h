@@ -21,5 +21,6 @@ Result<bool> apply(const ApplyTemplate& edit, Document& document);
 [[nodiscard]] EditEffects effects(const ApplyTemplate& edit);
 [[nodiscard]] RowTitle rowTitle(const ApplyTemplate& edit, const RowFacts& row);
 [[nodiscard]] EditDependencies dependencies(const ApplyTemplate& edit, const DependencyFacts& row);
+[[nodiscard]] OpenManner openManner(const ApplyTemplate& edit);
 
 } // namespace core

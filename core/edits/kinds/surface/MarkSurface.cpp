@@ -25,7 +25,7 @@ Result<bool> apply(const MarkSurface&, Document& document)
 
 EditEffects effects(const MarkSurface&)
 {
-    return surfaceEffects(true);
+    return surfaceEffects(opens<MarkSurface>());
 }
 
 RowTitle rowTitle(const MarkSurface& mark, const RowFacts& row)

@@ -26,7 +26,7 @@ Result<bool> apply(const PlaneScrape& edit, Document& document)
 
 EditEffects effects(const PlaneScrape&)
 {
-    return surfaceEffects(true);
+    return surfaceEffects(opens<PlaneScrape>());
 }
 
 RowTitle rowTitle(const PlaneScrape& scrape, const RowFacts& row)

@@ -22,14 +22,14 @@ Result<void> checkPressures(const SurfacePath& path, const char* name)
     return checkPressures(path.pressures, path.pointsLps.size(), QString::fromLatin1(name));
 }
 
-EditEffects surfaceEffects(bool standsOpen)
+EditEffects surfaceEffects(Opening standsOpen)
 {
     return {.task = EditTask::Surface,
         .standsOpen = standsOpen,
         .changes = DocumentChange::What::Surface,
         .onlyDocument = true,
         .fills = fillsNothing,
-        .boundToStudy = standsOpen};
+        .boundToStudy = bool(standsOpen)};
 }
 
 RowTitle markTitle(SurfaceMark mark)

@@ -23,7 +23,7 @@ Result<bool> changeSurface(Document& document, bool deforms);
 
 /// The effects of an edit that changes the surface and no voxel. One that stands open is a tool,
 /// and its edit contains places.
-[[nodiscard]] EditEffects surfaceEffects(bool standsOpen);
+[[nodiscard]] EditEffects surfaceEffects(Opening standsOpen);
 
 /// "green"
 [[nodiscard]] RowTitle markTitle(SurfaceMark mark);

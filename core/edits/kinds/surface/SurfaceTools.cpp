@@ -26,7 +26,7 @@ Result<bool> apply(const SpherePush&, Document& document)
 
 EditEffects effects(const SpherePush&)
 {
-    return surfaceEffects(true);
+    return surfaceEffects(opens<SpherePush>());
 }
 
 RowTitle rowTitle(const SpherePush& push, const RowFacts& row)
@@ -53,7 +53,7 @@ Result<bool> apply(const PointDrag&, Document& document)
 
 EditEffects effects(const PointDrag&)
 {
-    return surfaceEffects(true);
+    return surfaceEffects(opens<PointDrag>());
 }
 
 RowTitle rowTitle(const PointDrag& drag, const RowFacts& row)
@@ -80,7 +80,7 @@ Result<bool> apply(const SmoothSurface&, Document& document)
 
 EditEffects effects(const SmoothSurface&)
 {
-    return surfaceEffects(true);
+    return surfaceEffects(opens<SmoothSurface>());
 }
 
 RowTitle rowTitle(const SmoothSurface& smooth, const RowFacts& row)
@@ -107,7 +107,7 @@ Result<bool> apply(const AttractSurface&, Document& document)
 
 EditEffects effects(const AttractSurface&)
 {
-    return surfaceEffects(true);
+    return surfaceEffects(opens<AttractSurface>());
 }
 
 RowTitle rowTitle(const AttractSurface& attract, const RowFacts& row)

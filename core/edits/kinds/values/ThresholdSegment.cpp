@@ -9,6 +9,7 @@
 #include "core/edits/engine/EditableRanges.h"
 #include "core/edits/engine/EngineEdits.h"
 #include "core/edits/kinds/parts/SegmentChoice.h"
+#include "core/edits/open/OpenStroke.h"
 #include "core/sculpt/labels/LabelThreshold.h"
 
 #include <utility>
@@ -58,6 +59,15 @@ RowTitle rangeTitle(const ThresholdSegment& edit, const Volume& volume)
     return title;
 }
 
+/// A preview, for the user to decide.
+class OpenThreshold final : public OpenStroke {
+public:
+    [[nodiscard]] OpenManner manner() const override
+    {
+        return {.withoutPen = true, .endsIfRefused = true};
+    }
+};
+
 } // namespace
 
 Result<void> check(const ThresholdSegment& edit, const Document& document)
@@ -74,7 +84,7 @@ EditEffects effects(const ThresholdSegment& edit)
 {
     const bool gives = edit.mode != ThresholdSegment::Mode::Subtract;
     return {.task = engineTask<ThresholdSegment>(),
-        .standsOpen = true,
+        .standsOpen = opens<ThresholdSegment>(),
         .writesTo = edit.segment,
         .fills = {.label = gives ? std::optional(edit.segment) : std::nullopt},
         .boundToStudy = edit.box.has_value() || namesPlaces(edit.editable)};
@@ -108,6 +118,11 @@ Result<LabelThreshold> labelThreshold(const ThresholdSegment& edit, const Docume
 Result<EngineEdit> engineEdit(const ThresholdSegment& edit, const Document& document)
 {
     return engineEditFrom(labelThreshold(edit, document));
+}
+
+std::unique_ptr<OpenStroke> openStroke(ThresholdSegment&)
+{
+    return std::make_unique<OpenThreshold>();
 }
 
 RowTitle rowTitle(const ThresholdSegment& edit, const RowFacts& row)

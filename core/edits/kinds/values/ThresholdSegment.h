@@ -41,6 +41,7 @@ Result<bool> apply(const ThresholdSegment& edit, Document& document);
 [[nodiscard]] EditDependencies dependencies(
     const ThresholdSegment& edit, const DependencyFacts& row);
 [[nodiscard]] Result<EngineEdit> engineEdit(const ThresholdSegment& edit, const Document& document);
+[[nodiscard]] std::unique_ptr<OpenStroke> openStroke(ThresholdSegment& edit);
 
 /// Converts the edit to an engine's integers. Errors: UnknownSegment, SegmentLocked, InvalidField
 /// (lower > upper, a box outside the volume).

@@ -233,9 +233,9 @@ private Q_SLOTS:
         ChangeInterval change;
         change.criteria.upper = 1000.0;
         QVERIFY(dragged.session->begin(change));
-        dragged.session->setInterval(0.0, 500.0);
-        dragged.session->setInterval(0.0, 1000.0);
-        dragged.session->extendGrowth({});
+        dragged.session->extend(ToInterval{.lower = 0.0, .upper = 500.0});
+        dragged.session->extend(ToInterval{.lower = 0.0, .upper = 1000.0});
+        dragged.session->extend(GrowAdvance{});
         dragged.session->end(Ending::Commit);
         QVERIFY(dragged.session->settle());
         QCOMPARE(dragged.grown(1), 0);

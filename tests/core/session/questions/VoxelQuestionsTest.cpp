@@ -223,7 +223,7 @@ private Q_SLOTS:
         change.criteria.lower = 500.0;
         change.criteria.upper = 600.0;
         QVERIFY(bench.session->begin(change));
-        bench.session->extendGrowth({});
+        bench.session->extend(GrowAdvance{});
         const auto compared = bench.answerTo<std::optional<GrowthComparison>>(compare);
         QVERIFY(compared && *compared);
         QCOMPARE((*compared)->suspended, grown);

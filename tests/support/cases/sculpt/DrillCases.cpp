@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
+#include "core/edits/kinds/parts/PenSample.h"
 #include "core/edits/kinds/sculpt/DrillStroke.h"
-#include "core/edits/kinds/sculpt/PenSample.h"
 #include "tests/support/cases/EngineCases.h"
 #include "tests/support/cases/RandomEdits.h"
 

@@ -4,7 +4,7 @@
 #include "core/edits/EditJson.h"
 #include "core/edits/EditQuantise.h"
 #include "core/edits/kinds/EditParts.h"
-#include "core/edits/kinds/sculpt/PenSample.h"
+#include "core/edits/kinds/parts/PenSample.h"
 #include "core/edits/kinds/segments/MoveSegment.h"
 #include "core/session/EditSession.h"
 #include "tests/reference/ReferenceEngine.h"

@@ -166,7 +166,7 @@ private Q_SLOTS:
         QCOMPARE(rangeOf(dialog).lower(), 226.0);
         QCOMPARE(rangeOf(dialog).upper(), 1000.0);
         const std::size_t rows = fixture.rows();
-        QTRY_VERIFY(fixture.session().thresholdOpen());
+        QTRY_VERIFY(fixture.session().isOpen<core::ThresholdSegment>());
         QTRY_COMPARE(fixture.labelInBone(), 1);
         QCOMPARE(fixture.rows(), rows);
         QCOMPARE(textOf(dialog, "thresholdNow"), QStringLiteral("Now: 0 voxels, 0.00 mL"));
@@ -202,22 +202,22 @@ private Q_SLOTS:
         QTRY_COMPARE(fixture.labelInBone(), 1);
         fieldOf(dialog, "rangeUpper").setValue(900.0);
         QTRY_COMPARE(fixture.labelInBone(), 0);
-        QVERIFY(fixture.session().thresholdOpen());
+        QVERIFY(fixture.session().isOpen<core::ThresholdSegment>());
         fieldOf(dialog, "rangeUpper").setValue(1000.0);
         QTRY_COMPARE(fixture.labelInBone(), 1);
         checkOf(dialog, "thresholdPreview").setChecked(false);
-        QVERIFY(!fixture.session().thresholdOpen());
+        QVERIFY(!fixture.session().isOpen<core::ThresholdSegment>());
         QTRY_COMPARE(fixture.labelInBone(), 0);
         checkOf(dialog, "thresholdPreview").setChecked(true);
         QTRY_COMPARE(fixture.labelInBone(), 1);
         // A stroke takes it back, as everything does, and the next change shows it again.
         fixture.apply(test::paintAt(2, test::pointsInBone(), 1.5));
-        QVERIFY(!fixture.session().thresholdOpen());
+        QVERIFY(!fixture.session().isOpen<core::ThresholdSegment>());
         QCOMPARE(fixture.labelInBone(), 2);
         checkOf(dialog, "thresholdOverwrite").setChecked(true);
         QTRY_COMPARE(fixture.labelInBone(), 1);
         dialog.reject();
-        QVERIFY(!fixture.session().thresholdOpen());
+        QVERIFY(!fixture.session().isOpen<core::ThresholdSegment>());
         QTRY_COMPARE(fixture.labelInBone(), 2);
         QCOMPARE(fixture.rows(), rows + 1);
     }

@@ -134,14 +134,14 @@ private Q_SLOTS:
         constexpr glm::ivec3 beside{23, 20, 20};
         QCOMPARE(fixture.seenAt(beside), 1);
         fixture.apply(test::paintAt(2, {{3.0, 0.0, 0.0}}, 1.5));
-        QVERIFY(!fixture.session().previewOpen());
-        QTRY_VERIFY(fixture.session().previewOpen());
+        QVERIFY(!fixture.session().isOpen<core::GrowFromSeeds>());
+        QTRY_VERIFY(fixture.session().isOpen<core::GrowFromSeeds>());
         QVERIFY(fixture.bar.previewing());
         QCOMPARE(fixture.seenAt(beside), 2);
         QVERIFY(fixture.session().undo());
         fixture.settle();
-        QVERIFY(!fixture.session().previewOpen());
-        QTRY_VERIFY(fixture.session().previewOpen());
+        QVERIFY(!fixture.session().isOpen<core::GrowFromSeeds>());
+        QTRY_VERIFY(fixture.session().isOpen<core::GrowFromSeeds>());
         QCOMPARE(fixture.seenAt(beside), 1);
         fixture.click("spreadCancel");
         fixture.settle();

@@ -391,10 +391,10 @@ private Q_SLOTS:
                 return fixture.session().growthProgress().backwards.has_value();
             },
             60000));
-        QVERIFY(fixture.session().backwardsOpen());
+        QVERIFY(fixture.session().isOpen<core::ShrinkAt>());
         QVERIFY(!fixture.tool.held().refused());
         QVERIFY(fixture.session().begin(test::growBetween(phantom().lowCode, phantom().highCode)));
-        QVERIFY(!fixture.session().backwardsOpen());
+        QVERIFY(!fixture.session().isOpen<core::ShrinkAt>());
         QVERIFY(fixture.session().transactionOpen());
         QTest::keyClick(&fixture.slice, Qt::Key_Escape);
         QVERIFY(fixture.session().transactionOpen());

@@ -3,8 +3,8 @@
 
 #include "core/edits/EditJson.h"
 #include "core/edits/EditQuantise.h"
+#include "core/edits/kinds/parts/PenSample.h"
 #include "core/edits/kinds/sculpt/DrillStroke.h"
-#include "core/edits/kinds/sculpt/PenSample.h"
 #include "tests/support/fixtures/Pen.h"
 #include "tests/support/fixtures/WindowFixture.h"
 #include "tests/support/fixtures/WorkspaceFixture.h"

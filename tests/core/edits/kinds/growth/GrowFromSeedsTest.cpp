@@ -117,11 +117,11 @@ private Q_SLOTS:
         const QByteArray before = bench.session->stateHash();
         const std::size_t rows = bench.rows();
         QVERIFY(bench.session->begin(everywhere()));
-        QVERIFY(bench.session->previewOpen());
+        QVERIFY(bench.session->isOpen<GrowFromSeeds>());
         QCOMPARE(int(bench.seenAt(middle)), 1);
         QCOMPARE(int(bench.seenAt(corner)), 3);
-        bench.session->cancelPreview();
-        QVERIFY(!bench.session->previewOpen());
+        bench.session->forgetPreview();
+        QVERIFY(!bench.session->isOpen<GrowFromSeeds>());
         QVERIFY(bench.session->settle());
         QCOMPARE(bench.rows(), rows);
         QCOMPARE(bench.session->stateHash(), before);
@@ -135,7 +135,7 @@ private Q_SLOTS:
         QCOMPARE(int(bench.seenAt(middle)), 1);
         // A stroke lands on what was there before, not on what was only shown.
         bench.run(test::paintAt(3, {Bench::at(glm::dvec3(middle))}));
-        QVERIFY(!bench.session->previewOpen());
+        QVERIFY(!bench.session->isOpen<GrowFromSeeds>());
         QCOMPARE(int(bench.seenAt(corner)), 0);
         QCOMPARE(int(bench.seenAt(middle)), 3);
 

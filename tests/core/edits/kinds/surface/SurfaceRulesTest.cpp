@@ -296,7 +296,7 @@ void SurfaceRulesTest::aTemplateIsAborted()
     QVERIFY(preview ? m_session->begin(shape) : m_session->apply(shape));
     QVERIFY(m_session->surface().isAbortable());
     m_session->surface().abort();
-    QVERIFY(!m_session->templateOpen());
+    QVERIFY(!m_session->isOpen<ApplyTemplate>());
     const Result<void> ended = m_session->settle();
     // Whole, it may have been through before it was told; then it is a row as any other.
     if (!preview && ended) {
@@ -323,11 +323,12 @@ void SurfaceRulesTest::aPreviewThatMovesIsTakenBackSilently()
     run(redTop());
     const QByteArray before = m_session->stateHash();
     QVERIFY(m_session->begin(lobeOnTop()));
-    m_session->extendPath({{0.0, 0.0, 0.0}}); // a template has no path: nothing happens
+    m_session->extend(
+        PathPoints{.pointsLps = {{0.0, 0.0, 0.0}}}); // a template has no path: nothing happens
     m_session->end(Ending::Rollback);
     // Who takes it back himself is told nothing.
     QVERIFY(m_session->settle());
-    QVERIFY(!m_session->templateOpen());
+    QVERIFY(!m_session->isOpen<ApplyTemplate>());
     QCOMPARE(m_session->stateHash(), before);
 }
 

@@ -290,18 +290,18 @@ private Q_SLOTS:
         };
         const ThresholdSegment brain{.segment = 1, .lower = 0.0, .upper = 100.0};
         const ThresholdSegment bone{.segment = 1, .lower = 226.0};
-        QVERIFY(!session->thresholdOpen());
+        QVERIFY(!session->isOpen<ThresholdSegment>());
         QVERIFY(session->begin(brain));
         session->poll();
-        QVERIFY(session->thresholdOpen() && session->transactionOpen());
-        QVERIFY(!session->previewOpen());
+        QVERIFY(session->isOpen<ThresholdSegment>() && session->transactionOpen());
+        QVERIFY(!session->isOpen<GrowFromSeeds>());
         QCOMPARE(labelInBone(), 0);
         QVERIFY(session->begin(bone)); // takes the other back
         session->poll();
         QCOMPARE(labelInBone(), 1);
         QCOMPARE(session->history().rows().size(), std::size_t(1));
         session->end(Ending::Rollback);
-        QVERIFY(!session->thresholdOpen() && session->settle());
+        QVERIFY(!session->isOpen<ThresholdSegment>() && session->settle());
         QCOMPARE(session->stateHash(), before);
         QCOMPARE(labelInBone(), 0);
 
@@ -309,7 +309,7 @@ private Q_SLOTS:
         QVERIFY(session->begin(bone));
         session->poll();
         QVERIFY(session->apply(test::renameSegment(1, QStringLiteral("Other"))));
-        QVERIFY(!session->thresholdOpen() && session->settle());
+        QVERIFY(!session->isOpen<ThresholdSegment>() && session->settle());
         QCOMPARE(labelInBone(), 0);
         QVERIFY(session->begin(bone));
         QVERIFY(session->undo() && session->settle());
