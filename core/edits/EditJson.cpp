@@ -3,6 +3,7 @@
 
 #include "core/edits/kinds/AnyEdit.h"
 #include "core/edits/kinds/sculpt/ToolMasks.h"
+#include "core/edits/schema/FieldVisitor.h"
 
 #include <QJsonArray>
 #include <QStringList>
@@ -15,20 +16,13 @@ using editSchema::Presence;
 
 namespace {
 
-class Writer {
+class Writer : public editSchema::FieldVisitor<Writer> {
 public:
     template <class Kind>
     void field(
         const char* name, Presence, typename Kind::Value& value, const Kind& kind, const char*)
     {
         m_object.insert(QLatin1String(name), kind.write(value));
-    }
-    template <class Kind>
-    void maybe(const char* name, std::optional<typename Kind::Value>& value, const Kind& kind,
-        const char*, const char* = nullptr)
-    {
-        if (value)
-            m_object.insert(QLatin1String(name), kind.write(*value));
     }
     void constant(const char* name, Presence, const QJsonValue& value, const char*)
     {
@@ -40,23 +34,11 @@ public:
         visitInside(writer);
         m_object.insert(QLatin1String(name), writer.m_object);
     }
-    template <class Value, class Inside>
-    void maybeGroup(const char* name, std::optional<Value>& value, const char* meaning, const char*,
-        const Inside& visitInside)
-    {
-        if (value)
-            group(name, meaning, [&](Writer& inside) { visitInside(inside, *value); });
-    }
-    template <class Inside> void when(bool condition, const Inside& visitInside)
-    {
-        if (condition)
-            visitInside();
-    }
     QJsonObject m_object;
 };
 
 /// Takes fields out of an object; what is left over at the end is unknown. Keeps the first failure.
-class Reader {
+class Reader : public editSchema::FieldVisitor<Reader> {
 public:
     Reader(QString path, QJsonObject object)
         : m_path(std::move(path))
@@ -106,11 +88,6 @@ public:
         if (m_object.contains(QLatin1String(name)))
             group(name, meaning, [&](Reader& inside) { visitInside(inside, value.emplace()); });
     }
-    template <class Inside> void when(bool condition, const Inside& visitInside)
-    {
-        if (condition)
-            visitInside();
-    }
     void refuseTheRest()
     {
         if (!m_object.isEmpty())
@@ -146,7 +123,7 @@ private:
     std::optional<Error> m_error;
 };
 
-class Checker {
+class Checker : public editSchema::FieldVisitor<Checker> {
 public:
     Checker(QString path, bool atBegin)
         : m_path(std::move(path))
@@ -164,32 +141,12 @@ public:
         }
         note(name, kind.check(value));
     }
-    template <class Kind>
-    void maybe(const char* name, std::optional<typename Kind::Value>& value, const Kind& kind,
-        const char*, const char* = nullptr)
-    {
-        if (value)
-            note(name, kind.check(*value));
-    }
-    void constant(const char*, Presence, const QJsonValue&, const char*) { }
     template <class Inside> void group(const char* name, const char*, const Inside& visitInside)
     {
         Checker inside(m_path + QLatin1Char('.') + QLatin1String(name), m_atBegin);
         visitInside(inside);
         if (!m_error)
             m_error = inside.m_error;
-    }
-    template <class Value, class Inside>
-    void maybeGroup(const char* name, std::optional<Value>& value, const char* meaning, const char*,
-        const Inside& visitInside)
-    {
-        if (value)
-            group(name, meaning, [&](Checker& inside) { visitInside(inside, *value); });
-    }
-    template <class Inside> void when(bool condition, const Inside& visitInside)
-    {
-        if (condition)
-            visitInside();
     }
     const std::optional<Error>& error() const { return m_error; }
 

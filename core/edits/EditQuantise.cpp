@@ -2,6 +2,7 @@
 #include "core/edits/EditQuantise.h"
 
 #include "core/edits/kinds/AnyEdit.h"
+#include "core/edits/schema/FieldVisitor.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,36 +13,12 @@ using editSchema::Presence;
 
 namespace {
 
-class Rounder {
+class Rounder : public editSchema::FieldVisitor<Rounder> {
 public:
     template <class Kind>
     void field(const char*, Presence, typename Kind::Value& value, const Kind& kind, const char*)
     {
         value = kind.rounded(value);
-    }
-    template <class Kind>
-    void maybe(const char*, std::optional<typename Kind::Value>& value, const Kind& kind,
-        const char*, const char* = nullptr)
-    {
-        if (value)
-            value = kind.rounded(*value);
-    }
-    void constant(const char*, Presence, const QJsonValue&, const char*) { }
-    template <class Inside> void group(const char*, const char*, const Inside& visitInside)
-    {
-        visitInside(*this);
-    }
-    template <class Value, class Inside>
-    void maybeGroup(const char*, std::optional<Value>& value, const char*, const char*,
-        const Inside& visitInside)
-    {
-        if (value)
-            visitInside(*this, *value);
-    }
-    template <class Inside> void when(bool condition, const Inside& visitInside)
-    {
-        if (condition)
-            visitInside();
     }
 };
 

@@ -4,6 +4,7 @@
 #include "core/edits/document/DocumentEdits.h"
 #include "core/edits/kinds/AnyEdit.h"
 #include "core/edits/kinds/IsOneOf.h"
+#include "core/edits/schema/FieldVisitor.h"
 
 #include <algorithm>
 #include <type_traits>
@@ -36,7 +37,7 @@ template <class E, std::size_t N>
 inline constexpr bool namesNothing<editFields::Choice<E, N>> = true;
 
 /// Shows every number by which an edit names a thing, as its fields say.
-template <class Take> class NumberVisitor {
+template <class Take> class NumberVisitor : public editSchema::FieldVisitor<NumberVisitor<Take>> {
 public:
     explicit NumberVisitor(const Take& take)
         : m_take(take)
@@ -54,30 +55,6 @@ public:
         } else {
             static_assert(namesNothing<Kind>, "does such a field name things by their numbers?");
         }
-    }
-    template <class Kind>
-    void maybe(const char* name, std::optional<typename Kind::Value>& value, const Kind& kind,
-        const char* meaning, const char* = nullptr)
-    {
-        if (value)
-            field(name, Presence::Optional, *value, kind, meaning);
-    }
-    void constant(const char*, Presence, const QJsonValue&, const char*) { }
-    template <class Inside> void group(const char*, const char*, const Inside& visitInside)
-    {
-        visitInside(*this);
-    }
-    template <class Value, class Inside>
-    void maybeGroup(const char*, std::optional<Value>& value, const char*, const char*,
-        const Inside& visitInside)
-    {
-        if (value)
-            visitInside(*this, *value);
-    }
-    template <class Inside> void when(bool condition, const Inside& visitInside)
-    {
-        if (condition)
-            visitInside();
     }
 
 private:

@@ -6,57 +6,46 @@
 #include "gpu/kernels/sculpt/PeelKernel.h"
 #include "gpu/kernels/sculpt/ScissorsKernel.h"
 
+#include <memory>
+#include <variant>
+
 namespace gpu {
 
 namespace {
 
-BegunWork begun(const core::DrillCut& edit, const WorkContext& context)
-{
-    return std::make_unique<DrillKernel>(
-        context.programs.mask, context.fields, context.before, edit);
-}
+template <class Made, auto program> struct ByKernel {
+    using Kernel = Made;
+    static constexpr auto programs = program;
+};
 
-BegunWork begun(const core::LaserCut& edit, const WorkContext& context)
-{
-    return std::make_unique<LaserKernel>(
-        context.programs.laser, context.fields, context.before, edit);
-}
-
-BegunWork begun(const core::ShellPeel& edit, const WorkContext& context)
-{
-    return std::make_unique<PeelKernel>(
-        context.programs.mask, context.fields, context.before, edit);
-}
-
-BegunWork begun(const core::OutlineCut& edit, const WorkContext& context)
-{
-    return std::make_unique<ScissorsKernel>(
-        context.programs.mask, context.fields, context.before, edit);
-}
-
-BegunWork begun(const core::CapsuleCut& edit, const WorkContext& context)
-{
-    return std::make_unique<CapsuleKernel>(
-        context.programs.capsule, context.fields, context.before, edit);
-}
-
-BegunWork begun(const core::PaintLabel& edit, const WorkContext& context)
-{
-    return std::make_unique<CapsuleKernel>(
-        context.programs.capsule, context.fields, context.before, edit);
-}
-
-BegunWork begun(const core::PaintBarrier& edit, const WorkContext& context)
-{
-    return std::make_unique<CapsuleKernel>(
-        context.programs.capsule, context.fields, context.before, edit);
-}
+/// Which kernel does it, and with which of the programs.
+template <class Cut> struct KernelOf;
+template <> struct KernelOf<core::DrillCut> : ByKernel<DrillKernel, &EditPrograms::mask> {
+};
+template <> struct KernelOf<core::LaserCut> : ByKernel<LaserKernel, &EditPrograms::laser> {
+};
+template <> struct KernelOf<core::ShellPeel> : ByKernel<PeelKernel, &EditPrograms::mask> {
+};
+template <> struct KernelOf<core::OutlineCut> : ByKernel<ScissorsKernel, &EditPrograms::mask> {
+};
+template <> struct KernelOf<core::CapsuleCut> : ByKernel<CapsuleKernel, &EditPrograms::capsule> {
+};
+template <> struct KernelOf<core::PaintLabel> : ByKernel<CapsuleKernel, &EditPrograms::capsule> {
+};
+template <> struct KernelOf<core::PaintBarrier> : ByKernel<CapsuleKernel, &EditPrograms::capsule> {
+};
 
 } // namespace
 
 BegunWork beginWork(core::StrokeEdits::Pointer edit, const WorkContext& context)
 {
-    return std::visit([&context](const auto* known) { return begun(*known, context); }, edit);
+    return std::visit(
+        [&context]<class Cut>(const Cut* known) -> BegunWork {
+            using By = KernelOf<Cut>;
+            return std::make_unique<typename By::Kernel>(
+                context.programs.*By::programs, context.fields, context.before, *known);
+        },
+        edit);
 }
 
 } // namespace gpu
