@@ -4,9 +4,6 @@
 #include "core/voxelfile/GridFile.h"
 #include "core/voxelfile/VoxelFileNames.h"
 
-#include <QFile>
-#include <QFileInfo>
-
 namespace core {
 
 QByteArray MetaImageHeader::field(const char* name) const
@@ -82,31 +79,18 @@ Result<MetaImageHeader> parseMetaImageHeader(const QByteArray& bytes, const QStr
 
 Result<MetaImageHeader> readMetaImageHeader(const QString& path)
 {
-    QFile file(path);
-    if (!QFileInfo(path).isFile() || !file.open(QIODevice::ReadOnly))
-        return failure(ErrorCode::FileUnreadable, path, file.errorString());
-    if (file.size() == 0)
-        return failure(ErrorCode::FileTruncated, path, Clause::saying("it holds no bytes"));
-    // The field that ends a header is looked for, then the line that it stands
-    // in.
-    constexpr qint64 step = 65536;
-    QByteArray bytes;
-    bool whole = false;
-    while (!whole && bytes.size() < longestTextHeader) {
-        const qsizetype before = bytes.size();
-        bytes += file.read(step);
-        if (bytes.size() == before)
-            break;
+    // The field that ends a header is looked for, then the line that it stands in.
+    const auto isRead = [](const QByteArray& bytes, qsizetype before) {
         const qsizetype last = bytes.indexOf("ElementDataFile");
-        const qsizetype end = last < 0 ? -1 : bytes.indexOf('\n', last);
-        whole = end >= 0 && !bytes.mid(last, end - last).contains("LIST");
-        if (before == 0 && bytes.left(step).contains('\0') && last < 0)
-            break;
-    }
-    if (!whole && bytes.size() >= longestTextHeader)
-        return failure(
-            ErrorCode::FileUnreadable, path, Clause::saying("its header does not come to an end"));
-    return parseMetaImageHeader(bytes, path);
+        if (last < 0)
+            return before == 0 && bytes.contains('\0'); // no text at all
+        const qsizetype end = bytes.indexOf('\n', last);
+        return end >= 0 && !bytes.mid(last, end - last).contains("LIST");
+    };
+    const Result<QByteArray> bytes = readTextHeader(path, isRead);
+    if (!bytes)
+        return tl::unexpected(bytes.error());
+    return parseMetaImageHeader(*bytes, path);
 }
 
 } // namespace core

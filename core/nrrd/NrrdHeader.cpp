@@ -4,9 +4,6 @@
 #include "core/voxelfile/GridFile.h"
 #include "core/voxelfile/VoxelFileNames.h"
 
-#include <QFile>
-#include <QFileInfo>
-
 #include <algorithm>
 
 namespace core {
@@ -114,30 +111,21 @@ Result<NrrdHeader> parseNrrdHeader(const QByteArray& bytes, const QString& path)
 
 Result<NrrdHeader> readNrrdHeader(const QString& path)
 {
-    QFile file(path);
-    if (!QFileInfo(path).isFile() || !file.open(QIODevice::ReadOnly))
-        return failure(ErrorCode::FileUnreadable, path, file.errorString());
-    if (file.size() == 0)
-        return failure(ErrorCode::FileTruncated, path, Clause::saying("it holds no bytes"));
-    constexpr qint64 step = 65536;
-    QByteArray bytes;
+    const auto mayBeNrrd = [](const QByteArray& bytes) {
+        return bytes.startsWith(QByteArrayView("NRRD000", std::min<qsizetype>(7, bytes.size())));
+    };
     qsizetype end = -1;
-    while (end < 0 && bytes.size() < longestTextHeader) {
-        const qsizetype searched = std::max<qsizetype>(0, bytes.size() - 3);
-        const QByteArray more = file.read(step);
-        if (more.isEmpty())
-            break;
-        bytes += more;
-        if (!bytes.startsWith(QByteArrayView("NRRD000", std::min<qsizetype>(7, bytes.size()))))
-            return failure(ErrorCode::FileUnreadable, path, Clause::saying("not an NRRD file"));
-        end = endOfHeader(bytes, searched);
-    }
+    Result<QByteArray> bytes = readTextHeader(path, [&](const QByteArray& read, qsizetype before) {
+        end = endOfHeader(read, std::max<qsizetype>(0, before - 3));
+        return end >= 0 || !mayBeNrrd(read);
+    });
+    if (!bytes)
+        return tl::unexpected(bytes.error());
+    if (!mayBeNrrd(*bytes))
+        return failure(ErrorCode::FileUnreadable, path, Clause::saying("not an NRRD file"));
     if (end >= 0)
-        bytes.truncate(end);
-    else if (bytes.size() >= longestTextHeader)
-        return failure(
-            ErrorCode::FileUnreadable, path, Clause::saying("its header does not come to an end"));
-    Result<NrrdHeader> header = parseNrrdHeader(bytes, path);
+        bytes->truncate(end);
+    Result<NrrdHeader> header = parseNrrdHeader(*bytes, path);
     if (header && end < 0 && !header->isDetached())
         return failure(ErrorCode::FileTruncated, path, Clause::saying("its header has no end"));
     return header;

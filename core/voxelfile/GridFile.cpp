@@ -1,11 +1,32 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/voxelfile/GridFile.h"
 
+#include <QFile>
 #include <QFileInfo>
 
 #include <cmath>
 
 namespace core {
+
+Result<QByteArray> readTextHeader(
+    const QString& path, const std::function<bool(const QByteArray&, qsizetype)>& isRead)
+{
+    constexpr qint64 step = 65536;
+    QFile file(path);
+    if (!QFileInfo(path).isFile() || !file.open(QIODevice::ReadOnly))
+        return failure(ErrorCode::FileUnreadable, path, file.errorString());
+    if (file.size() == 0)
+        return failure(ErrorCode::FileTruncated, path, Clause::saying("it holds no bytes"));
+    QByteArray bytes;
+    while (bytes.size() < longestTextHeader) {
+        const qsizetype before = bytes.size();
+        bytes += file.read(step);
+        if (bytes.size() == before || isRead(bytes, before))
+            return bytes;
+    }
+    return failure(
+        ErrorCode::FileUnreadable, path, Clause::saying("its header does not come to an end"));
+}
 
 Result<void> setGridSize(GridFile& grid, std::span<const qint64> sides)
 {

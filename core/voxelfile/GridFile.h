@@ -9,6 +9,8 @@
 
 #include <QByteArray>
 
+#include <functional>
+
 namespace core {
 
 /// A file of one volume whose header is text (NRRD, MetaImage), of which only the header was read.
@@ -21,6 +23,13 @@ struct GridFile {
 /// The greatest length of a text header; long ones have many segments with tags, or a list of
 /// slices.
 constexpr qint64 longestTextHeader = qint64(1) << 22;
+
+/// The beginning of a file, read part by part as far as its text header goes, or the whole file.
+/// Errors: FileUnreadable, also where longestTextHeader is passed; FileTruncated: it is empty.
+/// @param isRead whether the header has ended, told all bytes and how many there were before the
+/// last part
+[[nodiscard]] Result<QByteArray> readTextHeader(const QString& path,
+    const std::function<bool(const QByteArray& bytes, qsizetype before)>& isRead);
 
 /// Sets the geometry's size from the sides in a header, and `voxels.voxels`. Errors:
 /// InvalidGeometry for sides below 1 or above 32768.
