@@ -28,24 +28,14 @@ Result<bool> apply(const SplitIslands& edit, Document& document)
 {
     if (!edit.into)
         return false;
-    const Result<const Segment*> segment =
-        unlockedSegment("splitIslands.segment", edit.segment, document);
-    if (!segment)
-        return tl::unexpected(segment.error());
-    if (const auto added = addParts("splitIslands.into", *edit.into, **segment, document); !added)
-        return tl::unexpected(added.error());
-    return true;
+    return addParts(
+        "splitIslands.segment", edit.segment, "splitIslands.into", *edit.into, document);
 }
 
 EditEffects effects(const SplitIslands& edit)
 {
-    return {.task = EditTask::Islands,
-        .standsOpen = false,
-        .changes = DocumentChange::What::Segments,
-        .takesVoxelsOrNothing = true,
-        .writesTo = edit.segment,
-        .fills = {.label = std::nullopt, .added = true},
-        .boundToStudy = edit.into.has_value()}; // elsewhere there may be more islands, or fewer
+    // Elsewhere there may be more islands, or fewer.
+    return splitEffects(edit.segment, edit.into.has_value());
 }
 
 /// "Split 3 islands off 'Liver', −1 204 voxels"

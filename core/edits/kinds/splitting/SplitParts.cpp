@@ -2,8 +2,11 @@
 #include "core/edits/kinds/splitting/SplitParts.h"
 
 #include "core/document/SegmentColours.h"
+#include "core/edits/answers/EditChecks.h"
+#include "core/edits/answers/EditEffects.h"
 
 #include <algorithm>
+#include <optional>
 
 namespace core {
 
@@ -44,20 +47,34 @@ std::vector<SplitPart> usualParts(
     return parts;
 }
 
-Result<void> addParts(const char* field, const std::vector<SplitPart>& parts,
-    const Segment& segment, Document& document)
+Result<bool> addParts(const char* segmentField, int segment, const char* field,
+    const std::vector<SplitPart>& parts, Document& document)
 {
+    const Result<const Segment*> split = unlockedSegment(segmentField, segment, document);
+    if (!split)
+        return tl::unexpected(split.error());
     if (const std::size_t room = roomForSegments(document); parts.size() > room)
         return failure(ErrorCode::InvalidField, QLatin1String(field),
             Clause::saying("there is room for %1 segments more, these are %2", room, parts.size()));
-    const std::uint8_t plane = segment.plane; // the list may move
+    const std::uint8_t plane = (*split)->plane; // the list may move
     for (const SplitPart& part : parts)
         document.segments.push_back({.label = std::uint8_t(document.lastLabelGiven() + 1),
             .plane = plane,
             .name = part.name,
             .rgb = part.rgb,
             .code = {}});
-    return {};
+    return true;
+}
+
+EditEffects splitEffects(int segment, bool isBoundToStudy)
+{
+    return {.task = EditTask::Islands,
+        .standsOpen = false,
+        .changes = DocumentChange::What::Segments,
+        .takesVoxelsOrNothing = true,
+        .writesTo = segment,
+        .fills = {.label = std::nullopt, .added = true},
+        .boundToStudy = isBoundToStudy};
 }
 
 } // namespace core

@@ -12,6 +12,8 @@
 
 namespace core {
 
+struct EditEffects;
+
 /// A new segment that is made from a part of another one.
 struct SplitPart {
     QString name{};
@@ -28,10 +30,15 @@ struct SplitPart {
     const Document& document, const Segment& segment, std::size_t count);
 
 /// Adds new segments for the parts of a segment to the end of the document's list, in the label
-/// plane of that segment. Errors: InvalidField (there is no room for so many); then nothing is
-/// changed.
-/// @param field name of the field in recipes, such as "splitIslands.into"
-Result<void> addParts(const char* field, const std::vector<SplitPart>& parts,
-    const Segment& segment, Document& document);
+/// plane of that segment. Errors: UnknownSegment, SegmentLocked, InvalidField (there is no room for
+/// so many); then nothing is changed.
+/// @param segmentField name of the segment's field in recipes, such as "splitIslands.segment"
+/// @param field name of the field of its parts, such as "splitIslands.into"
+/// @return true: they are added
+Result<bool> addParts(const char* segmentField, int segment, const char* field,
+    const std::vector<SplitPart>& parts, Document& document);
+
+/// The effects of splitting a segment.
+[[nodiscard]] EditEffects splitEffects(int segment, bool isBoundToStudy);
 
 } // namespace core

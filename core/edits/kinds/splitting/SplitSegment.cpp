@@ -87,24 +87,12 @@ Result<void> check(const SplitSegment& edit, const Document& document)
 
 Result<bool> apply(const SplitSegment& edit, Document& document)
 {
-    const Result<const Segment*> segment =
-        unlockedSegment("splitSegment.segment", edit.segment, document);
-    if (!segment)
-        return tl::unexpected(segment.error());
-    if (const auto added = addParts("splitSegment", {edit.into}, **segment, document); !added)
-        return tl::unexpected(added.error());
-    return true;
+    return addParts("splitSegment.segment", edit.segment, "splitSegment", {edit.into}, document);
 }
 
 EditEffects effects(const SplitSegment& edit)
 {
-    return {.task = EditTask::Islands,
-        .standsOpen = false,
-        .changes = DocumentChange::What::Segments,
-        .takesVoxelsOrNothing = true,
-        .writesTo = edit.segment,
-        .fills = {.label = std::nullopt, .added = true},
-        .boundToStudy = true};
+    return splitEffects(edit.segment, true);
 }
 
 /// "Split 'Liver' by a plane, −3 210 voxels"
