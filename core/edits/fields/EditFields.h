@@ -24,6 +24,14 @@ namespace core::editFields {
 //   check(value)     empty if the value is allowed, else the reason
 //   rounded(value)   the nearest value of the field's grid; idempotent (EditQuantise.h)
 
+/// The base of those whose values have no unit and no grid.
+template <class V> struct PlainField {
+    using Value = V;
+
+    [[nodiscard]] QString unit() const { return {}; }
+    [[nodiscard]] Value rounded(const Value& value) const { return value; }
+};
+
 /// A number; NaN and infinities are never allowed.
 struct Number {
     using Value = double;
@@ -61,62 +69,42 @@ struct ThingNumber : WholeNumber {
 };
 
 /// The number of neighbours of a voxel.
-struct Connectivity {
-    using Value = int;
-
+struct Connectivity : PlainField<int> {
     [[nodiscard]] QString type() const { return QStringLiteral("6, 18 or 26"); }
-    [[nodiscard]] QString unit() const { return {}; }
     [[nodiscard]] QJsonValue write(Value value) const { return value; }
     [[nodiscard]] Clause read(const QJsonValue& json, Value& value) const;
     [[nodiscard]] Clause check(Value value) const;
-    [[nodiscard]] Value rounded(Value value) const { return value; }
 };
 
-struct Flag {
-    using Value = bool;
-
+struct Flag : PlainField<bool> {
     [[nodiscard]] QString type() const { return QStringLiteral("true or false"); }
-    [[nodiscard]] QString unit() const { return {}; }
     [[nodiscard]] QJsonValue write(Value value) const { return value; }
     [[nodiscard]] Clause read(const QJsonValue& json, Value& value) const;
     [[nodiscard]] Clause check(Value) const { return {}; }
-    [[nodiscard]] Value rounded(Value value) const { return value; }
 };
 
 /// A name: 1 to 256 characters of valid Unicode without control characters.
-struct Text {
-    using Value = QString;
-
+struct Text : PlainField<QString> {
     [[nodiscard]] QString type() const { return QStringLiteral("text"); }
-    [[nodiscard]] QString unit() const { return {}; }
     [[nodiscard]] QJsonValue write(const Value& value) const { return value; }
     [[nodiscard]] Clause read(const QJsonValue& json, Value& value) const;
     [[nodiscard]] Clause check(const Value& value) const;
-    [[nodiscard]] Value rounded(const Value& value) const { return value; }
 };
 
 /// "#rrggbb".
-struct Colour {
-    using Value = std::uint32_t;
-
+struct Colour : PlainField<std::uint32_t> {
     [[nodiscard]] QString type() const { return QStringLiteral("\"#rrggbb\""); }
-    [[nodiscard]] QString unit() const { return {}; }
     [[nodiscard]] QJsonValue write(Value value) const;
     [[nodiscard]] Clause read(const QJsonValue& json, Value& value) const;
     [[nodiscard]] Clause check(Value value) const;
-    [[nodiscard]] Value rounded(Value value) const { return value; }
 };
 
 /// [scheme, value, meaning]; [] is "not coded yet".
-struct Code {
-    using Value = CodedConcept;
-
+struct Code : PlainField<CodedConcept> {
     [[nodiscard]] QString type() const { return QStringLiteral("[scheme, value, meaning]"); }
-    [[nodiscard]] QString unit() const { return {}; }
     [[nodiscard]] QJsonValue write(const Value& value) const;
     [[nodiscard]] Clause read(const QJsonValue& json, Value& value) const;
     [[nodiscard]] Clause check(const Value& value) const;
-    [[nodiscard]] Value rounded(const Value& value) const { return value; }
 };
 
 /// Reads exactly @p count numbers from a JSON list; returns empty on success, else the reason.
@@ -169,15 +157,11 @@ template <class E, std::size_t N> struct Choice {
 };
 
 /// A row of the history.
-struct Row {
-    using Value = std::int64_t;
-
+struct Row : PlainField<std::int64_t> {
     [[nodiscard]] QString type() const { return QStringLiteral("row"); }
-    [[nodiscard]] QString unit() const { return {}; }
     [[nodiscard]] QJsonValue write(Value value) const { return qint64(value); }
     [[nodiscard]] Clause read(const QJsonValue& json, Value& value) const;
     [[nodiscard]] Clause check(Value value) const;
-    [[nodiscard]] Value rounded(Value value) const { return value; }
 };
 
 /// A count of growth steps, or "toClosure".

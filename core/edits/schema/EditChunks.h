@@ -13,39 +13,27 @@ namespace core::editFields {
 // Fields of the edits that divide into chunks and add or remove them; types as in EditFields.h.
 
 /// [{"label", "voxels"}, …], at least one, labels ascending; voxels in base 64.
-struct ChunkOwnerList {
-    using Value = std::vector<ChunkOwner>;
-
+struct ChunkOwnerList : PlainField<std::vector<ChunkOwner>> {
     [[nodiscard]] QString type() const { return QStringLiteral("[{label, voxels}, …]"); }
-    [[nodiscard]] QString unit() const { return {}; }
     [[nodiscard]] QJsonValue write(const Value& value) const;
     [[nodiscard]] Clause read(const QJsonValue& json, Value& value) const;
     [[nodiscard]] Clause check(const Value& value) const;
-    [[nodiscard]] Value rounded(const Value& value) const { return value; }
 };
 
 /// Bytes in base 64; not empty.
-struct PackedBytes {
-    using Value = QByteArray;
-
+struct PackedBytes : PlainField<QByteArray> {
     [[nodiscard]] QString type() const { return QStringLiteral("text"); }
-    [[nodiscard]] QString unit() const { return {}; }
     [[nodiscard]] QJsonValue write(const Value& value) const;
     [[nodiscard]] Clause read(const QJsonValue& json, Value& value) const;
     [[nodiscard]] Clause check(const Value& value) const;
-    [[nodiscard]] Value rounded(const Value& value) const { return value; }
 };
 
 /// [brick, …]: numbers of bricks of the volume, from 0, ascending; may be empty.
-struct BrickList {
-    using Value = std::vector<std::int64_t>;
-
+struct BrickList : PlainField<std::vector<std::int64_t>> {
     [[nodiscard]] QString type() const { return QStringLiteral("[brick, …]"); }
-    [[nodiscard]] QString unit() const { return {}; }
     [[nodiscard]] QJsonValue write(const Value& value) const;
     [[nodiscard]] Clause read(const QJsonValue& json, Value& value) const;
     [[nodiscard]] Clause check(const Value& value) const;
-    [[nodiscard]] Value rounded(const Value& value) const { return value; }
 };
 
 } // namespace core::editFields

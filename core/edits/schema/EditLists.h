@@ -91,27 +91,19 @@ struct PressureList {
 };
 
 /// [row, …]: rows of the history, at least one, ascending.
-struct RowList {
-    using Value = std::vector<std::int64_t>;
-
+struct RowList : PlainField<std::vector<std::int64_t>> {
     [[nodiscard]] QString type() const { return QStringLiteral("[row, …]"); }
-    [[nodiscard]] QString unit() const { return {}; }
     [[nodiscard]] QJsonValue write(const Value& value) const;
     [[nodiscard]] Clause read(const QJsonValue& json, Value& value) const;
     [[nodiscard]] Clause check(const Value& value) const;
-    [[nodiscard]] Value rounded(const Value& value) const { return value; }
 };
 
 /// [place, …]: places in another list, from 1, ascending; may be empty.
-struct PlaceList {
-    using Value = std::vector<std::int64_t>;
-
+struct PlaceList : PlainField<std::vector<std::int64_t>> {
     [[nodiscard]] QString type() const { return QStringLiteral("[place, …]"); }
-    [[nodiscard]] QString unit() const { return {}; }
     [[nodiscard]] QJsonValue write(const Value& value) const;
     [[nodiscard]] Clause read(const QJsonValue& json, Value& value) const;
     [[nodiscard]] Clause check(const Value& value) const;
-    [[nodiscard]] Value rounded(const Value& value) const { return value; }
 };
 
 /// [[x, y, z], [x, y, z]]: opposite corners of a box.

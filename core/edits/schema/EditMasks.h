@@ -12,27 +12,19 @@ namespace core::editFields {
 // Fields of the edit that imports a mask; types as in EditFields.h.
 
 /// The name of a file, with or without its folder.
-struct FileName {
-    using Value = QString;
-
+struct FileName : PlainField<QString> {
     [[nodiscard]] QString type() const { return QStringLiteral("text"); }
-    [[nodiscard]] QString unit() const { return {}; }
     [[nodiscard]] QJsonValue write(const Value& value) const { return value; }
     [[nodiscard]] Clause read(const QJsonValue& json, Value& value) const;
     [[nodiscard]] Clause check(const Value& value) const;
-    [[nodiscard]] Value rounded(const Value& value) const { return value; }
 };
 
 /// A segment by its number or by its name.
-struct SegmentReference {
-    using Value = SegmentWord;
-
+struct SegmentReference : PlainField<SegmentWord> {
     [[nodiscard]] QString type() const { return QStringLiteral("text, or whole number 1 … 255"); }
-    [[nodiscard]] QString unit() const { return {}; }
     [[nodiscard]] QJsonValue write(const Value& value) const;
     [[nodiscard]] Clause read(const QJsonValue& json, Value& value) const;
     [[nodiscard]] Clause check(const Value& value) const;
-    [[nodiscard]] Value rounded(const Value& value) const { return value; }
 };
 
 /// [columns, rows, slices].
@@ -48,43 +40,31 @@ struct GridSize {
 };
 
 /// [{"name", "color", "code", "voxels"}, …], at least one; voxels in base 64.
-struct ImportedSegmentList {
-    using Value = std::vector<ImportedSegment>;
-
+struct ImportedSegmentList : PlainField<std::vector<ImportedSegment>> {
     [[nodiscard]] QString type() const
     {
         return QStringLiteral("[{name, color, code, voxels}, …]");
     }
-    [[nodiscard]] QString unit() const { return {}; }
     [[nodiscard]] QJsonValue write(const Value& value) const;
     [[nodiscard]] Clause read(const QJsonValue& json, Value& value) const;
     [[nodiscard]] Clause check(const Value& value) const;
-    [[nodiscard]] Value rounded(const Value& value) const { return value; }
 };
 
 /// Places in another list in JSON: [place, …], from 1, in any order, none twice, with at least one
 /// entry.
-struct EntryOrder {
-    using Value = std::vector<int>;
-
+struct EntryOrder : PlainField<std::vector<int>> {
     [[nodiscard]] QString type() const { return QStringLiteral("[place, …]"); }
-    [[nodiscard]] QString unit() const { return {}; }
     [[nodiscard]] QJsonValue write(const Value& value) const;
     [[nodiscard]] Clause read(const QJsonValue& json, Value& value) const;
     [[nodiscard]] Clause check(const Value& value) const;
-    [[nodiscard]] Value rounded(const Value& value) const { return value; }
 };
 
 /// The label plane of each segment of a list in JSON: [plane, …], from 0, with at least one entry.
-struct PlaneList {
-    using Value = std::vector<int>;
-
+struct PlaneList : PlainField<std::vector<int>> {
     [[nodiscard]] QString type() const { return QStringLiteral("[plane, …]"); }
-    [[nodiscard]] QString unit() const { return {}; }
     [[nodiscard]] QJsonValue write(const Value& value) const;
     [[nodiscard]] Clause read(const QJsonValue& json, Value& value) const;
     [[nodiscard]] Clause check(const Value& value) const;
-    [[nodiscard]] Value rounded(const Value& value) const { return value; }
 };
 
 } // namespace core::editFields

@@ -12,15 +12,11 @@ namespace core::editFields {
 // Fields of edits that split segments; types as in EditFields.h.
 
 /// A list of new segments in JSON: [{"name", "color"}, …], with at least one entry.
-struct SplitPartList {
-    using Value = std::vector<SplitPart>;
-
+struct SplitPartList : PlainField<std::vector<SplitPart>> {
     [[nodiscard]] QString type() const { return QStringLiteral("[{name, color}, …]"); }
-    [[nodiscard]] QString unit() const { return {}; }
     [[nodiscard]] QJsonValue write(const Value& value) const;
     [[nodiscard]] Clause read(const QJsonValue& json, Value& value) const;
     [[nodiscard]] Clause check(const Value& value) const;
-    [[nodiscard]] Value rounded(const Value& value) const { return value; }
 };
 
 } // namespace core::editFields
