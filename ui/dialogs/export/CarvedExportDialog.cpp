@@ -71,8 +71,8 @@ CarvedExportDialog::CarvedExportDialog(Workspace& workspace, QWidget* parent)
     connect(m_target, &TargetRow::changed, this, &CarvedExportDialog::showState);
     connect(m_fill, &QDoubleSpinBox::valueChanged, this, &CarvedExportDialog::showState);
     connect(m_deidentify, &DeidentifyBox::changed, this, &CarvedExportDialog::showState);
-    connect(m_export, &QPushButton::clicked, this, &CarvedExportDialog::start);
-    connect(m_close, &QPushButton::clicked, this, &CarvedExportDialog::reject);
+    connect(m_run, &ExportRun::startRequested, this, &CarvedExportDialog::start);
+    connect(m_run, &ExportRun::closeRequested, this, &CarvedExportDialog::reject);
     connect(&m_workspace, &Workspace::sessionChanged, this, [this] {
         m_fetch.cancel();
         disconnect(&m_job, nullptr, this, nullptr); // it would tell of a study that is gone
@@ -121,21 +121,14 @@ void CarvedExportDialog::build()
     m_target =
         new TargetRow(tr("To"), QStringLiteral("carvedTarget"), QStringLiteral("export/folder"),
             QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation), this);
-    m_run = new ExportRun(QStringLiteral("carved"), this);
-    m_export = new QPushButton(tr("Export and check"), this);
-    m_export->setObjectName(QStringLiteral("carvedStart"));
-    m_export->setDefault(true);
-    m_close = new QPushButton(tr("Close"), this);
-    m_close->setAutoDefault(false);
+    auto* startButton = new QPushButton(tr("Export and check"), this);
+    startButton->setObjectName(QStringLiteral("carvedStart"));
+    m_run = new ExportRun(QStringLiteral("carved"), startButton, this);
 
     auto* fill = new QHBoxLayout;
     fill->addWidget(m_fillLabel);
     fill->addWidget(m_fill);
     fill->addStretch(1);
-    auto* buttons = new QHBoxLayout;
-    buttons->addStretch(1);
-    buttons->addWidget(m_close);
-    buttons->addWidget(m_export);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(theme::padding, theme::padding, theme::padding, theme::padding);
     layout->setSpacing(theme::smallPadding);
@@ -149,7 +142,7 @@ void CarvedExportDialog::build()
     layout->addWidget(m_target);
     layout->addWidget(m_run);
     layout->addStretch(1);
-    layout->addLayout(buttons);
+    layout->addLayout(m_run->makeButtons());
     tabAsLaidOut(*this);
 }
 
@@ -172,10 +165,8 @@ void CarvedExportDialog::showState()
     if (running())
         return;
     const bool named = !m_target->path().isEmpty();
-    m_run->clearReport();
-    m_export->setDefault(true);
-    m_run->say(named ? QString() : tr("Name the target."));
-    m_export->setEnabled(named);
+    m_run->expectStart();
+    m_run->sayMissing(named ? QString() : tr("Name the target."));
 }
 
 void CarvedExportDialog::start()
@@ -252,10 +243,7 @@ void CarvedExportDialog::showRunning(bool isRunning)
     m_coverage->setEnabled(!isRunning && activeLayer(m_workspace));
     m_fill->setEnabled(!isRunning && !m_coverage->isChecked());
     m_run->setRunning(isRunning);
-    m_close->setText(isRunning ? tr("Abort") : tr("Close"));
-    if (isRunning)
-        m_export->setEnabled(false);
-    else
+    if (!isRunning)
         showState();
 }
 
@@ -263,7 +251,6 @@ void CarvedExportDialog::showReport(const core::ExportReport& report)
 {
     showRunning(false);
     m_run->showReport(reportTexts(report));
-    m_close->setDefault(true); // it is done: Enter is not to replace it
     m_workspace.say(tr("Exported and checked: %1").arg(report.file));
     Q_EMIT exported(report.file);
 }

@@ -8,7 +8,6 @@
 
 class QDoubleSpinBox;
 class QLabel;
-class QPushButton;
 class QRadioButton;
 
 namespace ui {
@@ -53,8 +52,6 @@ private:
     TargetRow* m_target = nullptr;
     DeidentifyBox* m_deidentify = nullptr; ///< for the DICOM series only
     ExportRun* m_run = nullptr;
-    QPushButton* m_export = nullptr;
-    QPushButton* m_close = nullptr;
     bool m_force = false;
     LabelFetch m_fetch;
     ExportJob m_job;

@@ -16,7 +16,6 @@
 
 #include <QDir>
 #include <QFileInfo>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
 #include <QTemporaryDir>
@@ -44,8 +43,7 @@ DeidentifySessionDialog::DeidentifySessionDialog(Workspace& workspace, QWidget* 
     , m_target(new TargetRow(tr("File"), QStringLiteral("deidentifiedFile"),
           QStringLiteral("sessions/folder"), QDir::homePath(), this))
     , m_save(new QPushButton(tr("Save and check"), this))
-    , m_close(new QPushButton(tr("Close"), this))
-    , m_run(new ExportRun(QStringLiteral("deidentified"), this))
+    , m_run(new ExportRun(QStringLiteral("deidentified"), m_save, this))
 {
     setWindowTitle(tr("Save de-identified session"));
     resize(640, 280); // it grows with the verdict
@@ -58,13 +56,7 @@ DeidentifySessionDialog::DeidentifySessionDialog(Workspace& workspace, QWidget* 
     what->setWordWrap(true);
     m_options->askForSession();
     m_save->setObjectName(QStringLiteral("deidentifiedSave"));
-    m_save->setDefault(true);
-    m_close->setAutoDefault(false);
 
-    auto* buttons = new QHBoxLayout;
-    buttons->addStretch(1);
-    buttons->addWidget(m_close);
-    buttons->addWidget(m_save);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(theme::padding, theme::padding, theme::padding, theme::padding);
     layout->setSpacing(theme::smallPadding);
@@ -73,15 +65,15 @@ DeidentifySessionDialog::DeidentifySessionDialog(Workspace& workspace, QWidget* 
     layout->addWidget(m_target);
     layout->addWidget(m_run);
     layout->addStretch(1);
-    layout->addLayout(buttons);
+    layout->addLayout(m_run->makeButtons());
     tabAsLaidOut(*this);
 
     m_target->askFor(tr("Save de-identified session as"), tr("Sessions of Burin (*.burin)"));
     m_target->setName(QStringLiteral("deidentified.burin"));
     connect(m_target, &TargetRow::changed, this, &DeidentifySessionDialog::showState);
     connect(m_options, &DeidentifyBox::changed, this, &DeidentifySessionDialog::showState);
-    connect(m_save, &QPushButton::clicked, this, &DeidentifySessionDialog::start);
-    connect(m_close, &QPushButton::clicked, this, &DeidentifySessionDialog::reject);
+    connect(m_run, &ExportRun::startRequested, this, &DeidentifySessionDialog::start);
+    connect(m_run, &ExportRun::closeRequested, this, &DeidentifySessionDialog::reject);
     connect(&m_job, &BackgroundJob::ended, this, &DeidentifySessionDialog::showRunning);
     connect(&m_workspace, &Workspace::sessionChanged, this, [this] {
         m_waits = false;
@@ -96,10 +88,8 @@ void DeidentifySessionDialog::showState()
     if (running())
         return;
     const bool named = !m_target->path().isEmpty();
-    m_run->clearReport();
-    m_save->setDefault(true);
-    m_run->say(named ? QString() : tr("Name the file."));
-    m_save->setEnabled(named);
+    m_run->expectStart();
+    m_run->sayMissing(named ? QString() : tr("Name the file."));
 }
 
 void DeidentifySessionDialog::start()
@@ -160,7 +150,6 @@ void DeidentifySessionDialog::write(
                     .checked = {},
                     .cautions = {},
                     .sha256 = sum.value_or(QString())});
-                m_close->setDefault(true); // it is done: Enter is not to replace it
                 m_workspace.say(tr("The de-identified session is saved: %1").arg(target));
                 Q_EMIT saved(target);
             };
@@ -173,7 +162,7 @@ void DeidentifySessionDialog::showRunning()
 {
     for (QWidget* input : std::initializer_list<QWidget*>{m_options, m_target, m_save})
         input->setEnabled(!running());
-    m_run->setRunning(running());
+    m_run->setBusy(running());
 }
 
 void DeidentifySessionDialog::showFailure(const core::Error& error)

@@ -44,7 +44,6 @@ private:
     DeidentifyBox* m_options;
     TargetRow* m_target;
     QPushButton* m_save;
-    QPushButton* m_close;
     ExportRun* m_run;
     bool m_waits = false; ///< until the session's last steps are on the disk
     BackgroundJob m_job;

@@ -58,8 +58,8 @@ ExportDialog::ExportDialog(Workspace& workspace, QWidget* parent)
     connect(m_options, &ExportOptions::formatChanged, this, &ExportDialog::showFormat);
     connect(m_options, &ExportOptions::changed, this, &ExportDialog::showChange);
     connect(m_target, &TargetRow::changed, this, &ExportDialog::showChange);
-    connect(m_export, &QPushButton::clicked, this, &ExportDialog::start);
-    connect(m_close, &QPushButton::clicked, this, &ExportDialog::reject);
+    connect(m_run, &ExportRun::startRequested, this, &ExportDialog::start);
+    connect(m_run, &ExportRun::closeRequested, this, &ExportDialog::reject);
     connect(
         m_send, &QPushButton::clicked, this, [this] { SendDialog({m_request.file}, this).exec(); });
     connect(&m_workspace, &Workspace::sessionChanged, this, [this] {
@@ -91,17 +91,14 @@ void ExportDialog::build()
         folder = folderBeside(*volume, folder);
     m_target = new TargetRow(
         tr("File"), QStringLiteral("exportFile"), QStringLiteral("export/folder"), folder, this);
-    m_run = new ExportRun(QStringLiteral("export"), this);
-    m_export = new QPushButton(tr("Export and check"), this);
-    m_export->setObjectName(QStringLiteral("exportStart"));
-    m_export->setDefault(true);
-    m_close = new QPushButton(tr("Close"), this);
+    auto* startButton = new QPushButton(tr("Export and check"), this);
+    startButton->setObjectName(QStringLiteral("exportStart"));
+    m_run = new ExportRun(QStringLiteral("export"), startButton, this);
     m_send = new QPushButton(tr("Send …"), this);
     m_send->setObjectName(QStringLiteral("exportSend"));
     m_send->setToolTip(tr("Store the file at a PACS"));
     m_send->hide();
     m_send->setAutoDefault(false);
-    m_close->setAutoDefault(false);
 
     auto* ticks = new QHBoxLayout;
     m_ticked = new QLabel(this);
@@ -116,11 +113,6 @@ void ExportDialog::build()
         ticks->addWidget(button);
         m_tickers.push_back(button);
     }
-    auto* buttons = new QHBoxLayout;
-    buttons->addStretch(1);
-    buttons->addWidget(m_close);
-    buttons->addWidget(m_send);
-    buttons->addWidget(m_export);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(theme::padding, theme::padding, theme::padding, theme::padding);
     layout->setSpacing(theme::smallPadding);
@@ -131,7 +123,7 @@ void ExportDialog::build()
     layout->addWidget(m_options);
     layout->addWidget(m_target);
     layout->addWidget(m_run);
-    layout->addLayout(buttons);
+    layout->addLayout(m_run->makeButtons(m_send));
     tabAsLaidOut(*this);
 
     suggestName();
@@ -181,9 +173,8 @@ void ExportDialog::showChange()
 {
     if (running())
         return;
-    m_run->clearReport();
+    m_run->expectStart();
     m_send->hide();
-    m_export->setDefault(true);
     showState();
 }
 
@@ -217,8 +208,7 @@ void ExportDialog::showState()
                       .arg(uncoded[0]);
     else if (m_target->path().isEmpty())
         problem = tr("Name the file.");
-    m_run->say(problem);
-    m_export->setEnabled(problem.isEmpty());
+    m_run->sayMissing(problem);
 }
 
 void ExportDialog::start()
@@ -311,10 +301,7 @@ void ExportDialog::showRunning(bool isRunning)
     for (QPushButton* button : m_tickers)
         button->setEnabled(!isRunning);
     m_run->setRunning(isRunning);
-    m_close->setText(isRunning ? tr("Abort") : tr("Close"));
-    if (isRunning)
-        m_export->setEnabled(false);
-    else
+    if (!isRunning)
         showState();
 }
 
@@ -322,7 +309,6 @@ void ExportDialog::showReport(const core::ExportReport& report)
 {
     showRunning(false);
     m_run->showReport(reportTexts(report));
-    m_close->setDefault(true); // it is done: Enter is not to replace it
     m_send->setVisible(core::factsOf(m_request.format).namesSourceImages);
     m_workspace.say(tr("Exported and checked: %1").arg(report.file));
     Q_EMIT exported(report.file);

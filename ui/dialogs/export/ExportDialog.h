@@ -66,9 +66,7 @@ private:
     TargetRow* m_target = nullptr;
     QString m_suggested; ///< the file as it was last named here
     ExportRun* m_run = nullptr;
-    QPushButton* m_export = nullptr;
     QPushButton* m_send = nullptr; ///< shown once a DICOM file was written
-    QPushButton* m_close = nullptr;
     /// The export under way; its segments are filled in when it is written.
     core::ExportRequest m_request;
     LabelFetch::Planes m_planes; ///< null until they are read

@@ -5,7 +5,9 @@
 #include "ui/base/Theme.h"
 #include "ui/widgets/StateLine.h"
 
+#include <QDialog>
 #include <QFileInfo>
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QMessageBox>
 #include <QProgressBar>
@@ -33,13 +35,19 @@ QString inColour(const QString& sign, const QColor& colour)
 
 } // namespace
 
-ExportRun::ExportRun(const QString& name, QWidget* parent)
-    : QWidget(parent)
+ExportRun::ExportRun(const QString& name, QPushButton* start, QDialog* dialog)
+    : QWidget(dialog)
+    , m_start(start)
+    , m_close(new QPushButton(tr("Close"), dialog))
     , m_state(new StateLine(name + QStringLiteral("State"), this))
     , m_progress(new QProgressBar(this))
     , m_report(new QLabel)
     , m_scroll(new QScrollArea(this))
 {
+    m_start->setDefault(true);
+    m_close->setAutoDefault(false);
+    connect(m_start, &QPushButton::clicked, this, &ExportRun::startRequested);
+    connect(m_close, &QPushButton::clicked, this, &ExportRun::closeRequested);
     m_progress->setTextVisible(false);
     m_progress->setFixedHeight(6);
     m_progress->hide();
@@ -63,15 +71,40 @@ ExportRun::ExportRun(const QString& name, QWidget* parent)
     say({});
 }
 
+QHBoxLayout* ExportRun::makeButtons(QPushButton* other)
+{
+    auto* row = new QHBoxLayout;
+    row->addStretch(1);
+    row->addWidget(m_close);
+    if (other)
+        row->addWidget(other);
+    row->addWidget(m_start);
+    return row;
+}
+
 void ExportRun::say(const QString& sentence, const char* role)
 {
     m_state->say(sentence, role);
     m_state->setVisible(!sentence.isEmpty());
 }
 
+void ExportRun::sayMissing(const QString& sentence)
+{
+    say(sentence);
+    m_start->setEnabled(sentence.isEmpty());
+}
+
+void ExportRun::setBusy(bool busy)
+{
+    m_progress->setVisible(busy);
+}
+
 void ExportRun::setRunning(bool running)
 {
-    m_progress->setVisible(running);
+    setBusy(running);
+    m_close->setText(running ? tr("Abort") : tr("Close"));
+    if (running)
+        m_start->setEnabled(false);
 }
 
 void ExportRun::showProgress(const QString& step, int done, int total)
@@ -100,12 +133,19 @@ void ExportRun::showReport(const WordedReport& report)
     m_scroll->show();
     say({});
     growDialog();
+    m_close->setDefault(true); // it is done: Enter is not to replace it
 }
 
 void ExportRun::clearReport()
 {
     m_scroll->hide();
     m_report->clear();
+}
+
+void ExportRun::expectStart()
+{
+    clearReport();
+    m_start->setDefault(true);
 }
 
 void ExportRun::resizeEvent(QResizeEvent* event)
