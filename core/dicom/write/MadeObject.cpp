@@ -19,6 +19,15 @@ int madeSeriesNumber(int from, const StudyIdentity& source)
     return from + (numbered && number > 0 && number < 1'000'000 ? number : 0);
 }
 
+MadeObject madeOf(const StudyIdentity& source, const char* sopClassUid, const char* modality,
+    int from, const QString& what)
+{
+    return {.sopClassUid = sopClassUid,
+        .modality = modality,
+        .seriesNumber = madeSeriesNumber(from, source),
+        .seriesDescription = what + QLatin1Char(' ') + source.seriesDescription};
+}
+
 MadeAt describeMadeObject(DcmItem* item, const MadeObject& object, const ItemWriter& items)
 {
     const QDateTime now = QDateTime::currentDateTime();

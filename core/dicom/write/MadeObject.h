@@ -28,6 +28,12 @@ struct MadeAt {
 /// @param from 1000 for SEG, 3000 for RTSTRUCT …
 [[nodiscard]] int madeSeriesNumber(int from, const StudyIdentity& source);
 
+/// An object whose series is numbered and described after the one that it is made of.
+/// @param from as of madeSeriesNumber()
+/// @param what of the series, in front of the source's description: "Contours"
+[[nodiscard]] MadeObject madeOf(const StudyIdentity& source, const char* sopClassUid,
+    const char* modality, int from, const QString& what);
+
 /// Writes the attributes with which all such objects begin: a new instance, the only one of a new
 /// series, made now by this program (PS3.3 C.12.1, C.7.3.1, C.7.5.1).
 MadeAt describeMadeObject(DcmItem* item, const MadeObject& object, const ItemWriter& items);

@@ -86,10 +86,8 @@ QString roiName(const Segment& segment)
 void describe(DcmDataset& set, const RtStructContent& content, const ItemWriter& items)
 {
     const MadeAt made = describeMadeObject(&set,
-        {.sopClassUid = UID_RTStructureSetStorage,
-            .modality = "RTSTRUCT",
-            .seriesNumber = madeSeriesNumber(3000, content.identity),
-            .seriesDescription = QStringLiteral("Contours ") + content.identity.seriesDescription},
+        madeOf(content.identity, UID_RTStructureSetStorage, "RTSTRUCT", 3000,
+            QStringLiteral("Contours")),
         items);
     items.put(&set, DCM_StructureSetLabel, QStringLiteral("SEGMENTATION"));
     if (const QString stamp = repairStamp(content.repair); !stamp.isEmpty())

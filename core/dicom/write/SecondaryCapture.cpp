@@ -23,11 +23,8 @@ constexpr int samples = 3;
 void describe(DcmDataset& set, const SecondaryCaptureContent& content, const ItemWriter& items)
 {
     describeMadeContent(&set,
-        {.sopClassUid = UID_SecondaryCaptureImageStorage,
-            .modality = "OT",
-            .seriesNumber = madeSeriesNumber(5000, content.identity),
-            .seriesDescription =
-                QStringLiteral("Screenshot ") + content.identity.seriesDescription},
+        madeOf(content.identity, UID_SecondaryCaptureImageStorage, "OT", 5000,
+            QStringLiteral("Screenshot")),
         items);
     items.put(&set, DCM_ConversionType, "WSD");
     items.put(&set, DCM_ImageType, "DERIVED\\SECONDARY");

@@ -26,14 +26,11 @@ bool holdsPlaces(const SrContent& content)
 
 void describe(DcmDataset& set, const SrContent& content, const ItemWriter& items)
 {
+    // Only the first one may hold places of the patient.
+    const char* sopClassUid =
+        holdsPlaces(content) ? UID_Comprehensive3DSRStorage : UID_EnhancedSRStorage;
     describeMadeContent(&set,
-        // Only the other one may hold places of the patient.
-        {.sopClassUid = holdsPlaces(content) ? UID_Comprehensive3DSRStorage : UID_EnhancedSRStorage,
-            .modality = "SR",
-            .seriesNumber = madeSeriesNumber(4000, content.identity),
-            .seriesDescription =
-                QStringLiteral("Measurements ") + content.identity.seriesDescription},
-        items);
+        madeOf(content.identity, sopClassUid, "SR", 4000, QStringLiteral("Measurements")), items);
     items.put(&set, DCM_DeviceSerialNumber, "0");
     items.put(&set, DCM_CompletionFlag, "COMPLETE");
     items.put(&set, DCM_VerificationFlag, "UNVERIFIED");
