@@ -2,6 +2,7 @@
 #include "ui/widgets/HistogramPlot.h"
 
 #include "ui/base/Theme.h"
+#include "ui/widgets/MarkedCurve.h"
 
 #include <QPainter>
 #include <QPainterPath>
@@ -79,10 +80,7 @@ void HistogramPlot::wheelEvent(QWheelEvent* event)
 void HistogramPlot::paintEvent(QPaintEvent*)
 {
     QPainter painter(this);
-    painter.setRenderHint(QPainter::Antialiasing);
-    painter.setPen(Qt::NoPen);
-    painter.setBrush(theme::window);
-    painter.drawRoundedRect(QRectF(rect()), theme::cornerRadius, theme::cornerRadius);
+    paintCurveGround(painter, size());
     if (m_histogram.counts.empty())
         return;
 

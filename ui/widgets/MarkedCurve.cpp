@@ -10,6 +10,14 @@
 
 namespace ui {
 
+void paintCurveGround(QPainter& painter, const QSizeF& size)
+{
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(theme::window);
+    painter.drawRoundedRect(QRectF(QPointF(), size), theme::cornerRadius, theme::cornerRadius);
+}
+
 void paintMarkedCurve(QPainter& painter, const QSizeF& size, const MarkedCurve& marked)
 {
     QPainterPath area(QPointF(marked.curve.front().x(), marked.bottom));

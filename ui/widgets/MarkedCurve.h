@@ -16,6 +16,9 @@ struct MarkedCurve {
     bool moving = false; ///< the mark is dragged
     bool knob = false; ///< the mark can be dragged
 };
+/// Draws what lies under curves in a widget, and has all that follows drawn smoothly and without
+/// outlines.
+void paintCurveGround(QPainter& painter, const QSizeF& size);
 /// Draws the curve and its area.
 void paintMarkedCurve(QPainter& painter, const QSizeF& size, const MarkedCurve& marked);
 /// Draws the mark over it.

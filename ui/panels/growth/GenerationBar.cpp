@@ -68,10 +68,7 @@ int GenerationBar::generationAt(double x) const
 void GenerationBar::paintEvent(QPaintEvent*)
 {
     QPainter painter(this);
-    painter.setRenderHint(QPainter::Antialiasing);
-    painter.setPen(Qt::NoPen);
-    painter.setBrush(theme::window);
-    painter.drawRoundedRect(QRectF(rect()), theme::cornerRadius, theme::cornerRadius);
+    paintCurveGround(painter, size());
     if (m_sizes.empty())
         return;
     const QRectF room = area();

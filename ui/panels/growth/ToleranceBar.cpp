@@ -77,10 +77,7 @@ double ToleranceBar::heightOf(std::int64_t voxels) const
 void ToleranceBar::paintEvent(QPaintEvent*)
 {
     QPainter painter(this);
-    painter.setRenderHint(QPainter::Antialiasing);
-    painter.setPen(Qt::NoPen);
-    painter.setBrush(theme::window);
-    painter.drawRoundedRect(QRectF(rect()), theme::cornerRadius, theme::cornerRadius);
+    paintCurveGround(painter, size());
     if (m_members.empty())
         return;
     const QRectF room = area();

@@ -25,6 +25,22 @@ void paintRowGround(QPainter* painter, const QStyleOptionViewItem& option, bool 
     }
 }
 
+void paintEye(QPainter* painter, const QRect& row, bool open, const QColor& ink)
+{
+    painter->drawPixmap(EyeRowDelegate::eyeRect(row),
+        tintedIcon(open ? QStringLiteral("eye") : QStringLiteral("eye-off"), ink, 20,
+            painter->device()->devicePixelRatioF()));
+}
+
+const QMouseEvent* leftClick(const QEvent* event)
+{
+    if (event->type() != QEvent::MouseButtonPress && event->type() != QEvent::MouseButtonRelease
+        && event->type() != QEvent::MouseButtonDblClick)
+        return nullptr;
+    const auto* mouse = static_cast<const QMouseEvent*>(event);
+    return mouse->button() == Qt::LeftButton ? mouse : nullptr;
+}
+
 QRect EyeRowDelegate::eyeRect(const QRect& row)
 {
     return {row.left() + 10, row.top() + (row.height() - 20) / 2, 20, 20};
@@ -48,9 +64,7 @@ void EyeRowDelegate::paint(
     painter->save();
     painter->setRenderHint(QPainter::Antialiasing);
     paintRowGround(painter, option, shown.active);
-    painter->drawPixmap(eyeRect(option.rect),
-        tintedIcon(shown.eyeOpen ? QStringLiteral("eye") : QStringLiteral("eye-off"), ink, 20,
-            painter->device()->devicePixelRatioF()));
+    paintEye(painter, option.rect, shown.eyeOpen, ink);
     const QRect name = nameRect(option.rect);
     painter->setFont(option.font);
     painter->setPen(ink);
@@ -67,19 +81,12 @@ void EyeRowDelegate::paint(
 bool EyeRowDelegate::editorEvent(QEvent* event, QAbstractItemModel* model,
     const QStyleOptionViewItem& option, const QModelIndex& index)
 {
-    const bool press = event->type() == QEvent::MouseButtonPress;
-    const bool release = event->type() == QEvent::MouseButtonRelease;
-    const bool twice = event->type() == QEvent::MouseButtonDblClick;
-    if (press || release || twice) {
-        const auto* mouse = static_cast<QMouseEvent*>(event);
-        const bool eye =
-            eyeRect(option.rect).adjusted(-6, -4, 8, 4).contains(mouse->position().toPoint());
-        if (mouse->button() == Qt::LeftButton && eye) {
-            // On release, so that a click begun elsewhere does nothing; a double click is two.
-            if (release)
-                eyeClicked(*model, index, mouse->modifiers());
-            return true;
-        }
+    const QMouseEvent* click = leftClick(event);
+    const QRect eye = eyeRect(option.rect).adjusted(-6, -4, 8, 4);
+    if (click && eye.contains(click->position().toPoint())) {
+        if (event->type() == QEvent::MouseButtonRelease)
+            eyeClicked(*model, index, click->modifiers());
+        return true;
     }
     return QStyledItemDelegate::editorEvent(event, model, option, index);
 }

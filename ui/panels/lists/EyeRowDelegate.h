@@ -4,11 +4,19 @@
 #include <QColor>
 #include <QStyledItemDelegate>
 
+class QMouseEvent;
+
 namespace ui {
 
 /// Draws the background of a row: tinted if it is the active one, raised under the pointer, with a
 /// frame if it has the focus.
 void paintRowGround(QPainter* painter, const QStyleOptionViewItem& option, bool active);
+
+/// Draws a row's eye, open or shut.
+void paintEye(QPainter* painter, const QRect& row, bool open, const QColor& ink);
+/// A press, a release or a double click of the left button; null: something else. What a click does
+/// is done on release, so that one begun elsewhere does nothing; a double click is two.
+[[nodiscard]] const QMouseEvent* leftClick(const QEvent* event);
 
 /// Draws a row with an eye at its left, a name, and a word of state at its right; the base for the
 /// lists of sculpt layers and of pieces. The name is edited in place.

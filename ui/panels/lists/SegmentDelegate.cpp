@@ -78,9 +78,7 @@ void SegmentDelegate::paint(
     painter->setRenderHint(QPainter::Antialiasing);
     paintRowGround(painter, option, active);
     const double ratio = painter->device()->devicePixelRatioF();
-    painter->drawPixmap(eyeRect(row),
-        tintedIcon(visible ? QStringLiteral("eye") : QStringLiteral("eye-off"),
-            visible ? theme::text : theme::secondary, 20, ratio));
+    paintEye(painter, row, visible, visible ? theme::text : theme::secondary);
     painter->setPen(Qt::NoPen);
     painter->setBrush(index.data(SegmentListModel::ColourRole).value<QColor>());
     painter->drawRoundedRect(colourRect(row), 3.0, 3.0);
@@ -130,23 +128,17 @@ void SegmentDelegate::paint(
 bool SegmentDelegate::editorEvent(QEvent* event, QAbstractItemModel* model,
     const QStyleOptionViewItem& option, const QModelIndex& index)
 {
-    const bool press = event->type() == QEvent::MouseButtonPress;
-    const bool release = event->type() == QEvent::MouseButtonRelease;
-    const bool twice = event->type() == QEvent::MouseButtonDblClick;
-    if (press || release || twice) {
-        const auto* mouse = static_cast<QMouseEvent*>(event);
-        const QPoint at = mouse->position().toPoint();
+    if (const QMouseEvent* click = leftClick(event)) {
+        const bool release = event->type() == QEvent::MouseButtonRelease;
+        const QPoint at = click->position().toPoint();
         const bool eye = eyeRect(option.rect).adjusted(-6, -10, 4, 10).contains(at);
         const bool colour = colourRect(option.rect).adjusted(-5, -13, 5, 13).contains(at);
         const bool interval = followsInterval(index) && intervalRect(option.rect).contains(at);
         const bool code = !interval && codeRect(option.rect).contains(at);
         const bool lock = lockRect(option.rect).adjusted(-3, -4, 4, 0).contains(at);
         const bool shield = shieldRect(option.rect).adjusted(-3, 0, 4, 3).contains(at);
-        if (mouse->button() == Qt::LeftButton
-            && (eye || colour || code || lock || shield || interval)) {
-            // On release, so that a click begun elsewhere does nothing; a double click is two
-            // clicks.
-            if (release && eye && mouse->modifiers().testFlag(Qt::ControlModifier)) {
+        if (eye || colour || code || lock || shield || interval) {
+            if (release && eye && click->modifiers().testFlag(Qt::ControlModifier)) {
                 model->setData(index, true, SegmentListModel::AloneRole);
             } else if (release && eye) {
                 model->setData(index, !index.data(SegmentListModel::VisibleRole).toBool(),
@@ -164,7 +156,8 @@ bool SegmentDelegate::editorEvent(QEvent* event, QAbstractItemModel* model,
             } else if (release && interval) {
                 Q_EMIT intervalRequested(index);
             }
-            return eye || colour || lock || shield || interval || twice;
+            return eye || colour || lock || shield || interval
+                || event->type() == QEvent::MouseButtonDblClick;
         }
     }
     return QStyledItemDelegate::editorEvent(event, model, option, index);
