@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/masks/ImportedMasks.h"
 
+#include "core/edits/kinds/segments/ImportMask.h"
+
 #include <set>
 #include <utility>
 

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/edits/kinds/segments/ImportMask.h"
 #include "core/masks/MaskOnVolume.h"
 
 #include <map>
 
 namespace core {
+
+struct ImportMask;
 
 /// The segments of imported masks as they were imported, the newest mask first. A segment of an
 /// older mask is left out if a newer mask has one of the same name. Cost ∝ the runs. Any thread.

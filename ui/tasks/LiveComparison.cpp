@@ -2,6 +2,7 @@
 #include "ui/tasks/LiveComparison.h"
 
 #include "core/brick/LabelRuns.h"
+#include "core/edits/kinds/segments/ImportMask.h"
 #include "core/masks/ImportedMasks.h"
 #include "core/refine/mesh/SimplexMesh.h"
 #include "core/refine/voxels/SurfaceVoxels.h"

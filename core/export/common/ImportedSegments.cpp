@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/export/common/ImportedSegments.h"
 
+#include "core/edits/kinds/segments/ImportMask.h"
+
 #include <algorithm>
 #include <utility>
 
@@ -15,7 +17,7 @@ VoxelRuns voxelsFor(int label, const DoneImport& done, std::uint64_t voxels)
     for (std::size_t i = 0; i < done.labels.size(); ++i) {
         if (done.labels[i] != label)
             continue;
-        if (const auto runs = unpackedRuns((*done.edit.segments)[i].voxels, voxels))
+        if (const auto runs = unpackedRuns((*done.edit->segments)[i].voxels, voxels))
             all = united(all, *runs);
     }
     return all;

@@ -2,8 +2,10 @@
 #include "core/session/past/PastImports.h"
 
 #include "core/edits/document/DocumentEdits.h"
+#include "core/edits/kinds/segments/ImportMask.h"
 
 #include <algorithm>
+#include <memory>
 #include <utility>
 
 namespace core {
@@ -34,7 +36,7 @@ std::vector<DoneImport> doneImports(const History& history)
         const auto* mask = edit.as<ImportMask>();
         if (mask && mask->segments) {
             if (const Result<ImportTargets> where = importTargets(*mask, then)) {
-                DoneImport done{.edit = *mask, .labels = {}};
+                DoneImport done{.edit = std::make_shared<const ImportMask>(*mask), .labels = {}};
                 for (const LabelTarget& target : where->targets)
                     done.labels.push_back(target.label);
                 imports.push_back(std::move(done));

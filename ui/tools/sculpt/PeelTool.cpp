@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/tools/sculpt/PeelTool.h"
 
+#include "core/edits/kinds/sculpt/PeelCut.h"
 #include "core/session/EditSession.h"
 #include "ui/base/DisplayJson.h"
 #include "ui/base/NumberText.h"
@@ -28,6 +29,11 @@ PeelTool::PeelTool(Workspace& workspace, QObject* parent)
     });
     connect(&workspace, &Workspace::documentChanged, this, &PeelTool::follow);
     connect(&workspace, &Workspace::activeToolChanged, this, &PeelTool::offerToTakeBack);
+}
+
+double PeelTool::usualJumpMm()
+{
+    return core::PeelCut().jumpMm;
 }
 
 QString PeelTool::name() const
@@ -100,18 +106,18 @@ void PeelTool::setGaps(const Gaps& gaps)
     if (m_open) {
         // Which surface is peeled is decided where a peel begins.
         workspace().session()->end(core::Ending::Rollback);
-        m_open = open(m_peel);
+        m_open = open(m_peel.get<core::PeelCut>());
     }
     Q_EMIT changed();
     Q_EMIT overlayChanged();
 }
 
-bool PeelTool::open(const core::PeelCut& peel)
+bool PeelTool::open(core::PeelCut peel)
 {
-    m_peel = peel;
-    m_peel.depthMm = m_depthMm;
-    m_peel.throughGaps = m_gaps.through;
-    m_peel.jumpMm = m_gaps.jumpMm;
+    peel.depthMm = m_depthMm;
+    peel.throughGaps = m_gaps.through;
+    peel.jumpMm = m_gaps.jumpMm;
+    m_peel = std::move(peel);
     m_endedByOther = false;
     m_rowsBefore = workspace().session()->history().rows().size();
     const auto begun = workspace().session()->begin(m_peel);

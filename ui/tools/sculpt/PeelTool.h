@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/edits/kinds/sculpt/PeelCut.h"
+#include "core/edits/kinds/Edit.h"
 #include "core/history/History.h"
 #include "ui/tools/common/OutlineTool.h"
 
@@ -24,11 +24,13 @@ public:
     /// What a drag changes per pixel at most; less where the view shows less per pixel.
     static constexpr double mostMmPerPixel = 0.2;
 
+    [[nodiscard]] static double usualJumpMm();
+
     /// What counts as one surface, and where a peel ends.
     struct Gaps {
         bool through = false; ///< goes on behind gaps
         /// A step of the surface by more than this separates surfaces; 0: none does.
-        double jumpMm = core::PeelCut().jumpMm;
+        double jumpMm = usualJumpMm();
         bool operator==(const Gaps&) const = default;
     };
 
@@ -78,7 +80,7 @@ private:
         double mmPerPixel = 0.0;
         gpu::ViewId view = 0;
     };
-    [[nodiscard]] bool open(const core::PeelCut& peel);
+    [[nodiscard]] bool open(core::PeelCut peel);
     void close(core::Ending ending);
     void follow();
     void offerToTakeBack();
@@ -89,7 +91,7 @@ private:
     double m_depthMm = 4.0;
     Gaps m_gaps;
     bool m_open = false;
-    core::PeelCut m_peel; ///< the open one
+    core::Edit m_peel; ///< the open one, a PeelCut
     std::optional<DepthDrag> m_depthDrag;
     std::size_t m_rowsBefore = 0; ///< of the history, when the peel was begun
     bool m_wasPutAway = false; ///< until another tool is there

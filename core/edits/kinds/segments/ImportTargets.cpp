@@ -3,6 +3,7 @@
 
 #include "core/edits/engine/EngineEdits.h"
 #include "core/edits/kinds/parts/SegmentChoice.h"
+#include "core/edits/kinds/segments/ImportMask.h"
 
 #include <algorithm>
 

@@ -3,15 +3,17 @@
 
 #include "core/base/Result.h"
 #include "core/document/Document.h"
-#include "core/edits/kinds/segments/ImportMask.h"
 #include "core/sculpt/labels/LayerWrites.h"
 
 #include <bitset>
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <vector>
 
 namespace core {
+
+struct ImportMask;
 
 /// The labels that receive the segments of a mask, in any volume.
 struct ImportTargets {
@@ -33,7 +35,7 @@ struct ImportTargets {
 
 /// An import that was carried out.
 struct DoneImport {
-    ImportMask edit;
+    std::shared_ptr<const ImportMask> edit;
     std::vector<int> labels; ///< labels that its segments received, one for each
 };
 

@@ -2,6 +2,7 @@
 #include "core/session/operations/history/RevertOperation.h"
 
 #include "core/edits/document/DocumentEdits.h"
+#include "core/edits/kinds/history/RevertRows.h"
 #include "core/edits/kinds/history/ReviseStroke.h"
 #include "core/engine/EngineCommands.h"
 #include "core/growth/SeedWord.h"
@@ -149,15 +150,15 @@ bool foldedIn(const SessionState& state, const Edit& taken, const std::vector<Br
 
 } // namespace
 
-RevertOperation::RevertOperation(RevertRows edit, RowId again)
-    : m_edit(std::move(edit))
+RevertOperation::RevertOperation(const RevertRows& edit, RowId again)
+    : m_rows(edit.rows)
     , m_again(again)
 {
 }
 
 bool RevertOperation::isTakenBack(RowId row) const
 {
-    return std::binary_search(m_edit.rows.begin(), m_edit.rows.end(), row);
+    return std::binary_search(m_rows.begin(), m_rows.end(), row);
 }
 
 void RevertOperation::start(SessionState& state)
@@ -165,7 +166,7 @@ void RevertOperation::start(SessionState& state)
     if (const Result<void> checked = checkRows(state); !checked)
         return giveUp(state, checked.error());
     const std::vector<RowId> path = state.history.pathTo(state.history.position());
-    m_path.assign(std::find(path.begin(), path.end(), m_edit.rows.front()), path.end());
+    m_path.assign(std::find(path.begin(), path.end(), m_rows.front()), path.end());
     for (const RowId row : m_path) {
         if (isNeeded(row, state.history.row(row).edit))
             m_toLoad.push_back(row);
@@ -203,7 +204,7 @@ Result<void> RevertOperation::checkRows(const SessionState& state) const
     const std::vector<RowId> path = state.history.pathTo(state.history.position());
     const std::vector<RowId> standing = state.history.standing();
     std::map<RowId, RowId> deciding; // by row that is decided on
-    for (const RowId id : m_edit.rows) {
+    for (const RowId id : m_rows) {
         if (std::find(path.begin(), path.end(), id) == path.end())
             return revertRefused(Clause::saying("row %1 is not among the steps done so far", id));
         const HistoryRow& row = state.history.row(id);
@@ -219,7 +220,7 @@ Result<void> RevertOperation::checkRows(const SessionState& state) const
                     : Clause::saying("%1 changed the list of segments too", titled(row)));
         std::set<RowId> decided;
         addDecided(state.history, id, decided);
-        for (const RowId other : m_edit.rows) {
+        for (const RowId other : m_rows) {
             if (decided.count(other) != 0)
                 return revertRefused(Clause::saying("taking back %1 decides on %2 too", titled(row),
                     titled(state.history.row(other))));
@@ -282,7 +283,7 @@ Result<void> RevertOperation::checkDependencies(const SessionState& state) const
         if (changesDocumentOnly(row.edit)
             || !std::binary_search(standing.begin(), standing.end(), id))
             continue;
-        for (const RowId before : m_edit.rows) {
+        for (const RowId before : m_rows) {
             if (before < id
                 && foldedIn(
                     state, history.row(before).edit, keysOf(m_differences.at(before)), row.edit))
@@ -349,7 +350,7 @@ void RevertOperation::finish(SessionState& state, EngineResult&& result)
         // A shrinking that is undone brings members of later generations back.
         const std::uint32_t counter =
             std::max(state.document.growths.front().generation, result.facts.greatestGeneration);
-        state.commit(m_edit, std::move(result), counter);
+        state.commit(RevertRows{m_rows}, std::move(result), counter);
     }
     state.notify(DocumentChange::What::Growth);
 }

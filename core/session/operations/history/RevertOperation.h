@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/edits/kinds/history/RevertRows.h"
 #include "core/session/past/GrowthTrace.h"
 #include "core/session/past/RowDependencies.h"
 #include "core/session/state/Operation.h"
@@ -10,12 +9,14 @@
 
 namespace core {
 
+struct RevertRows;
+
 /// "Undo only here": applies the differences of older rows to the present bricks, as a new row. It
 /// is refused, naming the row, if a later row wrote or read the same place (RowDependencies).
 class RevertOperation final : public Operation {
 public:
     /// @param again a row that is carried out again when a session is opened; 0: a new row
-    explicit RevertOperation(RevertRows edit, RowId again = 0);
+    explicit RevertOperation(const RevertRows& edit, RowId again = 0);
 
     void start(SessionState& state) override;
     void takeResult(SessionState& state, EngineResult&& result) override;
@@ -34,7 +35,7 @@ private:
     void finish(SessionState& state, EngineResult&& result);
     void giveUp(SessionState& state, const Error& error);
 
-    RevertRows m_edit;
+    std::vector<RowId> m_rows; ///< that are taken back
     RowId m_again = 0;
     std::vector<RowId> m_path; ///< from the first row that is taken back to the position
     std::vector<RowId> m_toLoad; ///< the last one is loaded next
