@@ -54,8 +54,8 @@ bool isGl(const QString& included)
     return pattern.match(included).hasMatch();
 }
 
-/// Who has a thread of its own, in which no event loop is needed. None is to be added without a
-/// reason.
+/// Who has a thread of its own, in which no event loop is needed (core/README.md says why there are
+/// several). None is to be added without a reason.
 bool mayOwnThread(const QString& file)
 {
     static const QStringList folders{QStringLiteral("core/base")}; // the door itself
@@ -65,6 +65,7 @@ bool mayOwnThread(const QString& file)
         QStringLiteral("core/session/state/CommitWorker.h"),
         QStringLiteral("core/session/state/ChunkWorker.h"),
         QStringLiteral("core/session/surface/SideThread.h"),
+        QStringLiteral("core/session/surface/SideThread.cpp"),
         // Beside the engine's thread, which takes the answer between two pictures.
         QStringLiteral("gpu/kernels/shrink/CutPreviewer.h"),
         // They wait, for a signal, a line or a node, and compute nothing.
@@ -354,6 +355,13 @@ QStringList brokenRules(const QString& file, const QString& text)
         broken << QStringLiteral("%1 starts a thread: core/base/TaskThread and ParallelFor do, "
                                  "which catch what it throws")
                       .arg(file);
+    // Nor handed on by somebody's header.
+    static const QRegularExpression taskThread(QStringLiteral("\\bTaskThread\\b"));
+    if (!inFolder(file, {QStringLiteral("tests")}) && !mayOwnThread(file)
+        && taskThread.match(QString(text).remove(include).remove(comment)).hasMatch())
+        broken << QStringLiteral("%1 has a thread of its own: Background and ParallelFor are for "
+                                 "work beside others")
+                      .arg(file);
     static const QRegularExpression writes(QStringLiteral(
         "(?<!buffer)(?:\\.|->)open\\(\\s*QIODevice::(?:WriteOnly|ReadWrite|Append)|\\bO_CREAT\\b|"
         "\\bofstream\\b|\\bQSaveFile\\b|\\bQTemporaryFile\\b|\\bfopen\\([^;]*\"[wa]|"
@@ -601,6 +609,9 @@ void HouseTest::ruleBites_data()
     row("gpu/A.h", "#include \"core/base/TaskThread.h\"", false);
     row("app/A.h", "#include \"core/base/TaskThread.h\"", false);
     row("core/pacs/WireWatch.h", "#include \"core/base/TaskThread.h\"", true);
+    row("core/a/A.h", "class TaskThread;\n\n    std::unique_ptr<TaskThread> m_thread;", false);
+    row("core/a/A.h", "/// As TaskThread does.\n    Background m_background;", true);
+    row("core/pacs/WireWatch.h", "    TaskThread m_thread;", true);
     row("ui/A.h", "#include \"core/base/Background.h\"", true);
     row("ui/A.cpp", "m_thread.reset(QThread::create([] {}));", false);
     row("core/a/A.h", "    std::thread m_thread;", false);
