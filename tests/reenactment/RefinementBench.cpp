@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/reenactment/RefinementBench.h"
+#include "tests/support/scenes/PlainMasks.h"
 
-#include "core/edits/kinds/segments/ImportMask.h"
 #include "core/refine/fit/InitialFit.h"
 #include "core/refine/voxels/SurfaceVoxels.h"
 #include "core/session/SessionChunks.h"
@@ -23,13 +23,8 @@ RefinementBench::RefinementBench(LoadedVolume study, const Mask& mask)
     if (!session)
         qFatal("no session");
     m_session = *std::move(session);
-    ImportMask import{.file = QStringLiteral("poor.nrrd")};
-    import.size = mask.size;
-    import.segments = {
-        {.name = QStringLiteral("Organ"),
-            .rgb = 0x4080C0,
-            .code = {},
-            .voxels = packedRuns(runsOf(mask)) }};
+    const Edit import = test::maskImport(QStringLiteral("poor.nrrd"), mask.size,
+        {{QStringLiteral("Organ"), runsOf(mask), 0x4080C0}});
     if (const QString why = tried(import); !why.isEmpty())
         qFatal("%s", qPrintable(why));
 }

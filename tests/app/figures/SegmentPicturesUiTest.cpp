@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/brick/VoxelRuns.h"
 #include "core/edits/kinds/segments/ImportMask.h"
-#include "core/edits/kinds/segments/PaintStroke.h"
 #include "core/edits/kinds/segments/ReshapeSegment.h"
 #include "core/edits/kinds/values/ThresholdSegment.h"
 #include "core/masks/MaskOverlap.h"
@@ -90,11 +89,7 @@ private:
         const glm::dvec3 middle(30.0, 5.0, 34.5);
         for (int i = -2; i <= 2; ++i) {
             const glm::dvec3 place = middle + glm::dvec3(4.0 * i, 0.0, apartMm * i);
-            apply(core::PaintStroke{.segment = 1,
-                .path = {.radiusMm = 16.0 - 2.5 * i * i,
-                    .shape = core::BrushPath::Shape::Disc,
-                    .normalLps = glm::dvec3(0.0, 0.0, 1.0),
-                    .pointsLps = {place}}});
+            apply(test::paintDiscAt(1, place, {0.0, 0.0, 1.0}, 16.0 - 2.5 * i * i));
         }
         ui::SliceView& coronal = window().views().coronal();
         window().views().maximise(&coronal);

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/brick/VoxelRuns.h"
 #include "core/edits/kinds/layers/SegmentToLayer.h"
-#include "core/edits/kinds/segments/ImportMask.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/fixtures/ApplicationFixture.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/PlainEdits.h"
+#include "tests/support/scenes/PlainMasks.h"
 #include "tests/support/scenes/SmallStudy.h"
 #include "ui/dialogs/export/ExportDialog.h"
 #include "ui/frame/MendingStrip.h"
@@ -45,13 +45,8 @@ core::Edit brainMask(double cutX)
             }
         }
     }
-    core::ImportMask mask{.file = QStringLiteral("brain.nrrd")};
-    mask.size = geometry.size;
-    mask.segments = {{.name = QStringLiteral("Brain"),
-        .rgb = 0x4080C0,
-        .code = {},
-        .voxels = core::packedRuns(runs)}};
-    return mask;
+    return test::maskImport(
+        QStringLiteral("brain.nrrd"), geometry.size, {{QStringLiteral("Brain"), runs, 0x4080C0}});
 }
 
 } // namespace

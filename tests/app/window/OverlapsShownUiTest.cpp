@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/brick/VoxelRuns.h"
-#include "core/edits/kinds/segments/ImportMask.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/fixtures/ApplicationFixture.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/PlainEdits.h"
+#include "tests/support/scenes/PlainMasks.h"
 #include "tests/support/scenes/SmallStudy.h"
 #include "ui/views/ViewGrid.h"
 #include "ui/workspace/Workspace.h"
@@ -24,7 +24,7 @@ constexpr glm::ivec3 inFirst(14, 18, 17);
 constexpr glm::ivec3 inBoth(20, 18, 17);
 constexpr glm::ivec3 inSecond(26, 18, 17);
 
-QByteArray boxOf(const glm::ivec3& size, const glm::ivec3& from, const glm::ivec3& to)
+core::VoxelRuns boxOf(const glm::ivec3& size, const glm::ivec3& from, const glm::ivec3& to)
 {
     core::VoxelRuns runs;
     for (int z = from.z; z < to.z; ++z) {
@@ -32,25 +32,17 @@ QByteArray boxOf(const glm::ivec3& size, const glm::ivec3& from, const glm::ivec
             runs.append(
                 std::uint64_t((z * size.y + y) * size.x + from.x), std::uint64_t(to.x - from.x));
     }
-    return core::packedRuns(runs);
+    return runs;
 }
 
 /// Two boxes in the brain of the small study, side by side, with a part in both.
 core::Edit overlappingMask()
 {
     const glm::ivec3 size = test::smallStudy().volume.geometry.size;
-    core::ImportMask mask{.file = QStringLiteral("two.seg.nrrd")};
-    mask.size = size;
-    mask.segments = {{.name = QStringLiteral("First"),
-                         .rgb = firstRgb,
-                         .code = {},
-                         .voxels = boxOf(size, {11, 13, 12}, {24, 23, 22})},
-        {.name = QStringLiteral("Second"),
-            .rgb = secondRgb,
-            .code = {},
-            .voxels = boxOf(size, {16, 13, 12}, {29, 23, 22})}};
-    mask.planes = std::vector<int>{0, 1};
-    return mask;
+    return test::maskImport(QStringLiteral("two.seg.nrrd"), size,
+        {{QStringLiteral("First"), boxOf(size, {11, 13, 12}, {24, 23, 22}), firstRgb},
+            {QStringLiteral("Second"), boxOf(size, {16, 13, 12}, {29, 23, 22}), secondRgb}},
+        {0, 1});
 }
 
 glm::dvec3 colourOf(std::uint32_t rgb)

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/edits/kinds/history/ReviseStroke.h"
 #include "core/edits/kinds/layers/SegmentToLayer.h"
-#include "core/edits/kinds/sculpt/BrushStroke.h"
 #include "core/edits/kinds/sculpt/ScissorsCut.h"
-#include "core/edits/kinds/segments/PaintStroke.h"
 #include "core/session/EditSession.h"
 #include "tests/reference/ReferenceEngine.h"
 #include "tests/support/faults/FailingLog.h"
@@ -68,17 +66,19 @@ Edit protect(int segment, bool on = true)
     return test::protectSegment(segment, on);
 }
 
-/// A ball in the shell of bone that the drill goes through.
-PaintStroke paintIn(int segment, double radiusMm = 3.0)
+/// In the shell of bone that the drill goes through.
+std::vector<glm::dvec3> placeBelow()
 {
     const OrthographicView view = test::factsOfStroke(test::drillAt(0)).view;
-    PaintStroke paint{.segment = segment};
-    paint.path.radiusMm = radiusMm;
     const glm::dvec3 towards = glm::normalize(view.targetLps - view.eyeLps);
     const VolumeGeometry geometry = test::smallStudy().volume.geometry;
     const glm::dvec3 middle = geometry.toWorld(glm::dvec3(geometry.size - 1) / 2.0);
-    paint.path.pointsLps = {middle - 15.0 * towards};
-    return paint;
+    return {middle - 15.0 * towards};
+}
+
+Edit paintIn(int segment)
+{
+    return test::paintAt(segment, placeBelow(), 3.0);
 }
 
 Edit deepDrill(double depthMm = 9.0)
@@ -108,9 +108,7 @@ std::vector<Edit> cutsOfEveryTool()
         {.view = drill.view, .depthMm = 9.0, .surfaceThreshold = drill.surfaceThreshold}, outline);
     ScissorsCut scissors{.view = drill.view, .polygonMm = outline};
     scissors.surfaceThreshold = drill.surfaceThreshold;
-    BrushStroke brush;
-    brush.path = paintIn(1, 6.0).path;
-    return {deepDrill(), laser, peel, scissors, brush};
+    return {deepDrill(), laser, peel, scissors, test::carveAt(placeBelow(), 6.0)};
 }
 
 } // namespace
@@ -206,8 +204,7 @@ private Q_SLOTS:
     /// A revision finds the labels as they were at its row, whatever has become of them since.
     void aRevisedCutSparesWhatItSpared()
     {
-        PaintStroke erase = paintIn(1, 20.0);
-        erase.erase = true;
+        const Edit erase = test::eraseAt(1, placeBelow(), 20.0);
         Bench bench({vessel, paintIn(1), protect(1), deepDrill(4.0), protect(1, false), erase});
         QCOMPARE(bench.session->document().segment(1)->voxels, 0);
         bench.run(ReviseStroke{.row = 4, .depthMm = 9.0});

@@ -3,12 +3,12 @@
 #include "core/chunks/ChunkMap.h"
 #include "core/edits/kinds/chunks/ChunkToggle.h"
 #include "core/edits/kinds/chunks/DivideSegment.h"
-#include "core/edits/kinds/segments/ImportMask.h"
 #include "core/session/EditSession.h"
 #include "core/session/SessionChunks.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/fixtures/EditEngineFixture.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/PlainMasks.h"
 #include "tests/support/scenes/TestVolumes.h"
 
 #include <QElapsedTimer>
@@ -59,10 +59,6 @@ void ChunkClickGlTest::manyClicks()
         for (int y = 30; y < 60; ++y)
             runs.append(std::uint64_t((z * size.y + y) * size.x + 33), 30);
     }
-    ImportMask mask{.file = QStringLiteral("a.nii")};
-    mask.size = size;
-    mask.segments = {
-        {.name = QStringLiteral("S"), .rgb = 5, .code = {}, .voxels = packedRuns(runs)}};
     const auto session = EditSession::create(m_gpu.engine(), volume, {});
     QVERIFY(session);
     const auto carryOut = [&session, this](const Edit& edit) {
@@ -73,7 +69,8 @@ void ChunkClickGlTest::manyClicks()
         }
         return bool(applied);
     };
-    QVERIFY(carryOut(mask));
+    QVERIFY(carryOut(
+        test::maskImport(QStringLiteral("a.nii"), size, {{QStringLiteral("S"), runs, 5}})));
     QElapsedTimer clock;
     clock.start();
     QVERIFY(carryOut(DivideSegment{.segment = 1, .marginMm = 25.0}));

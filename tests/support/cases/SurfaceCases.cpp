@@ -4,7 +4,6 @@
 #include "core/brick/VoxelRuns.h"
 #include "core/edits/kinds/growth/GrowCriteria.h"
 #include "core/edits/kinds/growth/ResumeGrowth.h"
-#include "core/edits/kinds/segments/ImportMask.h"
 #include "core/edits/kinds/segments/RemoveSegment.h"
 #include "core/edits/kinds/surface/ApplyTemplate.h"
 #include "core/edits/kinds/surface/AttractSurface.h"
@@ -20,6 +19,7 @@
 #include "core/edits/kinds/surface/SurfaceBarrier.h"
 #include "core/edits/kinds/surface/WriteBack.h"
 #include "tests/support/scenes/PlainEdits.h"
+#include "tests/support/scenes/PlainMasks.h"
 #include "tests/support/scenes/SmallStudy.h"
 
 #include <algorithm>
@@ -39,13 +39,8 @@ core::Edit ballMask(const glm::ivec3& size, double radius)
             }
         }
     }
-    core::ImportMask mask{.file = QStringLiteral("ball.nrrd")};
-    mask.size = size;
-    mask.segments = {{.name = QStringLiteral("Ball"),
-        .rgb = 0x4080C0,
-        .code = {},
-        .voxels = core::packedRuns(runs)}};
-    return mask;
+    return maskImport(
+        QStringLiteral("ball.nrrd"), size, {{QStringLiteral("Ball"), runs, 0x4080C0}});
 }
 
 std::vector<StrokeCase> surfaceCases()

@@ -54,6 +54,23 @@ core::Edit paintAt(int segment, std::vector<glm::dvec3> pointsLps, double radius
         .segment = segment, .path = {.radiusMm = radiusMm, .pointsLps = std::move(pointsLps)}};
 }
 
+core::Edit paintDiscAt(
+    int segment, const glm::dvec3& pointLps, const glm::dvec3& normalLps, double radiusMm)
+{
+    return core::PaintStroke{.segment = segment,
+        .path = {.radiusMm = radiusMm,
+            .shape = core::BrushPath::Shape::Disc,
+            .normalLps = normalLps,
+            .pointsLps = {pointLps}}};
+}
+
+core::Edit paintSeedsAt(int segment, std::vector<glm::dvec3> pointsLps, double radiusMm)
+{
+    return core::PaintStroke{.segment = segment,
+        .path = {.radiusMm = radiusMm, .pointsLps = std::move(pointsLps)},
+        .seeds = true};
+}
+
 core::Edit paintOverAt(int segment, std::vector<glm::dvec3> pointsLps, double radiusMm)
 {
     return core::PaintStroke{.segment = segment,

@@ -34,6 +34,12 @@ namespace test {
 /// A stroke of a ball through these points.
 [[nodiscard]] core::Edit paintAt(
     int segment, std::vector<glm::dvec3> pointsLps, double radiusMm = 4.0);
+/// A disc in the plane with this normal.
+[[nodiscard]] core::Edit paintDiscAt(
+    int segment, const glm::dvec3& pointLps, const glm::dvec3& normalLps, double radiusMm);
+/// Seeds, of a ball.
+[[nodiscard]] core::Edit paintSeedsAt(
+    int segment, std::vector<glm::dvec3> pointsLps, double radiusMm);
 /// Over other segments too.
 [[nodiscard]] core::Edit paintOverAt(
     int segment, std::vector<glm::dvec3> pointsLps, double radiusMm = 4.0);

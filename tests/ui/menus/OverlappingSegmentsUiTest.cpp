@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/brick/VoxelRuns.h"
 #include "core/edits/kinds/layers/SegmentToLayer.h"
-#include "core/edits/kinds/segments/ImportMask.h"
 #include "core/session/EditSession.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/fixtures/WindowFixture.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/PlainEdits.h"
+#include "tests/support/scenes/PlainMasks.h"
 #include "tests/support/scenes/SmallStudy.h"
 #include "ui/overlays/Readout.h"
 #include "ui/panels/lists/SegmentsPanel.h"
@@ -41,17 +41,11 @@ public:
         : WindowFixture(test::smallStudy())
         , paint(workspace)
     {
-        core::ImportMask mask{.file = QStringLiteral("organs.seg.nrrd")};
-        mask.size = workspace.volume()->geometry.size;
-        mask.segments = {{.name = QStringLiteral("Liver"),
-                             .rgb = 0x805030,
-                             .code = {},
-                             .voxels = box({4, 4, 6}, {30, 30, 26})},
-            {.name = QStringLiteral("Tumour"),
-                .rgb = 0xF0E050,
-                .code = {},
-                .voxels = box({14, 12, 10}, {26, 24, 24})}};
-        mask.planes = std::vector<int>{0, 1};
+        const core::Edit mask =
+            test::maskImport(QStringLiteral("organs.seg.nrrd"), workspace.volume()->geometry.size,
+                {{QStringLiteral("Liver"), box({4, 4, 6}, {30, 30, 26}), 0x805030},
+                    {QStringLiteral("Tumour"), box({14, 12, 10}, {26, 24, 24}), 0xF0E050}},
+                {0, 1});
         if (!session().apply(mask) || !session().settle())
             qFatal("the mask is not taken in");
         workspace.setCrosshairLps(placeOf(inBoth));
@@ -102,7 +96,7 @@ public:
     ui::PaintTool paint;
 
 private:
-    [[nodiscard]] QByteArray box(const glm::ivec3& from, const glm::ivec3& to) const
+    [[nodiscard]] core::VoxelRuns box(const glm::ivec3& from, const glm::ivec3& to) const
     {
         const glm::ivec3 size = workspace.volume()->geometry.size;
         core::VoxelRuns runs;
@@ -111,7 +105,7 @@ private:
                 runs.append(std::uint64_t((z * size.y + y) * size.x + from.x),
                     std::uint64_t(to.x - from.x));
         }
-        return core::packedRuns(runs);
+        return runs;
     }
 };
 

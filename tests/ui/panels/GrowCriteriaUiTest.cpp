@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/edits/kinds/growth/GrowCriteria.h"
 #include "core/edits/kinds/parts/GrowBox.h"
-#include "core/edits/kinds/segments/PaintStroke.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/fixtures/WorkspaceFixture.h"
 #include "tests/support/program/TestProgram.h"
@@ -197,10 +196,7 @@ private Q_SLOTS:
         fixture.apply(test::seedAt(2, {{0.0, 14.0, 0.0}}));
         fixture.settle();
         QVERIFY2(text.text().startsWith(QStringLiteral("2 strokes: ")), qPrintable(text.text()));
-        core::PaintStroke paint{.segment = 1, .path = {}, .seeds = true};
-        paint.path.radiusMm = 1.2;
-        paint.path.pointsLps = {{0.0, -14.5, 0.0}};
-        fixture.apply(paint);
+        fixture.apply(test::paintSeedsAt(1, {{0.0, -14.5, 0.0}}, 1.2));
         fixture.settle();
         QVERIFY2(text.text().startsWith(QStringLiteral("2 strokes")), qPrintable(text.text()));
         fixture.setInterval(0.0, 1000.0); // the bone that is painted counts, too

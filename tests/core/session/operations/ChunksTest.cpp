@@ -5,7 +5,6 @@
 #include "core/edits/EditJson.h"
 #include "core/edits/kinds/chunks/ChunkToggle.h"
 #include "core/edits/kinds/chunks/DivideSegment.h"
-#include "core/edits/kinds/segments/ImportMask.h"
 #include "core/edits/kinds/segments/RemoveSegment.h"
 #include "core/session/EditSession.h"
 #include "core/session/SessionChunks.h"
@@ -18,6 +17,7 @@
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/PlainEdits.h"
+#include "tests/support/scenes/PlainMasks.h"
 #include "tests/support/scenes/TestVolumes.h"
 #include "tests/support/series/SessionFiles.h"
 
@@ -66,23 +66,18 @@ struct Lobes {
         }
     }
     /// An edit that makes segments of some of it: each a list of organs.
-    [[nodiscard]] ImportMask mask(const std::vector<std::vector<int>>& segments) const
+    [[nodiscard]] Edit mask(const std::vector<std::vector<int>>& segments) const
     {
-        ImportMask mask{.file = QStringLiteral("organs.nii")};
-        mask.size = size;
-        mask.segments.emplace();
+        std::vector<test::MaskPart> parts;
         for (const std::vector<int>& organs : segments) {
             VoxelRuns runs;
             for (std::size_t at = 0; at < truth.size(); ++at) {
                 if (std::find(organs.begin(), organs.end(), int(truth[at])) != organs.end())
                     runs.append(at, 1);
             }
-            mask.segments->push_back({.name = QStringLiteral("S%1").arg(mask.segments->size() + 1),
-                .rgb = 5,
-                .code = {},
-                .voxels = packedRuns(runs)});
+            parts.push_back({QStringLiteral("S%1").arg(parts.size() + 1), runs, 5});
         }
-        return mask;
+        return test::maskImport(QStringLiteral("organs.nii"), size, parts);
     }
 };
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/edits/kinds/growth/ShrinkSteps.h"
-#include "core/edits/kinds/segments/PaintStroke.h"
 #include "core/edits/kinds/surface/ChangeMarks.h"
 #include "core/edits/kinds/surface/LaySurface.h"
 #include "core/edits/kinds/surface/WriteBack.h"
@@ -61,13 +60,6 @@ private:
 
 namespace {
 
-PaintStroke paintIn(int segment)
-{
-    return {.segment = segment,
-        .path = {.radiusMm = 2.5, .pointsLps = test::pointsInBrain()},
-        .overwriteUnlocked = true};
-}
-
 } // namespace
 
 void SurfaceApartTest::parts_data()
@@ -75,10 +67,9 @@ void SurfaceApartTest::parts_data()
     QTest::addColumn<Edit>("edit");
     QTest::newRow("growth that goes on") << Edit(test::growBrain(3));
     QTest::newRow("growth taken back") << Edit(ShrinkSteps{.steps = 2});
-    QTest::newRow("another segment painted over it") << Edit(paintIn(2));
-    PaintStroke erased = paintIn(1);
-    erased.erase = true;
-    QTest::newRow("erased") << Edit(erased);
+    QTest::newRow("another segment painted over it")
+        << test::paintOverAt(2, test::pointsInBrain(), 2.5);
+    QTest::newRow("erased") << test::eraseAt(1, test::pointsInBrain(), 2.5);
 }
 
 void SurfaceApartTest::parts()

@@ -2,8 +2,6 @@
 #include "core/session/surface/SurfaceWriteBack.h"
 #include "core/brick/LabelRuns.h"
 #include "core/brick/VoxelRunSets.h"
-#include "core/edits/kinds/segments/ImportMask.h"
-#include "core/edits/kinds/segments/PaintStroke.h"
 #include "core/edits/kinds/surface/FollowMask.h"
 #include "core/edits/kinds/surface/LaySurface.h"
 #include "core/edits/kinds/surface/MarkSurface.h"
@@ -17,6 +15,8 @@
 #include "tests/reference/ReferenceEngine.h"
 #include "tests/support/cases/SurfaceCases.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/PlainEdits.h"
+#include "tests/support/scenes/PlainMasks.h"
 #include "tests/support/scenes/SmallStudy.h"
 #include "tests/support/scenes/TestVolumes.h"
 
@@ -74,11 +74,10 @@ const LaySurface lay{.segment = 1, .vertices = 300};
 const SpherePush push{.path = ball(4.0, {{7, 0, 0}, {9, 0, 0}, {11, 2, 0}})};
 const SpherePush otherPush{.path = ball(4.0, {{-11, 0, 0}, {-9, 0, 1}})};
 
-ImportMask imported(const Mask& mask)
+Edit imported(const Mask& mask)
 {
-    ImportMask import = test::ballMask(size, 1.0).get<ImportMask>();
-    import.segments->front().voxels = packedRuns(runsOf(mask));
-    return import;
+    return test::maskImport(
+        QStringLiteral("ball.nrrd"), size, {{QStringLiteral("Ball"), runsOf(mask), 0x4080C0}});
 }
 
 /// A session whose segment 1 is a mask that a surface of few vertices does not enclose exactly.
@@ -279,12 +278,8 @@ void SurfaceWriteBackTest::whatOthersWroteStays()
 {
     Bench bench(test::ballMask(size, 9.0));
     bench.runAll({lay, push});
-    const PaintStroke beside{
-        .segment = 1, .path = {.radiusMm = 3.0, .pointsLps = {at(middle + glm::dvec3(0, 12, 0))}}};
-    PaintStroke hole = beside;
-    hole.path.pointsLps = {at(middle + glm::dvec3(-8, 0, 0))};
-    hole.erase = true;
-    bench.runAll({beside, hole});
+    bench.runAll({test::paintAt(1, {at(middle + glm::dvec3(0, 12, 0))}, 3.0),
+        test::eraseAt(1, {at(middle + glm::dvec3(-8, 0, 0))}, 3.0)});
     const Mask painted = bench.held();
     const Mask now = bench.inside();
     QVERIFY(bench.session->undo() && bench.session->undo() && bench.session->undo());
@@ -305,8 +300,7 @@ void SurfaceWriteBackTest::whatOthersWroteStays()
 
 void SurfaceWriteBackTest::followingAgrees()
 {
-    const PaintStroke paint{
-        .segment = 1, .path = {.radiusMm = 4.0, .pointsLps = {at(middle + glm::dvec3(0, 10, 0))}}};
+    const Edit paint = test::paintAt(1, {at(middle + glm::dvec3(0, 10, 0))});
     Bench untouched(test::ballMask(size, 9.0));
     untouched.runAll({lay, paint, FollowMask{}});
     const Mask painted = untouched.held();
@@ -335,9 +329,7 @@ void SurfaceWriteBackTest::onlyWhatIsNewIsWritten()
     Bench bench(test::ballMask(size, 9.0));
     bench.runAll({lay, push, WriteBack{}});
     // Somebody corrects what was written; a push elsewhere leaves it alone.
-    const PaintStroke correction{.segment = 1,
-        .path = {.radiusMm = 2.0, .pointsLps = {at(middle + glm::dvec3(12, 1, 0))}},
-        .erase = true};
+    const Edit correction = test::eraseAt(1, {at(middle + glm::dvec3(12, 1, 0))}, 2.0);
     bench.run(correction);
     const Mask corrected = bench.held();
     const Mask before = bench.inside();
@@ -389,9 +381,7 @@ void SurfaceWriteBackTest::wherever()
 {
     const Edit mask = test::ballMask(size, 9.0);
     const std::vector<Edit> edits{lay, push, WriteBack{}, otherPush,
-        PaintStroke{.segment = 1,
-            .path = {.radiusMm = 3.0, .pointsLps = {at(middle + glm::dvec3(0, 10, 0))}}},
-        FollowMask{}, WriteBack{}};
+        test::paintAt(1, {at(middle + glm::dvec3(0, 10, 0))}, 3.0), FollowMask{}, WriteBack{}};
     Bench whole(mask);
     std::vector<QByteArray> hashes;
     for (const Edit& edit : edits) {

@@ -7,10 +7,10 @@
 #include "core/edits/kinds/history/RevertRows.h"
 #include "core/edits/kinds/parts/PenSample.h"
 #include "core/edits/kinds/sculpt/DrillStroke.h"
-#include "core/edits/kinds/segments/PaintStroke.h"
 #include "core/edits/kinds/splitting/SplitIslands.h"
 #include "core/edits/kinds/splitting/SplitSegment.h"
 #include "tests/support/cases/strokes/StrokeFamilies.h"
+#include "tests/support/scenes/PlainEdits.h"
 
 namespace test {
 
@@ -19,12 +19,7 @@ namespace {
 /// A disc of segment 1 on one of the acquired slices.
 core::Edit discAt(const core::VolumeGeometry& geometry, const glm::dvec3& voxel, double radiusMm)
 {
-    core::PaintStroke stroke{.segment = 1};
-    stroke.path.shape = core::BrushPath::Shape::Disc;
-    stroke.path.normalLps = geometry.direction()[2];
-    stroke.path.radiusMm = radiusMm;
-    stroke.path.pointsLps = {geometry.toWorld(voxel)};
-    return stroke;
+    return paintDiscAt(1, geometry.toWorld(voxel), geometry.direction()[2], radiusMm);
 }
 
 /// Scissors along the view of the scene's drill.

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/dialogs/segment/BetweenSlicesDialog.h"
 
-#include "core/edits/kinds/segments/PaintStroke.h"
 #include "core/session/SegmentWork.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/fixtures/WindowFixture.h"
@@ -42,12 +41,8 @@ struct Fixture : test::WindowFixture {
     void draw(int slice, double radiusMm)
     {
         const core::VolumeGeometry& geometry = workspace.volume()->geometry;
-        core::PaintStroke stroke{.segment = 1};
-        stroke.path.shape = core::BrushPath::Shape::Disc;
-        stroke.path.normalLps = geometry.direction()[2];
-        stroke.path.radiusMm = radiusMm;
-        stroke.path.pointsLps = {geometry.toWorld(glm::dvec3(20.0, 18.0, double(slice)))};
-        apply(stroke);
+        apply(test::paintDiscAt(1, geometry.toWorld(glm::dvec3(20.0, 18.0, double(slice))),
+            geometry.direction()[2], radiusMm));
     }
     [[nodiscard]] std::int64_t voxels() { return session().document().segment(1)->voxels; }
     [[nodiscard]] const core::HistoryRow& lastRow() { return session().history().rows().back(); }

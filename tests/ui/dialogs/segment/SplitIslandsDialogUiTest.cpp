@@ -2,12 +2,12 @@
 #include "ui/dialogs/segment/SplitIslandsDialog.h"
 
 #include "core/brick/VoxelRuns.h"
-#include "core/edits/kinds/segments/ImportMask.h"
 #include "core/edits/kinds/splitting/SplitIslands.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/fixtures/WindowFixture.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/PlainEdits.h"
+#include "tests/support/scenes/PlainMasks.h"
 #include "tests/support/scenes/SmallStudy.h"
 #include "ui/base/ErrorText.h"
 
@@ -51,13 +51,8 @@ struct Fixture : test::WindowFixture {
         core::VoxelRuns runs;
         for (int i = 0; i < count; ++i)
             runs.append(std::uint64_t(2 * (i / 20) * size.x + 2 * (i % 20)), 1);
-        core::ImportMask specks{.file = QStringLiteral("specks.nii")};
-        specks.size = size;
-        specks.segments = {{.name = QStringLiteral("Specks"),
-            .rgb = 7,
-            .code = {},
-            .voxels = core::packedRuns(runs)}};
-        apply(specks);
+        apply(test::maskImport(
+            QStringLiteral("specks.nii"), size, {{QStringLiteral("Specks"), runs}}));
         workspace.setActiveSegment(session().document().segments.back().label);
     }
     [[nodiscard]] std::int64_t voxels(int label)

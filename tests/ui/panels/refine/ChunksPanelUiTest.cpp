@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/brick/VoxelRuns.h"
 #include "core/edits/kinds/chunks/ChunkToggle.h"
-#include "core/edits/kinds/segments/ImportMask.h"
 #include "core/session/SessionChunks.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/fixtures/WorkspaceFixture.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/PlainMasks.h"
 #include "ui/panels/refine/ChunksPanel.h"
 #include "ui/settings/ChunkLeaves.h"
 #include "ui/workspace/ChunkMembers.h"
@@ -40,8 +40,6 @@ public:
         : panel(workspace)
     {
         const core::VolumeGeometry& geometry = workspace.volume()->geometry;
-        core::ImportMask mask{.file = QStringLiteral("brain.nii")};
-        mask.size = geometry.size;
         core::VoxelRuns runs;
         std::uint64_t at = 0;
         for (int z = 0; z < geometry.size.z; ++z) {
@@ -53,12 +51,8 @@ public:
                 }
             }
         }
-        mask.segments.emplace();
-        mask.segments->push_back({.name = QStringLiteral("Brain"),
-            .rgb = 0x20A0C0,
-            .code = {},
-            .voxels = core::packedRuns(runs)});
-        apply(mask);
+        apply(test::maskImport(QStringLiteral("brain.nii"), geometry.size,
+            {{QStringLiteral("Brain"), runs, 0x20A0C0}}));
         workspace.setActiveSegment(1);
     }
     [[nodiscard]] ui::Chunks& chunks() { return workspace.chunks(); }

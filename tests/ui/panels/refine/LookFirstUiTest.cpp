@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/brick/VoxelRuns.h"
-#include "core/edits/kinds/segments/ImportMask.h"
 #include "tests/support/fixtures/WorkspaceFixture.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/PlainEdits.h"
+#include "tests/support/scenes/PlainMasks.h"
 #include "ui/panels/refine/ComparePanel.h"
 #include "ui/panels/refine/LookFirstSection.h"
 
@@ -39,13 +39,8 @@ public:
             if (isBrain && place.x >= cut.x)
                 runs.append(at, 1);
         }
-        core::ImportMask mask{.file = QStringLiteral("brain.nrrd")};
-        mask.size = geometry.size;
-        mask.segments = {{.name = QStringLiteral("Brain"),
-            .rgb = 0x4080C0,
-            .code = {},
-            .voxels = core::packedRuns(runs)}};
-        apply(mask);
+        apply(test::maskImport(QStringLiteral("brain.nrrd"), geometry.size,
+            {{QStringLiteral("Brain"), runs, 0x4080C0}}));
         workspace.setActiveSegment(1);
         panel.resize(300, 600);
         panel.setVisible(true);

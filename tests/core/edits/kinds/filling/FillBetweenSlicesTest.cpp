@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/edits/kinds/filling/FillBetweenSlices.h"
-#include "core/edits/kinds/segments/PaintStroke.h"
 #include "core/session/EditSession.h"
 #include "core/session/SegmentWork.h"
 #include "core/sessionfile/SessionSalvage.h"
@@ -31,12 +30,8 @@ using test::smallGrid;
 /// A disc on one slice across an axis.
 Edit discAt(int segment, SliceAxis axis, const glm::dvec3& voxel, double radiusMm)
 {
-    PaintStroke stroke{.segment = segment};
-    stroke.path.shape = BrushPath::Shape::Disc;
-    stroke.path.normalLps = smallGrid().direction()[alongOf(axis)];
-    stroke.path.radiusMm = radiusMm;
-    stroke.path.pointsLps = {smallGrid().toWorld(voxel)};
-    return stroke;
+    return test::paintDiscAt(
+        segment, smallGrid().toWorld(voxel), smallGrid().direction()[alongOf(axis)], radiusMm);
 }
 
 struct Bench : test::SessionBench {

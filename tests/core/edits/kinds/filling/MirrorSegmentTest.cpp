@@ -2,11 +2,11 @@
 #include "core/edits/kinds/filling/MirrorSegment.h"
 
 #include "core/brick/VoxelRuns.h"
-#include "core/edits/kinds/segments/ImportMask.h"
 #include "core/session/EditSession.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/PlainEdits.h"
+#include "tests/support/scenes/PlainMasks.h"
 #include "tests/support/scenes/SmallStudy.h"
 #include "tests/support/scenes/sessions/SessionBench.h"
 
@@ -29,7 +29,7 @@ using test::smallGrid;
 using test::smallIndexOf;
 
 /// Specks and blocks of two segments.
-ImportMask anyMatter(std::mt19937& random)
+Edit anyMatter(std::mt19937& random)
 {
     Labels labels(smallGrid().voxelCount(), 0);
     for (const int label : {1, 1, 2}) {
@@ -48,20 +48,11 @@ ImportMask anyMatter(std::mt19937& random)
         if (label > 0)
             runs.at(std::size_t(label) - 1).append(voxel, 1);
     }
-    ImportMask import{.file = QStringLiteral("matter.nii")};
-    import.size = smallGrid().size;
-    import.segments.emplace();
-    for (const VoxelRuns& each : runs)
-        import.segments->push_back(
-            {.name = QStringLiteral("Matter %1").arg(import.segments->size() + 1),
-                .rgb = 7,
-                .code = {},
-                .voxels = packedRuns(each)});
-    return import;
+    return test::matterImport(smallGrid().size, runs);
 }
 
 struct Bench : test::SessionBench {
-    Bench(bool delayed, const ImportMask& matter)
+    Bench(bool delayed, const Edit& matter)
         : SessionBench(delayed)
     {
         run(matter);
@@ -121,7 +112,7 @@ private Q_SLOTS:
     {
         QFETCH(const uint, seed);
         std::mt19937 random(seed);
-        const ImportMask matter = anyMatter(random);
+        const Edit matter = anyMatter(random);
         Bench bench(false, matter);
         for (int step = 0; step < 9; ++step) {
             MirrorSegment edit{.segment = 1 + int(random() % 2)};

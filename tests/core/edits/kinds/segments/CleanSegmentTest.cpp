@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/edits/kinds/segments/CleanSegment.h"
 #include "core/edits/kinds/segments/ChangeSegment.h"
-#include "core/edits/kinds/segments/ImportMask.h"
 #include "core/session/EditSession.h"
 #include "core/session/questions/VoxelQuestions.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/PlainEdits.h"
+#include "tests/support/scenes/PlainMasks.h"
 #include "tests/support/scenes/SmallStudy.h"
 #include "tests/support/scenes/sessions/SessionBench.h"
 
@@ -34,7 +34,7 @@ std::size_t at(int x, int y, int z)
 
 /// A block of 8³ with a hole of 2³ and one of a single voxel, an island of 3³ and a speck.
 struct Bench : test::SessionBench {
-    Bench(bool delayed, const ImportMask& matter)
+    Bench(bool delayed, const Edit& matter)
         : SessionBench(delayed)
     {
         run(matter);
@@ -43,7 +43,7 @@ struct Bench : test::SessionBench {
         : Bench(delayed, parts())
     {
     }
-    [[nodiscard]] static ImportMask parts()
+    [[nodiscard]] static Edit parts()
     {
         std::vector<bool> mask(smallGrid().voxelCount(), false);
         const auto set = [&](const glm::ivec3& from, int side, bool in) {
@@ -64,12 +64,8 @@ struct Bench : test::SessionBench {
             if (mask[voxel])
                 runs.append(voxel, 1);
         }
-        ImportMask import{.file = QStringLiteral("parts.nii")};
-        import.size = smallGrid().size;
-        import.segments.emplace();
-        import.segments->push_back(
-            {.name = QStringLiteral("Parts"), .rgb = 7, .code = {}, .voxels = packedRuns(runs)});
-        return import;
+        return test::maskImport(
+            QStringLiteral("parts.nii"), smallGrid().size, {{QStringLiteral("Parts"), runs}});
     }
 };
 
@@ -81,7 +77,7 @@ glm::dvec3 placeOf(const glm::ivec3& voxel)
 }
 
 /// Three segments that lie about at random, each voxel at most one's.
-ImportMask randomMatter(std::mt19937& random, std::uint32_t percent)
+Edit randomMatter(std::mt19937& random, std::uint32_t percent)
 {
     std::array<VoxelRuns, 3> runs;
     for (std::size_t voxel = 0; voxel < smallGrid().voxelCount(); ++voxel) {
@@ -89,16 +85,7 @@ ImportMask randomMatter(std::mt19937& random, std::uint32_t percent)
         if (dice < 3 * percent)
             runs.at(dice / percent).append(voxel, 1);
     }
-    ImportMask import{.file = QStringLiteral("random.nii")};
-    import.size = smallGrid().size;
-    import.segments.emplace();
-    for (const VoxelRuns& each : runs)
-        import.segments->push_back(
-            {.name = QStringLiteral("Matter %1").arg(import.segments->size()),
-                .rgb = 7,
-                .code = {},
-                .voxels = packedRuns(each)});
-    return import;
+    return test::matterImport(smallGrid().size, runs);
 }
 
 /// The island of a voxel: grown by whole sweeps over the volume until one adds nothing.
@@ -261,7 +248,7 @@ private Q_SLOTS:
     {
         QFETCH(const uint, percent);
         std::mt19937 random(percent);
-        const ImportMask matter = randomMatter(random, percent);
+        const Edit matter = randomMatter(random, percent);
         Bench bench(false, matter);
         for (const IslandRule rule :
             {IslandRule::GiveClicked, IslandRule::RemoveClicked, IslandRule::KeepClicked}) {

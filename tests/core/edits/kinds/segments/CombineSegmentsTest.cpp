@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/edits/kinds/segments/CombineSegments.h"
 #include "core/brick/VoxelRuns.h"
-#include "core/edits/kinds/segments/ImportMask.h"
 #include "core/growth/SeedWord.h"
 #include "core/session/EditSession.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/PlainEdits.h"
+#include "tests/support/scenes/PlainMasks.h"
 #include "tests/support/scenes/SmallStudy.h"
 #include "tests/support/scenes/sessions/SessionBench.h"
 
@@ -61,7 +61,7 @@ std::uint8_t after(const CombineSegments& edit, std::uint8_t held)
 }
 
 /// Three segments that lie about at random.
-ImportMask randomMatter(std::mt19937& random)
+Edit randomMatter(std::mt19937& random)
 {
     const glm::ivec3& size = test::smallStudy().volume.geometry.size;
     std::array<VoxelRuns, 3> runs;
@@ -71,13 +71,7 @@ ImportMask randomMatter(std::mt19937& random)
         if (dice < runs.size())
             runs.at(dice).append(voxel, 1);
     }
-    ImportMask import{.file = QStringLiteral("random.nii")};
-    import.size = size;
-    import.segments.emplace();
-    for (const VoxelRuns& each : runs)
-        import.segments->push_back(
-            {.name = QStringLiteral("Matter"), .rgb = 7, .code = {}, .voxels = packedRuns(each)});
-    return import;
+    return test::matterImport(size, runs);
 }
 
 } // namespace
@@ -200,7 +194,7 @@ private Q_SLOTS:
     {
         for (std::uint32_t seed = 1; seed <= 4; ++seed) {
             std::mt19937 random(seed);
-            const ImportMask matter = randomMatter(random);
+            const Edit matter = randomMatter(random);
             Bench bench;
             bench.run(matter);
             const QByteArray beginning = bench.session->stateHash();

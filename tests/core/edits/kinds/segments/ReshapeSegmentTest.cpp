@@ -2,13 +2,13 @@
 #include "core/edits/kinds/segments/ReshapeSegment.h"
 #include "core/edits/kinds/segments/ChangeSegment.h"
 #include "core/edits/kinds/segments/CleanSegment.h"
-#include "core/edits/kinds/segments/ImportMask.h"
 #include "core/session/EditSession.h"
 #include "core/session/SegmentWork.h"
 #include "core/sessionfile/SessionSalvage.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/PlainEdits.h"
+#include "tests/support/scenes/PlainMasks.h"
 #include "tests/support/scenes/SmallStudy.h"
 #include "tests/support/scenes/sessions/SessionBench.h"
 
@@ -35,32 +35,18 @@ const glm::ivec3 blockFrom(10, 10, 10);
 const glm::ivec3 blockTo(22, 22, 18);
 constexpr std::int64_t blockVoxels = 12 * 12 * 8;
 
-ImportMask importOf(const std::vector<VoxelRuns>& segments)
-{
-    ImportMask import{.file = QStringLiteral("matter.nii")};
-    import.size = smallGrid().size;
-    import.segments.emplace();
-    for (const VoxelRuns& each : segments)
-        import.segments->push_back(
-            {.name = QStringLiteral("Matter %1").arg(import.segments->size() + 1),
-                .rgb = 7,
-                .code = {},
-                .voxels = packedRuns(each)});
-    return import;
-}
-
-ImportMask block()
+Edit block()
 {
     VoxelRuns runs;
     for (int z = blockFrom.z; z < blockTo.z; ++z) {
         for (int y = blockFrom.y; y < blockTo.y; ++y)
             runs.append(smallIndexOf({blockFrom.x, y, z}), 12);
     }
-    return importOf({runs});
+    return test::matterImport(smallGrid().size, std::array{runs});
 }
 
 /// Two segments of random blocks, and specks of both.
-ImportMask randomMatter(std::mt19937& random)
+Edit randomMatter(std::mt19937& random)
 {
     const glm::ivec3& size = smallGrid().size;
     Labels labels(smallGrid().voxelCount(), 0);
@@ -83,12 +69,11 @@ ImportMask randomMatter(std::mt19937& random)
         if (label > 0)
             runs.at(std::size_t(label) - 1).append(voxel, 1);
     }
-    return importOf({runs[0], runs[1]});
+    return test::matterImport(smallGrid().size, runs);
 }
 
 struct Bench : test::SessionBench {
-    explicit Bench(
-        bool delayed = false, const ImportMask& matter = block(), const QString& file = {})
+    explicit Bench(bool delayed = false, const Edit& matter = block(), const QString& file = {})
         : SessionBench(delayed, test::smallStudy(), file)
     {
         run(matter);
@@ -271,7 +256,7 @@ private Q_SLOTS:
     {
         QFETCH(const uint, seed);
         std::mt19937 random(seed);
-        const ImportMask matter = randomMatter(random);
+        const Edit matter = randomMatter(random);
         Bench bench(false, matter);
         const std::size_t begun = bench.rows().size();
         for (int step = 0; step < 10; ++step) {
@@ -320,7 +305,7 @@ private Q_SLOTS:
             }
         }
         for (const bool delayed : {false, true}) {
-            Bench bench(delayed, importOf({left, right}));
+            Bench bench(delayed, test::matterImport(smallGrid().size, std::array{left, right}));
             const Labels before = bench.labels();
             const QByteArray hash = bench.session->stateHash();
             const ReshapeSegment joint{.segment = 1,

@@ -5,7 +5,6 @@
 #include "core/document/SegmentColours.h"
 #include "core/edits/EditJson.h"
 #include "core/edits/document/DocumentEdits.h"
-#include "core/edits/kinds/segments/ImportMask.h"
 #include "core/recipe/Recipe.h"
 #include "core/session/EditSession.h"
 #include "core/session/questions/VoxelQuestions.h"
@@ -15,6 +14,7 @@
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/PlainEdits.h"
+#include "tests/support/scenes/PlainMasks.h"
 #include "tests/support/scenes/SmallStudy.h"
 
 #include <QTest>
@@ -45,27 +45,19 @@ void setCube(Labels& labels, const glm::ivec3& from, int side, std::uint8_t labe
 }
 
 /// Two segments, "Parts" and "Parts 1".
-ImportMask importOf(const Labels& labels)
+Edit importOf(const Labels& labels)
 {
     std::array<VoxelRuns, 2> runs;
     for (std::size_t voxel = 0; voxel < labels.size(); ++voxel) {
         if (labels[voxel] > 0)
             runs.at(std::size_t(labels[voxel]) - 1).append(voxel, 1);
     }
-    ImportMask import{.file = QStringLiteral("parts.nii")};
-    import.size = smallGrid().size;
-    import.segments.emplace();
-    for (const VoxelRuns& each : runs)
-        import.segments->push_back(
-            {.name = import.segments->empty() ? QStringLiteral("Parts") : QStringLiteral("Parts 1"),
-                .rgb = 7,
-                .code = {},
-                .voxels = packedRuns(each)});
-    return import;
+    return test::maskImport(QStringLiteral("parts.nii"), smallGrid().size,
+        {{QStringLiteral("Parts"), runs[0]}, {QStringLiteral("Parts 1"), runs[1]}});
 }
 
 /// Of "Parts" an island of 6³, two of 3³ and a speck; "Parts 1" lies between two of them.
-ImportMask fourIslands()
+Edit fourIslands()
 {
     Labels labels(smallGrid().voxelCount(), 0);
     setCube(labels, {5, 5, 5}, 6, 1);
@@ -77,7 +69,7 @@ ImportMask fourIslands()
 }
 
 /// So many voxels of "Parts" that do not touch each other.
-ImportMask specks(std::size_t count)
+Edit specks(std::size_t count)
 {
     Labels labels(smallGrid().voxelCount(), 0);
     for (std::size_t i = 0; i < count; ++i)
@@ -87,7 +79,7 @@ ImportMask specks(std::size_t count)
 }
 
 /// Specks and blocks of both.
-ImportMask anyMatter(std::mt19937& random)
+Edit anyMatter(std::mt19937& random)
 {
     Labels labels(smallGrid().voxelCount(), 0);
     for (std::uint8_t& label : labels) {
@@ -103,7 +95,7 @@ ImportMask anyMatter(std::mt19937& random)
 }
 
 struct Bench {
-    Bench(bool delayed, const ImportMask& matter)
+    Bench(bool delayed, const Edit& matter)
         : late(inner, 7)
     {
         EditEngine& engine = delayed ? static_cast<EditEngine&>(late) : inner;
@@ -297,7 +289,7 @@ private Q_SLOTS:
     {
         QFETCH(const uint, seed);
         std::mt19937 random(seed);
-        const ImportMask matter = anyMatter(random);
+        const Edit matter = anyMatter(random);
         const Bench bench(false, matter);
         for (const int segment : {1, 2}) {
             const Labels before = bench.labels();

@@ -3,7 +3,6 @@
 
 #include "core/brick/VoxelRuns.h"
 #include "core/edits/EditJson.h"
-#include "core/edits/kinds/segments/ImportMask.h"
 #include "core/session/EditSession.h"
 #include "core/session/questions/VoxelQuestions.h"
 #include "tests/reference/DelayedEngine.h"
@@ -11,6 +10,7 @@
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/PlainEdits.h"
+#include "tests/support/scenes/PlainMasks.h"
 #include "tests/support/scenes/SmallStudy.h"
 
 #include <QTest>
@@ -32,7 +32,7 @@ using test::smallGrid;
 using test::smallIndexOf;
 
 /// A ball, "One", that lies half in a block, "Two", and specks of it everywhere.
-ImportMask ballAndBlock()
+Edit ballAndBlock()
 {
     std::array<VoxelRuns, 2> runs;
     const glm::ivec3& size = smallGrid().size;
@@ -48,15 +48,8 @@ ImportMask ballAndBlock()
             }
         }
     }
-    ImportMask import{.file = QStringLiteral("ball.nii")};
-    import.size = size;
-    import.segments = {
-        {.name = QStringLiteral("One"), .rgb = 7, .code = {}, .voxels = packedRuns(runs[0])},
-        {.name = QStringLiteral("Two"),
-            .rgb = 8,
-            .code = {},
-            .voxels = packedRuns(runs[1]) }};
-    return import;
+    return test::maskImport(QStringLiteral("ball.nii"), size,
+        {{QStringLiteral("One"), runs[0]}, {QStringLiteral("Two"), runs[1], 8}});
 }
 
 struct Bench {
