@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/reenactment/BrushRobot.h"
 
-#include "core/edits/kinds/segments/PaintStroke.h"
+#include "core/edits/kinds/EditParts.h"
+#include "core/edits/kinds/parts/BrushPath.h"
 #include "tests/reenactment/BallStroke.h"
 #include "tests/reenactment/RobotLog.h"
 #include "tests/reenactment/UserHand.h"
+#include "tests/support/scenes/PlainEdits.h"
 
 #include <algorithm>
 
@@ -35,17 +37,18 @@ RobotRun runBrushRobot(RefinementBench& bench, const Truth& truth, const RobotGo
         }
         if (best.gain <= 0)
             break;
-        PaintStroke paint{.segment = 1, .path = {}, .erase = !adds};
-        paint.path.radiusMm = hand.mm(best.radius);
-        paint.path.shape = shape;
+        const double radiusMm = hand.mm(best.radius);
+        Edit paint = adds ? test::paintAt(1, {}, radiusMm) : test::eraseAt(1, {}, radiusMm);
+        BrushPath& path = *brushPathOf(paint);
+        path.shape = shape;
         if (isDisc) {
             // On the slice that is shown.
             glm::dvec3 normal(0.0);
             normal[best.axis] = 1.0;
-            paint.path.normalLps = bench.geometry().direction() * normal;
-            paint.path.pointsLps = hand.lps(hand.drawnOnPlane(best.points, normal));
+            path.normalLps = bench.geometry().direction() * normal;
+            path.pointsLps = hand.lps(hand.drawnOnPlane(best.points, normal));
         } else {
-            paint.path.pointsLps = hand.lps(hand.drawn(best.points));
+            path.pointsLps = hand.lps(hand.drawn(best.points));
         }
         const QString what = QStringLiteral("%1 r=%2, %3 points")
                                  .arg(adds ? QStringLiteral("paint") : QStringLiteral("erase"))

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/dialogs/MaskOrderDialog.h"
 
+#include "core/masks/ReadImport.h"
 #include "ui/base/TabOrder.h"
 #include "ui/base/Theme.h"
 #include "ui/tasks/MaskImporter.h"
@@ -52,7 +53,7 @@ public:
 MaskOrderDialog::MaskOrderDialog(
     const core::ReadImport& read, const core::VolumeGeometry& geometry, QWidget* parent)
     : QDialog(parent)
-    , m_read(read)
+    , m_read(std::make_unique<core::ReadImport>(read))
     , m_geometry(geometry)
     , m_keep(new QRadioButton(tr("Each segment keeps its voxels"), this))
     , m_flatten(new QRadioButton(tr("Each voxel goes to one segment"), this))
@@ -67,8 +68,8 @@ MaskOrderDialog::MaskOrderDialog(
     setMinimumWidth(leastWidth);
     auto* heading = new FittingLabel(Qt::AlignLeft, this);
     heading->setFont(theme::headingFont());
-    heading->setText(tr("Segments of '%1' overlap").arg(m_read.edit.file));
-    const bool fits = m_read.planesNeeded() <= core::mostLabelPlanes;
+    heading->setText(tr("Segments of '%1' overlap").arg(m_read->edit.file));
+    const bool fits = m_read->planesNeeded() <= core::mostLabelPlanes;
     m_keep->setObjectName(QStringLiteral("maskOrderKeep"));
     m_keep->setEnabled(fits);
     m_keep->setChecked(fits);
@@ -78,9 +79,9 @@ MaskOrderDialog::MaskOrderDialog(
         fits ? tr(
             "The segments lie in %1 label planes. Segments beyond the first plane can be edited, "
             "measured and exported, but they cannot grow. Label maps cannot hold overlaps.")
-                   .arg(m_read.planesNeeded())
+                   .arg(m_read->planesNeeded())
              : tr("They would need %1 label planes; there are at most %2.")
-                   .arg(m_read.planesNeeded())
+                   .arg(m_read->planesNeeded())
                    .arg(core::mostLabelPlanes),
         this);
     kept->setWordWrap(true);
@@ -137,10 +138,10 @@ MaskOrderDialog::MaskOrderDialog(
     tabAsLaidOut(*this);
 
     std::set<std::size_t> places;
-    for (const core::MaskOverlap& overlap : m_read.overlaps)
+    for (const core::MaskOverlap& overlap : m_read->overlaps)
         places.insert(overlap.segments.begin(), overlap.segments.end());
     for (const std::size_t place : places)
-        m_order->addItem(itemOf((*m_read.edit.segments)[place], place));
+        m_order->addItem(itemOf((*m_read->edit.segments)[place], place));
     m_order->setCurrentRow(0);
     connect(m_up, &QPushButton::clicked, this, [this] { move(-1); });
     connect(m_down, &QPushButton::clicked, this, [this] { move(1); });
@@ -151,6 +152,8 @@ MaskOrderDialog::MaskOrderDialog(
     showState();
     (fits ? m_keep : m_flatten)->setFocus();
 }
+
+MaskOrderDialog::~MaskOrderDialog() = default;
 
 std::optional<std::vector<int>> MaskOrderDialog::ahead() const
 {
@@ -166,7 +169,7 @@ std::optional<std::vector<int>> MaskOrderDialog::ahead() const
 
 std::optional<std::vector<int>> MaskOrderDialog::planes() const
 {
-    return m_keep->isChecked() ? std::optional(m_read.planes) : std::nullopt;
+    return m_keep->isChecked() ? std::optional(m_read->planes) : std::nullopt;
 }
 
 void MaskOrderDialog::move(int by)
@@ -187,11 +190,11 @@ void MaskOrderDialog::showState()
     m_order->setEnabled(ordered);
     m_up->setEnabled(ordered && row > 0);
     m_down->setEnabled(ordered && row >= 0 && row + 1 < m_order->count());
-    m_read.edit.ahead = ahead();
-    m_read.edit.planes = planes();
+    m_read->edit.ahead = ahead();
+    m_read->edit.planes = planes();
     m_given->clear();
     for (const core::MaskNote& note :
-        core::notesOnOverlaps(m_read.overlaps, m_read.edit, m_geometry))
+        core::notesOnOverlaps(m_read->overlaps, m_read->edit, m_geometry))
         m_given->addItem(maskNoteText(note));
     if (m_ordering->isHidden() == ordered) {
         m_ordering->setVisible(ordered);

@@ -1,17 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/masks/ReadImport.h"
 #include "core/volume/VolumeGeometry.h"
 
 #include <QDialog>
 
+#include <memory>
 #include <optional>
 #include <vector>
 
 class QListWidget;
 class QPushButton;
 class QRadioButton;
+
+namespace core {
+struct ReadImport;
+}
 
 namespace ui {
 
@@ -29,6 +33,7 @@ public:
     /// @param read the mask as it was read; it has overlaps
     MaskOrderDialog(const core::ReadImport& read, const core::VolumeGeometry& geometry,
         QWidget* parent = nullptr);
+    ~MaskOrderDialog() override;
 
     /// The order that the user chose, in the form of ImportMask::ahead. None if the overlaps are
     /// kept, or if the order is that of the file.
@@ -41,7 +46,7 @@ private:
     void move(int by);
     void showState();
 
-    core::ReadImport m_read;
+    std::unique_ptr<core::ReadImport> m_read;
     core::VolumeGeometry m_geometry;
     QRadioButton* m_keep;
     QRadioButton* m_flatten;

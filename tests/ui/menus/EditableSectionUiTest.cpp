@@ -2,10 +2,10 @@
 #include "ui/menus/EditableSection.h"
 
 #include "core/edits/EditJson.h"
+#include "core/edits/kinds/EditParts.h"
 #include "core/edits/kinds/filling/FloodFill.h"
 #include "core/edits/kinds/parts/EditableRange.h"
 #include "core/edits/kinds/segments/CombineSegments.h"
-#include "core/edits/kinds/segments/PaintStroke.h"
 #include "core/edits/kinds/segments/RemoveSegment.h"
 #include "core/session/SessionDisplay.h"
 #include "core/session/questions/VoxelQuestions.h"
@@ -95,8 +95,8 @@ private Q_SLOTS:
                     .toolTip()
                     .endsWith(QStringLiteral(": over others")));
         fixture.dab();
-        const auto& stroke = fixture.lastEdit().get<core::PaintStroke>();
-        QVERIFY(!stroke.editable);
+        const core::Edit stroke = fixture.lastEdit();
+        QVERIFY(stroke.is<core::PaintStroke>() && !*core::editableRangeOf(stroke));
         QVERIFY(!core::editToJson(fixture.lastEdit()).contains(QStringLiteral("editable")));
     }
 
@@ -142,16 +142,17 @@ private Q_SLOTS:
         fixture.dab();
 
         const core::Edit edit = fixture.lastEdit();
-        const auto& stroke = edit.get<core::PaintStroke>();
-        QVERIFY(stroke.editable);
-        QCOMPARE(*stroke.editable->lower, 20.0);
-        QCOMPARE(*stroke.editable->upper, 300.0);
+        QVERIFY(edit.is<core::PaintStroke>());
+        const std::optional<core::EditableRange>& editable = *core::editableRangeOf(edit);
+        QVERIFY(editable);
+        QCOMPARE(*editable->lower, 20.0);
+        QCOMPARE(*editable->upper, 300.0);
         QVERIFY(core::editToJson(edit).value(QStringLiteral("editable")).isObject());
 
         test::WorkspaceFixture freely;
         freely.apply(fixture.session().history().row(1).edit);
-        core::PaintStroke without = stroke;
-        without.editable.reset();
+        core::Edit without = edit;
+        core::editableRangeOf(without)->reset();
         freely.apply(without);
         const Labels all = *freely.session().questions().labels(0);
         const Labels found = fixture.labels();

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/tasks/GrowthTurns.h"
 
+#include "core/edits/kinds/EditParts.h"
 #include "core/edits/kinds/growth/ChangeInterval.h"
-#include "core/edits/kinds/growth/GrowSteps.h"
+#include "core/edits/kinds/growth/GrowCriteria.h"
 #include "core/session/EditSession.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/fixtures/WorkspaceFixture.h"
@@ -139,10 +140,9 @@ private Q_SLOTS:
         const core::History& history = two.session().history();
         QCOMPARE(history.position(), before + 2);
         for (const int label : {2, 1}) {
-            const auto* grown =
-                history.row(before + (label == 2 ? 1 : 2)).edit.as<core::GrowSteps>();
-            QVERIFY(grown);
-            QCOMPARE(grown->criteria.segments, std::optional(Segments{label}));
+            const core::Edit& grown = history.row(before + (label == 2 ? 1 : 2)).edit;
+            QVERIFY(grown.is<core::GrowSteps>());
+            QCOMPARE(core::growCriteriaOf(grown)->segments, std::optional(Segments{label}));
         }
         QCOMPARE(two.voxels(1), test::smallHead::voxelsOf(test::smallHead::ventricleHu));
         QCOMPARE(two.voxels(2), test::smallHead::voxelsOf(test::smallHead::brainHu));
@@ -195,8 +195,9 @@ private Q_SLOTS:
         QVERIFY(two.waitUntilGrown());
         const core::History& history = two.session().history();
         const core::RowId grown = history.position();
-        QCOMPARE(history.row(grown).edit.get<core::GrowSteps>().criteria.segments,
-            std::optional(Segments{1, 2}));
+        const core::Edit& both = history.row(grown).edit;
+        QVERIFY(both.is<core::GrowSteps>());
+        QCOMPARE(core::growCriteriaOf(both)->segments, std::optional(Segments{1, 2}));
         const auto interval = [&two](int label) {
             return *two.workspace.seeds().intervals().of(label);
         };

@@ -3,7 +3,6 @@
 
 #include "core/edits/kinds/EditKinds.h"
 #include "core/edits/kinds/growth/ChangeInterval.h"
-#include "core/edits/kinds/growth/GrowSteps.h"
 #include "core/edits/kinds/growth/ShrinkSteps.h"
 #include "core/session/EditSession.h"
 #include "ui/base/NumberText.h"

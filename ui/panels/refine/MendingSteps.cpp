@@ -3,7 +3,6 @@
 
 #include "core/edits/kinds/history/RevertRows.h"
 #include "core/edits/kinds/history/ReviseStroke.h"
-#include "core/edits/kinds/segments/ImportMask.h"
 #include "core/edits/sculpt/SculptEdits.h"
 #include "ui/panels/refine/ComparePanel.h"
 #include "ui/panels/refine/LookFirstSection.h"

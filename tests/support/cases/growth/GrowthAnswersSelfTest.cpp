@@ -2,7 +2,8 @@
 #include "tests/support/cases/growth/GrowthAnswers.h"
 
 #include "core/edits/kinds/Edit.h"
-#include "core/edits/kinds/growth/GrowSteps.h"
+#include "core/edits/kinds/EditParts.h"
+#include "core/edits/kinds/growth/GrowCriteria.h"
 #include "tests/support/cases/EngineCases.h"
 #include "tests/support/cases/StrokeCases.h"
 #include "tests/support/program/TestProgram.h"
@@ -141,10 +142,9 @@ private Q_SLOTS:
             std::vector<core::Edit> edits = stroke.before;
             edits.push_back(stroke.edit);
             for (const core::Edit& edit : edits) {
-                const auto* grow = edit.as<core::GrowSteps>();
-                if (!grow)
+                if (!edit.is<core::GrowSteps>())
                     continue;
-                const core::GrowCriteria& criteria = grow->criteria;
+                const core::GrowCriteria& criteria = *core::growCriteriaOf(edit);
                 GrowthAnswers answers{.connectivity = criteria.connectivity};
                 const std::array<bool, test::growthQuestions> yes{criteria.difference.has_value(),
                     criteria.gradient.has_value(), criteria.gradientDifference.has_value(),

@@ -2,7 +2,6 @@
 #include "core/edits/kinds/Edit.h"
 #include "core/edits/kinds/chunks/ChunkToggle.h"
 #include "core/edits/kinds/chunks/DivideSegment.h"
-#include "core/edits/kinds/history/RevertRows.h"
 #include "core/edits/kinds/layers/AddLayer.h"
 #include "core/edits/kinds/segments/ChangeSegment.h"
 #include "core/edits/kinds/segments/RemoveSegment.h"
@@ -53,8 +52,7 @@ void addChunkStrokes(std::vector<StrokeCase>& cases, const core::LoadedVolume& v
     cases.push_back({"toggle by an older division", volume,
         after({wide, one, near, core::RemoveSegment{.segment = 2}}), one});
     cases.push_back({"undo only a chunk", volume,
-        after({wide, one, core::AddLayer{.name = QStringLiteral("Other")}}),
-        core::RevertRows{{row}}});
+        after({wide, one, core::AddLayer{.name = QStringLiteral("Other")}}), revertRows({row})});
     cases.push_back(
         {"growth after chunks", volume, after({wide, removed}), growBetween(0, 1000, 3)});
     cases.push_back(

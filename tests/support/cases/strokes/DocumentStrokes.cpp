@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/edits/kinds/Edit.h"
-#include "core/edits/kinds/history/RevertRows.h"
 #include "core/edits/kinds/history/ReviseStroke.h"
 #include "core/edits/kinds/layers/AddLayer.h"
 #include "core/edits/kinds/layers/ChangeLayer.h"
@@ -31,6 +30,7 @@
 #include "tests/support/scenes/CutEdits.h"
 
 #include "core/brick/VoxelRuns.h"
+#include "tests/support/scenes/PlainEdits.h"
 
 namespace test {
 
@@ -178,11 +178,11 @@ void addDocumentStrokes(std::vector<StrokeCase>& cases, const StrokeScene& scene
     cases.push_back({"paint in a further plane", volume, {apart, paint}, upper});
     cases.push_back({"erase in a further plane", volume, {apart, paint, upper}, upperAway});
     cases.push_back({"undo only what was painted in one of two planes", volume,
-        {apart, paint, upper}, core::RevertRows{{2}}});
+        {apart, paint, upper}, revertRows({2})});
     core::SegmentSeen seenUpper{.target = {.segment = 2}, .lower = 300.0};
     cases.push_back({"segment what is seen in a further plane", volume, {apart, paint}, seenUpper});
     cases.push_back(
-        {"undo only a mask", volume, {first, joinedFirst(mask), drill}, core::RevertRows{{2}}});
+        {"undo only a mask", volume, {first, joinedFirst(mask), drill}, revertRows({2})});
     cases.push_back({"growth after what is seen", volume, {first, seeds, some, seen}, over});
     const core::InvertSegment invert{.segment = 1};
     cases.push_back({"invert an empty segment", volume, {first}, invert});
@@ -194,7 +194,7 @@ void addDocumentStrokes(std::vector<StrokeCase>& cases, const StrokeScene& scene
     cases.push_back(
         {"growth after an inversion", volume, {first, seeds, second, others, some, invert}, all});
     cases.push_back(
-        {"undo only an inversion", volume, {first, paint, invert, drill}, core::RevertRows{{3}}});
+        {"undo only an inversion", volume, {first, paint, invert, drill}, revertRows({3})});
     using core::CleanSegment;
     using core::IslandRule;
     const CleanSegment fill{.segment = 1};
@@ -204,8 +204,8 @@ void addDocumentStrokes(std::vector<StrokeCase>& cases, const StrokeScene& scene
     cases.push_back({"fill holes where there are none", volume, {first}, fill});
     cases.push_back({"keep the largest island", volume, {first, paint}, largest});
     cases.push_back({"remove all islands", volume, {first, paint}, specks});
-    cases.push_back({"undo only what was cleaned", volume, {first, paint, specks, drill},
-        core::RevertRows{{3}}});
+    cases.push_back(
+        {"undo only what was cleaned", volume, {first, paint, specks, drill}, revertRows({3})});
     CleanSegment clicked{.segment = 1, .rule = IslandRule::KeepClicked};
     clicked.islandLps = geometry.toWorld({20.0, 16.0, 12.0});
     cases.push_back({"keep only a clicked island", volume, {first, paint}, clicked});
@@ -217,7 +217,7 @@ void addDocumentStrokes(std::vector<StrokeCase>& cases, const StrokeScene& scene
     cases.push_back({"growth after an island was given away", volume,
         {first, second, paint, clicked, seeds}, all});
     cases.push_back({"undo only an island that was given away", volume,
-        {first, second, paint, clicked, drill}, core::RevertRows{{4}}});
+        {first, second, paint, clicked, drill}, revertRows({4})});
     const core::CombineSegments mergeSegments{.segment = 2, .with = 1};
     const core::CombineSegments swap{
         .segment = 1, .with = 2, .how = core::CombineSegments::How::Swap};
@@ -232,7 +232,7 @@ void addDocumentStrokes(std::vector<StrokeCase>& cases, const StrokeScene& scene
     cases.push_back({"growth after a swap of segments", volume,
         {first, seeds, second, others, some, swap}, all});
     cases.push_back({"undo only a merge of segments", volume,
-        {first, paint, second, mergeSegments, drill}, core::RevertRows{{4}}});
+        {first, paint, second, mergeSegments, drill}, revertRows({4})});
     using core::ReshapeSegment;
     using core::ShapeOperation;
     const ReshapeSegment margin{.segment = 1, .operation = ShapeOperation::Grow, .mm = 6.0};
@@ -271,8 +271,7 @@ void addDocumentStrokes(std::vector<StrokeCase>& cases, const StrokeScene& scene
     cases.push_back({"growth after two were smoothed together", volume,
         {first, seeds, second, others, some, joint}, all});
     cases.push_back({"growth after a margin", volume, {first, paint, less, seeds}, all});
-    cases.push_back(
-        {"undo only a margin", volume, {first, paint, margin, drill}, core::RevertRows{{3}}});
+    cases.push_back({"undo only a margin", volume, {first, paint, margin, drill}, revertRows({3})});
     // Tissue is between 750 and 1000, noise below 250.
     using core::ThresholdSegment;
     const ThresholdSegment tissue{.segment = 1, .lower = 700.0};
@@ -307,7 +306,7 @@ void addDocumentStrokes(std::vector<StrokeCase>& cases, const StrokeScene& scene
         ThresholdSegment{.segment = 1, .lower = 2000.0}});
     cases.push_back({"growth after a threshold", volume, {first, paint, tissue, seeds}, all});
     cases.push_back(
-        {"undo only a threshold", volume, {first, paint, more, drill}, core::RevertRows{{3}}});
+        {"undo only a threshold", volume, {first, paint, more, drill}, revertRows({3})});
     cases.push_back({"merge layers", volume, {layer, drill, other, brush}, merge});
     cases.push_back({"merge an empty layer", volume, {layer, other}, merge});
     cases.push_back({"delete a layer", volume, {layer, drill, other}, removeLayer});
@@ -319,12 +318,12 @@ void addDocumentStrokes(std::vector<StrokeCase>& cases, const StrokeScene& scene
     cases.push_back({"drill into a solo layer", volume,
         {layer, drill, core::ChangeLayer{.layer = 2, .solo = true}}, other});
     cases.push_back({"undo only a segment to layer", volume,
-        {first, seeds, all, layer, cover, lock}, core::RevertRows{{5}}});
+        {first, seeds, all, layer, cover, lock}, revertRows({5})});
     cases.push_back({"undo only all but a segment", volume,
-        {first, seeds, all, layer, allBut, lock}, core::RevertRows{{5}}});
+        {first, seeds, all, layer, allBut, lock}, revertRows({5})});
     cases.push_back({"undo only a layer to segment", volume,
         {first, drill, core::LayerToSegment{.layer = 1, .target = toFirst}, drillBack},
-        core::RevertRows{{3}}});
+        revertRows({3})});
     cases.push_back({"revise a drill on a carved segment", volume,
         {first, seeds, all, core::SegmentToLayer{.segment = 1, .layer = 1}, drill, beside},
         core::ReviseStroke{.row = 5, .radiusMm = factsOfStroke(drill).mask.radiusMm * 1.5}});

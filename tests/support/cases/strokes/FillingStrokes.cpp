@@ -4,7 +4,6 @@
 #include "core/edits/kinds/filling/FloodFill.h"
 #include "core/edits/kinds/filling/MirrorSegment.h"
 #include "core/edits/kinds/filling/SegmentScissors.h"
-#include "core/edits/kinds/history/RevertRows.h"
 #include "core/edits/kinds/parts/PenSample.h"
 #include "core/edits/kinds/sculpt/DrillStroke.h"
 #include "core/edits/kinds/splitting/SplitIslands.h"
@@ -61,7 +60,7 @@ void addScissors(std::vector<StrokeCase>& cases, const StrokeScene& scene)
     cases.push_back(
         {"growth after scissors", volume, {first, scene.paint, erase, scene.seeds}, scene.all});
     cases.push_back({"undo only scissors", volume, {first, scene.paint, shallow, scene.drill},
-        core::RevertRows{{3}}});
+        revertRows({3})});
 }
 
 /// Into segments by islands, of which these discs are three, and by planes.
@@ -131,7 +130,7 @@ void addFillingStrokes(std::vector<StrokeCase>& cases, const StrokeScene& scene)
     cases.push_back({"growth after filling between slices", volume,
         {first, low, high, between, scene.seeds}, scene.all});
     cases.push_back({"undo only a fill between slices", volume,
-        {first, low, high, between, scene.drill}, core::RevertRows{{4}}});
+        {first, low, high, between, scene.drill}, revertRows({4})});
 
     const core::MirrorSegment middle{.segment = 1};
     const core::MirrorSegment aside{.segment = 1,
@@ -145,7 +144,7 @@ void addFillingStrokes(std::vector<StrokeCase>& cases, const StrokeScene& scene)
     cases.push_back(
         {"growth after mirroring", volume, {first, low, aside, scene.seeds}, scene.all});
     cases.push_back(
-        {"undo only a mirroring", volume, {first, low, aside, scene.drill}, core::RevertRows{{3}}});
+        {"undo only a mirroring", volume, {first, low, aside, scene.drill}, revertRows({3})});
 
     core::FloodFill flood{.segment = 1,
         .placeLps = geometry.toWorld({20.0, 16.0, 10.0}),
@@ -170,7 +169,7 @@ void addFillingStrokes(std::vector<StrokeCase>& cases, const StrokeScene& scene)
         {"take a region away after growth", volume, {first, scene.seeds, scene.some, low}, away});
     cases.push_back({"growth after a flood fill", volume, {first, flood, scene.seeds}, scene.all});
     cases.push_back({"undo only a flood fill", volume, {first, scene.paint, flood, scene.drill},
-        core::RevertRows{{3}}});
+        revertRows({3})});
     addScissors(cases, scene);
     addSplits(cases, scene, {low, high, apart});
 
@@ -184,7 +183,7 @@ void addFillingStrokes(std::vector<StrokeCase>& cases, const StrokeScene& scene)
         .generations = 4};
     cases.push_back({"a contour from a bubble", volume, {first}, contour});
     cases.push_back(
-        {"undo only a contour", volume, {first, contour, scene.drill}, core::RevertRows{{2}}});
+        {"undo only a contour", volume, {first, contour, scene.drill}, revertRows({2})});
     cases.push_back({"growth after a contour", volume, {first, contour, scene.seeds}, scene.all});
     core::EvolveContour further = contour;
     further.bubbleLps.reset();

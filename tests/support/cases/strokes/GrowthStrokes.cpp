@@ -8,10 +8,10 @@
 #include "core/edits/kinds/growth/SeedStroke.h"
 #include "core/edits/kinds/growth/ShrinkAt.h"
 #include "core/edits/kinds/growth/ShrinkSteps.h"
-#include "core/edits/kinds/history/RevertRows.h"
 #include "core/edits/kinds/segments/ChangeSegment.h"
 #include "core/edits/kinds/segments/MoveSegment.h"
 #include "tests/support/cases/strokes/StrokeFamilies.h"
+#include "tests/support/scenes/PlainEdits.h"
 
 namespace test {
 
@@ -98,8 +98,8 @@ void addGrowthStrokes(std::vector<StrokeCase>& cases, const StrokeScene& scene)
     cases.push_back({"growth with a guard", volume, {first, seeds}, guarded});
     cases.push_back({"growth with a guard, again", volume, {first, seeds, guarded}, guarded});
     cases.push_back({"growth after shrinking", volume, {first, seeds, all, three}, over});
-    cases.push_back({"undo only a shrinking", volume, {first, seeds, all, three, drill},
-        core::RevertRows{{4}}});
+    cases.push_back(
+        {"undo only a shrinking", volume, {first, seeds, all, three, drill}, revertRows({4})});
     const auto interval = [](double lower, double upper) {
         core::ChangeInterval change;
         change.criteria.lower = lower;
@@ -159,7 +159,7 @@ void addGrowthStrokes(std::vector<StrokeCase>& cases, const StrokeScene& scene)
     cases.push_back({"resume after another interval", volume,
         {first, seeds, some, fewSteps, core::ShrinkSteps{.steps = 2}}, core::ResumeGrowth{}});
     cases.push_back({"undo only a change of the interval", volume,
-        {first, seeds, all, interval(0, 900), drill}, core::RevertRows{{4}}});
+        {first, seeds, all, interval(0, 900), drill}, revertRows({4})});
     core::BarrierStroke shut;
     shut.path.radiusMm = 5.0;
     shut.path.pointsLps = {document.volumes.front().geometry.toWorld({4.0, 9.0, 9.0}),

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/edits/kinds/Edit.h"
 #include "core/edits/kinds/growth/GrowFromSeeds.h"
-#include "core/edits/kinds/history/RevertRows.h"
 #include "core/edits/kinds/parts/GrowBox.h"
 #include "core/edits/kinds/segments/FillOutline.h"
 #include "core/edits/kinds/segments/PaintStroke.h"
 #include "tests/support/cases/strokes/StrokeFamilies.h"
+#include "tests/support/scenes/PlainEdits.h"
 
 namespace test {
 
@@ -33,7 +33,7 @@ void addPaintStrokes(std::vector<StrokeCase>& cases, const StrokeScene& scene)
     cases.push_back({"erase nothing", volume, {first}, eraser});
     cases.push_back({"growth from paint", volume, {first, slice}, all});
     cases.push_back({"growth after erasing", volume, {first, seeds, some, eraser}, all});
-    cases.push_back({"undo only paint", volume, {first, paint, drill}, core::RevertRows{{2}}});
+    cases.push_back({"undo only paint", volume, {first, paint, drill}, revertRows({2})});
     core::FillOutline outline{.segment = 1,
         .originLps = geometry.toWorld({20.0, 16.0, 12.0}),
         .rightLps = geometry.direction()[0],
@@ -55,8 +55,7 @@ void addPaintStrokes(std::vector<StrokeCase>& cases, const StrokeScene& scene)
         {first, second, paint, outline, lock}, leaning});
     cases.push_back({"erase an outline in what has grown", volume, {first, seeds, all}, erased});
     cases.push_back({"growth after an erased outline", volume, {first, seeds, some, erased}, all});
-    cases.push_back(
-        {"undo only an outline", volume, {first, outline, drill}, core::RevertRows{{2}}});
+    cases.push_back({"undo only an outline", volume, {first, outline, drill}, revertRows({2})});
     auto pressed = paint.get<core::PaintStroke>();
     pressed.path.pressures = std::vector<double>{0.2, 1.0, 0.6};
     cases.push_back({"paint as the pen is pressed", volume, {first}, pressed});
@@ -88,7 +87,7 @@ void addPaintStrokes(std::vector<StrokeCase>& cases, const StrokeScene& scene)
         {"erase along edges what has grown", volume, {first, seeds, some, paint}, cube});
     cases.push_back({"growth from paint along edges", volume, {first, noEdges}, all});
     cases.push_back(
-        {"undo only paint along edges", volume, {first, edgewise, drill}, core::RevertRows{{2}}});
+        {"undo only paint along edges", volume, {first, edgewise, drill}, revertRows({2})});
     auto nudge = slice.get<core::PaintStroke>();
     nudge.tool = core::PaintStroke::Tool::Nudge;
     cases.push_back({"nudge the border outwards", volume, {first, seeds, some, paint}, nudge});
@@ -123,7 +122,7 @@ void addPaintStrokes(std::vector<StrokeCase>& cases, const StrokeScene& scene)
     cases.push_back({"growing from seeds again", volume,
         {first, second, paint, dab, fromSeeds, eraser}, fromSeeds});
     cases.push_back({"undo only growing from seeds", volume,
-        {first, second, paint, dab, fromSeeds, drill}, core::RevertRows{{5}}});
+        {first, second, paint, dab, fromSeeds, drill}, revertRows({5})});
     cases.push_back(
         {"growth after growing from seeds", volume, {first, second, seeds, dab, fromSeeds}, all});
 }

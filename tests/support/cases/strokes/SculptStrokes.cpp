@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/edits/kinds/Edit.h"
-#include "core/edits/kinds/history/RevertRows.h"
 #include "core/edits/kinds/history/ReviseStroke.h"
 #include "core/edits/kinds/parts/ClipHalfSpaces.h"
 #include "core/edits/kinds/sculpt/BrushStroke.h"
@@ -9,6 +8,7 @@
 #include "core/edits/kinds/sculpt/ScissorsCut.h"
 #include "tests/support/cases/strokes/StrokeFamilies.h"
 #include "tests/support/scenes/CutEdits.h"
+#include "tests/support/scenes/PlainEdits.h"
 
 namespace test {
 
@@ -26,12 +26,11 @@ void addDrillStrokes(std::vector<StrokeCase>& cases, const StrokeScene& scene)
     cases.push_back({"drill", volume, {}, drill});
     cases.push_back({"drill in a drill", volume, {drill}, drill});
     cases.push_back({"drill on a segment", volume, {first, seeds, all}, drill});
+    cases.push_back({"undo only a drill", volume, {first, drill, seeds, all}, revertRows({2})});
     cases.push_back(
-        {"undo only a drill", volume, {first, drill, seeds, all}, core::RevertRows{{2}}});
-    cases.push_back({"undo only two growths", volume, {first, seeds, some, all, drill},
-        core::RevertRows{{3, 4}}});
+        {"undo only two growths", volume, {first, seeds, some, all, drill}, revertRows({3, 4})});
     cases.push_back({"undo only what was undone only", volume,
-        {first, drill, seeds, core::RevertRows{{2}}}, core::RevertRows{{4}}});
+        {first, drill, seeds, revertRows({2})}, revertRows({4})});
 
     cases.push_back({"revise a drill", volume, {first, drill, seeds, beside, all},
         core::ReviseStroke{.row = 2, .radiusMm = said.mask.radiusMm * 1.5}});
@@ -76,8 +75,7 @@ void addCarvingStrokes(std::vector<StrokeCase>& cases, const StrokeScene& scene)
         core::ReviseStroke{.row = 1, .radiusMm = said.mask.radiusMm * 1.5}});
     cases.push_back({"remove a drill below the brush", volume, {drill, brush, back},
         core::ReviseStroke{.row = 1, .removed = true}});
-    cases.push_back(
-        {"undo only the brush", volume, {first, brush, seeds, all}, core::RevertRows{{2}}});
+    cases.push_back({"undo only the brush", volume, {first, brush, seeds, all}, revertRows({2})});
 
     core::ScissorsCut scissors;
     scissors.view = said.view;
@@ -93,7 +91,7 @@ void addCarvingStrokes(std::vector<StrokeCase>& cases, const StrokeScene& scene)
     cases.push_back({"scissors to a depth", volume, {}, shallow});
     cases.push_back({"scissors through a layer", volume, {peel}, layerOnly});
     cases.push_back({"restore by drilling", volume, {peel, drill}, drillBack});
-    cases.push_back({"undo only a peel", volume, {first, peel, seeds, all}, core::RevertRows{{2}}});
+    cases.push_back({"undo only a peel", volume, {first, peel, seeds, all}, revertRows({2})});
     cases.push_back({"revise a drill below a peel", volume, {drill, peel, drillBack, shallow},
         core::ReviseStroke{.row = 1, .radiusMm = said.mask.radiusMm * 1.5}});
     cases.push_back({"remove a drill below a peel", volume, {drill, peel, peelBack, drill},
@@ -117,8 +115,7 @@ void addCarvingStrokes(std::vector<StrokeCase>& cases, const StrokeScene& scene)
     cases.push_back({"remove scissors", volume, {drill, scissors, back},
         core::ReviseStroke{.row = 2, .removed = true}});
     cases.push_back({"undo only the revision of a brush", volume,
-        {first, brush, core::ReviseStroke{.row = 2, .radiusMm = 8.0}, seeds},
-        core::RevertRows{{3}}});
+        {first, brush, core::ReviseStroke{.row = 2, .radiusMm = 8.0}, seeds}, revertRows({3})});
     core::LaserStroke laser;
     laser.view = said.view;
     laser.mask = said.mask;
@@ -148,8 +145,7 @@ void addCarvingStrokes(std::vector<StrokeCase>& cases, const StrokeScene& scene)
     cases.push_back({"peel of what is not hidden", volume, {}, peelClipped});
     cases.push_back({"scissors of what is not hidden", volume, {}, scissorsClipped});
     cases.push_back({"brush of what is not hidden", volume, {}, brushClipped});
-    cases.push_back(
-        {"undo only a laser", volume, {first, laser, seeds, all}, core::RevertRows{{2}}});
+    cases.push_back({"undo only a laser", volume, {first, laser, seeds, all}, revertRows({2})});
     cases.push_back({"revise a drill below a laser", volume, {drill, laser, laserBack, shallow},
         core::ReviseStroke{.row = 1, .radiusMm = said.mask.radiusMm * 1.5}});
     cases.push_back({"revise a laser", volume, {laser, drill, laserBack},

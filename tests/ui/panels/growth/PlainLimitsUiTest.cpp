@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/panels/growth/PlainLimits.h"
 
+#include "core/edits/kinds/EditParts.h"
 #include "core/edits/kinds/growth/GrowCriteria.h"
 #include "core/edits/kinds/growth/GrowLimits.h"
-#include "core/edits/kinds/growth/GrowSteps.h"
 #include "core/session/EditSession.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/fixtures/WorkspaceFixture.h"
@@ -168,10 +168,10 @@ public:
     [[nodiscard]] core::GrowCriteria submitted()
     {
         const core::History& history = session().history();
-        const auto* growth = history.row(history.position()).edit.as<core::GrowSteps>();
-        if (!growth)
+        const core::Edit& growth = history.row(history.position()).edit;
+        if (!growth.is<core::GrowSteps>())
             qFatal("no growth");
-        return growth->criteria;
+        return *core::growCriteriaOf(growth);
     }
     ui::GrowthPanel panel;
 };

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/panels/growth/ToleranceSection.h"
 
-#include "core/edits/kinds/growth/GrowSteps.h"
+#include "core/edits/kinds/EditParts.h"
+#include "core/edits/kinds/growth/GrowCriteria.h"
 #include "tests/support/fixtures/WorkspaceFixture.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/PlainEdits.h"
@@ -284,8 +285,9 @@ private Q_SLOTS:
         QCOMPARE(fixture.voxels(),
             smallHead::voxelsOf(smallHead::ventricleHu) + smallHead::voxelsOf(smallHead::brainHu));
         const core::History& history = fixture.session().history();
-        QCOMPARE(history.row(history.position()).edit.get<core::GrowSteps>().criteria.segments,
-            std::optional(std::vector<int>{1}));
+        const core::Edit& grown = history.row(history.position()).edit;
+        QVERIFY(grown.is<core::GrowSteps>());
+        QCOMPARE(core::growCriteriaOf(grown)->segments, std::optional(std::vector<int>{1}));
         QVERIFY(QTest::qWaitFor([&fixture] {
             fixture.settle();
             return fixture.workspace.seeds().seeds().size() == 1

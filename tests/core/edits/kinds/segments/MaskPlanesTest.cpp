@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/edits/EditJson.h"
+#include "core/edits/kinds/EditParts.h"
 #include "core/edits/kinds/filling/FloodFill.h"
 #include "core/edits/kinds/filling/MirrorSegment.h"
 #include "core/edits/kinds/growth/GrowCriteria.h"
@@ -9,7 +10,6 @@
 #include "core/edits/kinds/segments/FillOutline.h"
 #include "core/edits/kinds/segments/ImportMask.h"
 #include "core/edits/kinds/segments/InvertSegment.h"
-#include "core/edits/kinds/segments/PaintStroke.h"
 #include "core/edits/kinds/segments/RemoveSegment.h"
 #include "core/edits/kinds/segments/ReshapeSegment.h"
 #include "core/edits/kinds/segments/SegmentSeen.h"
@@ -323,7 +323,7 @@ private Q_SLOTS:
         const Bench bench;
         QCOMPARE(bench.tried(twoPlanes()), QString());
         Edit paint = test::paintAt(2, {bench.at({2, 6, 6})}, 3.0);
-        paint.as<PaintStroke>()->editable.emplace().inside = std::vector<int>{1};
+        editableRangeOf(paint)->emplace().inside = std::vector<int>{1};
         QCOMPARE(bench.tried(paint), QString());
         const std::vector<std::uint8_t> first = labelsOf(one, 1);
         const std::vector<std::uint8_t> before = labelsOf(two, 2);
@@ -349,9 +349,7 @@ private Q_SLOTS:
         };
         QVERIFY(refused(test::seedAt(2, {bench.at({12, 6, 6})})));
         QVERIFY(refused(test::protectSegment(2)));
-        Edit paint = test::paintAt(2, {bench.at({12, 6, 6})});
-        paint.as<PaintStroke>()->seeds = true;
-        QVERIFY(refused(paint));
+        QVERIFY(refused(test::paintSeedsAt(2, {bench.at({12, 6, 6})}, 4.0)));
         GrowCriteria criteria;
         criteria.lower = 0.0;
         criteria.upper = 100.0;
