@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/edits/kinds/history/ReviseStroke.h"
 #include "core/edits/kinds/sculpt/BrushStroke.h"
-#include "core/edits/kinds/sculpt/ScissorsCut.h"
 #include "core/nifti/NiftiWriter.h"
 #include "core/session/EditSession.h"
 #include "core/study/StudyLoader.h"
@@ -51,11 +50,9 @@ std::vector<core::Edit> everyTool()
     const core::Edit peel =
         test::peelWith({.view = at.view, .depthMm = 2.5, .surfaceThreshold = at.surfaceThreshold},
             {{-9.0, -9.0}, {7.0, -8.0}, {9.0, 2.0}, {-5.0, 3.0}});
-    core::ScissorsCut scissors;
-    scissors.view = at.view;
-    scissors.polygonMm = {{2.0, 2.0}, {12.0, 4.0}, {6.0, 13.0}};
-    scissors.depthMm = 9.0;
-    scissors.surfaceThreshold = at.surfaceThreshold;
+    const core::Edit scissors = test::scissorsWith(
+        {.view = at.view, .depthMm = 9.0, .surfaceThreshold = at.surfaceThreshold},
+        {{2.0, 2.0}, {12.0, 4.0}, {6.0, 13.0}});
     core::BrushStroke carve;
     carve.path.radiusMm = 3.0;
     carve.path.pointsLps = {at.view.targetLps, at.view.targetLps + glm::dvec3(7.0, 2.0, 5.0)};

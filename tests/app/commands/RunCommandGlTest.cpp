@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/edits/EditJson.h"
-#include "core/edits/kinds/sculpt/ScissorsCut.h"
 #include "core/session/EditSession.h"
 #include "core/sessionfile/SessionFile.h"
 #include "core/sessionfile/records/SessionUse.h"
@@ -158,10 +157,8 @@ private Q_SLOTS:
     {
         const std::vector<glm::dvec2> outline{{-5, -5}, {5, -5}, {5, 5}, {-5, 5}};
         const Edit peel = test::peelWith({.view = test::frontView()}, outline);
-        ScissorsCut scissors;
-        scissors.view = test::frontView();
-        scissors.polygonMm = outline;
-        scissors.depthMm = 6.0;
+        const Edit scissors =
+            test::scissorsWith({.view = test::frontView(), .depthMm = 6.0}, outline);
         const Edit drill = test::drillAt(0);
         const test::StrokeFacts said = test::factsOfStroke(drill);
         const Edit laser =

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/edits/kinds/values/ThresholdSegment.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/fixtures/Collage.h"
 #include "tests/support/fixtures/FigureWindow.h"
@@ -204,7 +203,7 @@ private Q_SLOTS:
             1, {{-22.0, 24.0, z}, {-8.0, -18.0, z}, {8.0, -18.0, z}, {22.0, 24.0, z}}));
         apply(test::growBetween(-20, 18, 14));
         apply(test::newSegment(QStringLiteral("Skull"), 0xE6C84A));
-        apply(core::ThresholdSegment{.segment = 2, .lower = 300.0});
+        apply(test::thresholdOf(2, 300.0));
         ui::SliceView& axial = axialAlone({0.0, 2.0, z}, 0.3);
         auto& tool = hand<ui::MeasureTool>();
         using Kind = core::Measurement::Kind;

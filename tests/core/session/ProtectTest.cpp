@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/edits/kinds/history/ReviseStroke.h"
 #include "core/edits/kinds/layers/SegmentToLayer.h"
-#include "core/edits/kinds/sculpt/ScissorsCut.h"
 #include "core/session/EditSession.h"
 #include "tests/reference/ReferenceEngine.h"
 #include "tests/support/faults/FailingLog.h"
@@ -106,8 +105,8 @@ std::vector<Edit> cutsOfEveryTool()
     const std::vector<glm::dvec2> outline{{-9, -9}, {9, -9}, {9, 9}, {-9, 9}};
     const Edit peel = test::peelWith(
         {.view = drill.view, .depthMm = 9.0, .surfaceThreshold = drill.surfaceThreshold}, outline);
-    ScissorsCut scissors{.view = drill.view, .polygonMm = outline};
-    scissors.surfaceThreshold = drill.surfaceThreshold;
+    const Edit scissors = test::scissorsWith(
+        {.view = drill.view, .surfaceThreshold = drill.surfaceThreshold}, outline);
     return {deepDrill(), laser, peel, scissors, test::carveAt(placeBelow(), 6.0)};
 }
 

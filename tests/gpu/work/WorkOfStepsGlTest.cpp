@@ -10,7 +10,6 @@
 #include "core/edits/kinds/growth/ShrinkSteps.h"
 #include "core/edits/kinds/sculpt/ScissorsCut.h"
 #include "core/edits/kinds/segments/FillOutline.h"
-#include "core/edits/kinds/segments/PaintStroke.h"
 #include "core/session/EditSession.h"
 #include "core/session/SessionChunks.h"
 #include "tests/support/faults/FailingLog.h"
@@ -256,9 +255,8 @@ std::vector<Counted> WorkOfStepsGlTest::stepsIn(int side)
                 .polygonMm = squareAround({0.0, 0.0}, 6.0)});
         });
         step("paint along edges", [&] {
-            return apply(PaintStroke{.segment = 1,
-                .path = {.radiusMm = 4.0, .pointsLps = {middle + glm::dvec3(14.0, 0.0, 0.0)}},
-                .edgeTolerance = 60.0});
+            return apply(
+                test::paintAlongEdgesAt(1, {middle + glm::dvec3(14.0, 0.0, 0.0)}, 4.0, 60.0));
         });
 
         // Parts of steps: what one event of a slider costs.

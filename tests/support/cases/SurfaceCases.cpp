@@ -26,7 +26,7 @@
 
 namespace test {
 
-core::Edit ballMask(const glm::ivec3& size, double radius)
+core::VoxelRuns ballRuns(const glm::ivec3& size, double radius)
 {
     core::VoxelRuns runs;
     const glm::dvec3 middle = (glm::dvec3(size) - 1.0) / 2.0;
@@ -39,8 +39,13 @@ core::Edit ballMask(const glm::ivec3& size, double radius)
             }
         }
     }
-    return maskImport(
-        QStringLiteral("ball.nrrd"), size, {{QStringLiteral("Ball"), runs, 0x4080C0}});
+    return runs;
+}
+
+core::Edit ballMask(const glm::ivec3& size, double radius)
+{
+    return maskImport(QStringLiteral("ball.nrrd"), size,
+        {{QStringLiteral("Ball"), ballRuns(size, radius), 0x4080C0}});
 }
 
 std::vector<StrokeCase> surfaceCases()

@@ -5,12 +5,13 @@
 #include "core/edits/kinds/sculpt/DrillStroke.h"
 #include "core/edits/kinds/sculpt/LaserStroke.h"
 #include "core/edits/kinds/sculpt/PeelCut.h"
+#include "core/edits/kinds/sculpt/ScissorsCut.h"
 
 namespace test {
 
 namespace {
 
-template <class Field> void say(const std::optional<Field>& word, Field& field)
+template <class Word, class Field> void say(const std::optional<Word>& word, Field& field)
 {
     if (word)
         field = *word;
@@ -23,7 +24,8 @@ template <class Cut> void sayOfCut(const CutWords& words, Cut& cut)
     say(words.view, cut.view);
     say(words.depthMm, cut.depthMm);
     say(words.surfaceThreshold, cut.surfaceThreshold);
-    say(words.throughGaps, cut.throughGaps);
+    if constexpr (requires { cut.throughGaps; })
+        say(words.throughGaps, cut.throughGaps);
     say(words.restore, cut.restore);
     say(words.hidden, cut.hidden);
     say(words.protectedSegments, cut.protectedSegments);
@@ -74,6 +76,13 @@ core::Edit peelWith(const CutWords& words, const std::vector<glm::dvec2>& polygo
     core::PeelCut peel{.polygonMm = polygonMm};
     sayOfCut(words, peel);
     return peel;
+}
+
+core::Edit scissorsWith(const CutWords& words, const std::vector<glm::dvec2>& polygonMm)
+{
+    core::ScissorsCut scissors{.polygonMm = polygonMm};
+    sayOfCut(words, scissors);
+    return scissors;
 }
 
 core::Edit begunStroke(const core::Edit& stroke)

@@ -42,6 +42,9 @@ struct CutWords {
 [[nodiscard]] core::Edit laserWith(const CutWords& words);
 /// A new peel.
 [[nodiscard]] core::Edit peelWith(const CutWords& words, const std::vector<glm::dvec2>& polygonMm);
+/// Scissors; they have no gaps to go through.
+[[nodiscard]] core::Edit scissorsWith(
+    const CutWords& words, const std::vector<glm::dvec2>& polygonMm);
 /// @p stroke, of drill or laser, as it is begun: without its samples.
 [[nodiscard]] core::Edit begunStroke(const core::Edit& stroke);
 

@@ -8,6 +8,7 @@
 #include "core/edits/kinds/segments/AddSegment.h"
 #include "core/edits/kinds/segments/ChangeSegment.h"
 #include "core/edits/kinds/segments/PaintStroke.h"
+#include "core/edits/kinds/values/ThresholdSegment.h"
 
 #include <utility>
 
@@ -71,6 +72,14 @@ core::Edit paintSeedsAt(int segment, std::vector<glm::dvec3> pointsLps, double r
         .seeds = true};
 }
 
+core::Edit paintAlongEdgesAt(
+    int segment, std::vector<glm::dvec3> pointsLps, double radiusMm, double tolerance)
+{
+    return core::PaintStroke{.segment = segment,
+        .path = {.radiusMm = radiusMm, .pointsLps = std::move(pointsLps)},
+        .edgeTolerance = tolerance};
+}
+
 core::Edit paintOverAt(int segment, std::vector<glm::dvec3> pointsLps, double radiusMm)
 {
     return core::PaintStroke{.segment = segment,
@@ -88,6 +97,11 @@ core::Edit eraseAt(int segment, std::vector<glm::dvec3> pointsLps, double radius
 core::Edit carveAt(std::vector<glm::dvec3> pointsLps, double radiusMm)
 {
     return core::BrushStroke{.path = {.radiusMm = radiusMm, .pointsLps = std::move(pointsLps)}};
+}
+
+core::Edit thresholdOf(int segment, double lower, std::optional<double> upper)
+{
+    return core::ThresholdSegment{.segment = segment, .lower = lower, .upper = upper};
 }
 
 core::Edit revertRows(std::vector<std::int64_t> rows)

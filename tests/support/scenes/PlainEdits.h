@@ -40,6 +40,9 @@ namespace test {
 /// Seeds, of a ball.
 [[nodiscard]] core::Edit paintSeedsAt(
     int segment, std::vector<glm::dvec3> pointsLps, double radiusMm);
+/// Along edges: voxels that differ from where it begins by no more than the tolerance.
+[[nodiscard]] core::Edit paintAlongEdgesAt(
+    int segment, std::vector<glm::dvec3> pointsLps, double radiusMm, double tolerance);
 /// Over other segments too.
 [[nodiscard]] core::Edit paintOverAt(
     int segment, std::vector<glm::dvec3> pointsLps, double radiusMm = 4.0);
@@ -47,6 +50,9 @@ namespace test {
     int segment, std::vector<glm::dvec3> pointsLps, double radiusMm = 4.0);
 /// Out of layer 1, likewise.
 [[nodiscard]] core::Edit carveAt(std::vector<glm::dvec3> pointsLps, double radiusMm = 4.0);
+/// A segment of these values; none: of any above.
+[[nodiscard]] core::Edit thresholdOf(
+    int segment, double lower, std::optional<double> upper = std::nullopt);
 [[nodiscard]] core::Edit revertRows(std::vector<std::int64_t> rows);
 
 } // namespace test

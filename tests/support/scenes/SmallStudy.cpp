@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/support/scenes/SmallStudy.h"
 
-#include "core/edits/kinds/sculpt/DrillStroke.h"
+#include "tests/support/scenes/CutEdits.h"
 #include "tests/support/scenes/PlainEdits.h"
 
 namespace test {
@@ -100,14 +100,13 @@ core::Edit growBone(std::optional<int> steps)
 
 core::Edit drillAt(double xMm)
 {
-    core::DrillStroke stroke;
-    stroke.view = frontView();
-    stroke.mask.radiusMm = 4;
-    stroke.depthMm = 5;
-    stroke.surfaceThreshold = 500;
-    stroke.samples = {{.xMm = xMm, .yMm = 0.3, .pressure = 0.7, .tSeconds = 0.0},
-        {.xMm = xMm + 3.21, .yMm = 1.7, .pressure = 1.0, .tSeconds = 0.1}};
-    return stroke;
+    return drillWith({.view = frontView(),
+        .radiusMm = 4.0,
+        .depthMm = 5.0,
+        .surfaceThreshold = 500.0,
+        .samples =
+            std::vector<core::PenSample>{{.xMm = xMm, .yMm = 0.3, .pressure = 0.7, .tSeconds = 0.0},
+                {.xMm = xMm + 3.21, .yMm = 1.7, .pressure = 1.0, .tSeconds = 0.1}}});
 }
 
 std::vector<core::Edit> manyEdits()

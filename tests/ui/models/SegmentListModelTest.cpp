@@ -3,7 +3,6 @@
 
 #include "core/edits/kinds/segments/InvertSegment.h"
 #include "core/edits/kinds/segments/MoveSegment.h"
-#include "core/edits/kinds/values/ThresholdSegment.h"
 #include "tests/support/fixtures/WorkspaceFixture.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/PlainEdits.h"
@@ -145,7 +144,7 @@ private Q_SLOTS:
         const QString tip = row.data(Qt::ToolTipRole).toString();
         QCOMPARE(tip, QStringLiteral("Segment 1\nnot coded yet"));
         QCOMPARE(row.data(SegmentListModel::FollowsRole).toString(), QString());
-        fixture.apply(core::ThresholdSegment{.segment = 1, .lower = 0.0, .upper = 20.0});
+        fixture.apply(test::thresholdOf(1, 0.0, 20.0));
         const QString follows = QStringLiteral("follows 0 … 20 HU");
         QCOMPARE(row.data(SegmentListModel::FollowsRole).toString(), follows);
         QCOMPARE(row.data(Qt::ToolTipRole).toString(), tip + u'\n' + follows);

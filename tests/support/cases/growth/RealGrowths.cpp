@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/support/cases/growth/RealGrowths.h"
 
+#include "core/edits/kinds/EditParts.h"
 #include "core/edits/kinds/growth/GrowCriteria.h"
-#include "core/edits/kinds/growth/GrowSteps.h"
+#include "core/edits/kinds/growth/GrowGuard.h"
 #include "core/edits/kinds/growth/PlugLeak.h"
 #include "core/edits/kinds/growth/ShrinkAt.h"
 #include "core/edits/kinds/parts/GrowBox.h"
@@ -97,10 +98,7 @@ public:
         m_growth.seeds.insert(m_growth.seeds.end(), voxels.begin(), voxels.end());
         m_growth.edits.emplace_back(test::seedAt(1, places(voxels)));
     }
-    void grow(const GrowCriteria& criteria)
-    {
-        m_growth.edits.emplace_back(GrowSteps{.criteria = criteria});
-    }
+    void grow(const GrowCriteria& criteria) { m_growth.edits.push_back(test::growBy(criteria)); }
     void shrinkAt(const std::vector<glm::ivec3>& corners)
     {
         m_growth.edits.emplace_back(ShrinkAt{.pointsLps = places(strokeVoxels(corners))});
@@ -295,15 +293,14 @@ std::vector<glm::dvec3> placesOf(
 
 int userActions(const Edit& edit, const VolumeGeometry& geometry)
 {
-    const auto* grow = edit.as<GrowSteps>();
-    if (grow == nullptr)
+    if (!edit.is<GrowSteps>())
         return 1;
-    const GrowCriteria& criteria = grow->criteria;
+    const GrowCriteria& criteria = *growCriteriaOf(edit);
     int actions = 2 // the interval, the button
         + (criteria.connectivity != 6) + criteria.sigmas.has_value()
         + criteria.difference.has_value() + criteria.gradient.has_value()
         + criteria.gradientDifference.has_value() + criteria.majority.has_value()
-        + criteria.onlyVisible + criteria.overwriteUnlocked + grow->guard.factor.has_value();
+        + criteria.onlyVisible + criteria.overwriteUnlocked + growGuardOf(edit)->factor.has_value();
     if (criteria.box) {
         const glm::ivec3 from(glm::round(geometry.toIndex(criteria.box->fromLps)));
         const glm::ivec3 to(glm::round(geometry.toIndex(criteria.box->toLps)));

@@ -5,10 +5,10 @@
 #include "core/edits/kinds/filling/MirrorSegment.h"
 #include "core/edits/kinds/filling/SegmentScissors.h"
 #include "core/edits/kinds/parts/PenSample.h"
-#include "core/edits/kinds/sculpt/DrillStroke.h"
 #include "core/edits/kinds/splitting/SplitIslands.h"
 #include "core/edits/kinds/splitting/SplitSegment.h"
 #include "tests/support/cases/strokes/StrokeFamilies.h"
+#include "tests/support/scenes/CutEdits.h"
 #include "tests/support/scenes/PlainEdits.h"
 
 namespace test {
@@ -28,7 +28,7 @@ void addScissors(std::vector<StrokeCase>& cases, const StrokeScene& scene)
     const core::Edit& first = scene.first;
     const core::Edit& second = scene.second;
     const core::SegmentScissors fill{.segment = 1,
-        .view = scene.drill.get<core::DrillStroke>().view,
+        .view = factsOfStroke(scene.drill).view,
         .polygonMm = {{-9.0, -8.0}, {10.0, -6.0}, {2.0, 11.0}}};
     cases.push_back({"scissors that fill", volume, {first}, fill});
     core::SegmentScissors deep = fill;

@@ -2,7 +2,7 @@
 #include "tests/support/cases/strokes/StrokeScene.h"
 
 #include "core/edits/kinds/Edit.h"
-#include "core/edits/kinds/growth/GrowSteps.h"
+#include "core/edits/kinds/growth/GrowCriteria.h"
 #include "core/edits/kinds/parts/BrushPath.h"
 #include "core/edits/kinds/parts/PenSample.h"
 #include "core/edits/kinds/sculpt/BrushStroke.h"
@@ -14,6 +14,7 @@
 #include "core/edits/kinds/views/Bookmarks.h"
 #include "tests/support/cases/strokes/RandomStrokes.h"
 #include "tests/support/scenes/CutEdits.h"
+#include "tests/support/scenes/PlainEdits.h"
 
 namespace test {
 
@@ -62,11 +63,11 @@ StrokeScene strokeScene()
     drill.hidden.reset();
     const core::Edit lock =
         core::ChangeSegment{.segment = 1, .name = {}, .rgb = {}, .code = {}, .locked = true};
-    core::GrowSteps some{.criteria = {.lower = 0, .upper = 700}, .steps = 5};
-    core::GrowSteps all{.criteria = {.lower = 0, .upper = 240}, .steps = {}};
-    core::GrowSteps none{.criteria = {.lower = 60000, .upper = 60001}, .steps = {}};
-    core::GrowSteps over{
-        .criteria = {.lower = 0, .upper = 1000, .overwriteUnlocked = true}, .steps = {}};
+    const core::Edit some = growBetween(0, 700, 5);
+    const core::Edit all = growBetween(0, 240);
+    const core::Edit none = growBetween(60000, 60001);
+    const core::Edit over =
+        growBy(core::GrowCriteria{.lower = 0, .upper = 1000, .overwriteUnlocked = true});
 
     core::DrillStroke beside = drill;
     beside.mask.radiusMm *= 0.7;

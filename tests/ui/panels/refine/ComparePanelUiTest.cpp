@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/brick/VoxelRuns.h"
-#include "core/edits/kinds/segments/ImportMask.h"
 #include "core/edits/kinds/surface/DropSurface.h"
 #include "core/edits/kinds/surface/LaySurface.h"
 #include "core/edits/kinds/surface/SpherePush.h"
@@ -37,13 +36,10 @@ public:
     {
         apply(test::ballMask(glm::ivec3(test::smallHead::side), radius));
         workspace.setActiveSegment(1);
-        const core::ImportMask larger =
-            test::ballMask(glm::ivec3(test::smallHead::side), radius + 1.0).get<core::ImportMask>();
+        const core::VoxelRuns larger =
+            test::ballRuns(glm::ivec3(test::smallHead::side), radius + 1.0);
         truth.assign(workspace.volume()->geometry.voxelCount(), 0);
-        // Named: as a temporary of the loop's range it would be gone before the first turn.
-        const std::optional<core::VoxelRuns> runs =
-            core::unpackedRuns(larger.segments->front().voxels, truth.size());
-        for (const core::VoxelRun& run : runs->runs())
+        for (const core::VoxelRun& run : larger.runs())
             std::fill_n(truth.begin() + std::ptrdiff_t(run.first), run.count, std::uint8_t(1));
         QFile file(path());
         if (!file.open(QIODevice::WriteOnly))

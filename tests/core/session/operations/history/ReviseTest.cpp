@@ -9,7 +9,6 @@
 #include "core/edits/kinds/sculpt/BrushStroke.h"
 #include "core/edits/kinds/sculpt/DrillPathSampler.h"
 #include "core/edits/kinds/sculpt/DrillStroke.h"
-#include "core/edits/kinds/sculpt/PeelCut.h"
 #include "core/edits/kinds/sculpt/ScissorsCut.h"
 #include "core/engine/EngineCommands.h"
 #include "core/history/StandingStrokes.h"
@@ -18,6 +17,7 @@
 #include "tests/reference/ReferenceEngine.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/CutEdits.h"
 #include "tests/support/scenes/SmallStudy.h"
 
 #include <QTemporaryDir>
@@ -270,18 +270,18 @@ private Q_SLOTS:
         QTest::newRow("brush") << Edit(brush) << Edit(wide)
                                << ReviseStroke{.row = 2, .radiusMm = 6.5}
                                << QStringLiteral("radius 4.0 → 6.5 mm, ");
-        PeelCut peel;
-        peel.view = test::frontView();
-        peel.polygonMm = {{-9.0, -8.0}, {9.0, -7.0}, {1.0, 10.0}};
-        peel.surfaceThreshold = test::drillAt(0).get<DrillStroke>().surfaceThreshold;
-        PeelCut thick = peel;
-        thick.depthMm = 7.0;
-        QTest::newRow("peel") << Edit(peel) << Edit(thick) << ReviseStroke{.row = 2, .depthMm = 7.0}
+        const OrthographicView view = test::frontView();
+        const std::vector<glm::dvec2> outline{{-9.0, -8.0}, {9.0, -7.0}, {1.0, 10.0}};
+        const double threshold = test::drillAt(0).get<DrillStroke>().surfaceThreshold;
+        const Edit peel = test::peelWith({.view = view, .surfaceThreshold = threshold}, outline);
+        const Edit thick =
+            test::peelWith({.view = view, .depthMm = 7.0, .surfaceThreshold = threshold}, outline);
+        QTest::newRow("peel") << peel << thick << ReviseStroke{.row = 2, .depthMm = 7.0}
                               << QStringLiteral("depth 4.0 → 7.0 mm, ");
         ScissorsCut scissors;
-        scissors.view = peel.view;
-        scissors.polygonMm = peel.polygonMm;
-        scissors.surfaceThreshold = peel.surfaceThreshold;
+        scissors.view = view;
+        scissors.polygonMm = outline;
+        scissors.surfaceThreshold = threshold;
         scissors.depthMm = 3.0;
         ScissorsCut deep = scissors;
         deep.depthMm = 12.0;
@@ -325,14 +325,13 @@ private Q_SLOTS:
         brush.path.pointsLps = {test::frontView().targetLps};
         DrillStroke square = drill(0);
         square.mask.kind = ToolMask::Kind::Square;
-        PeelCut peel;
-        peel.view = square.view;
-        peel.polygonMm = {{-9.0, -8.0}, {9.0, -7.0}, {1.0, 10.0}};
-        peel.surfaceThreshold = square.surfaceThreshold;
+        const Edit peel =
+            test::peelWith({.view = square.view, .surfaceThreshold = square.surfaceThreshold},
+                {{-9.0, -8.0}, {9.0, -7.0}, {1.0, 10.0}});
         ScissorsCut through;
-        through.view = peel.view;
+        through.view = square.view;
         through.polygonMm = {{-19.0, -18.0}, {19.0, -17.0}, {1.0, 20.0}};
-        through.surfaceThreshold = peel.surfaceThreshold;
+        through.surfaceThreshold = square.surfaceThreshold;
         Bench bench({square, brush, peel, through});
         QVERIFY(bench.refusal(ReviseStroke{.row = 1, .radiusMm = 3.0})
                     .contains(QStringLiteral("reviseStroke.radiusMm the cut of row 1 has none")));
