@@ -35,6 +35,12 @@ public:
         const core::Result<void> done = carriedOut(edit);
         QVERIFY2(done, qPrintable(done ? QString() : done.error().arguments.join(u' ')));
     }
+    /// The same, where it may be refused.
+    [[nodiscard]] core::Result<void> carriedOut(const core::Edit& edit) const
+    {
+        const core::Result<void> done = session->apply(edit);
+        return done ? session->settle() : done;
+    }
     /// The same, but returns why it is refused; empty if it is not.
     [[nodiscard]] QString tried(const core::Edit& edit) const
     {
@@ -69,13 +75,6 @@ public:
     reference::ReferenceEngine inner;
     reference::DelayedEngine late;
     std::unique_ptr<core::EditSession> session;
-
-private:
-    [[nodiscard]] core::Result<void> carriedOut(const core::Edit& edit) const
-    {
-        const core::Result<void> done = session->apply(edit);
-        return done ? session->settle() : done;
-    }
 };
 
 } // namespace test

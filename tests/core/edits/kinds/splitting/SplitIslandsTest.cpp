@@ -8,14 +8,13 @@
 #include "core/recipe/Recipe.h"
 #include "core/session/EditSession.h"
 #include "core/session/questions/VoxelQuestions.h"
-#include "tests/reference/DelayedEngine.h"
-#include "tests/reference/ReferenceEngine.h"
 #include "tests/support/cases/IslandTruth.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/PlainEdits.h"
 #include "tests/support/scenes/PlainMasks.h"
 #include "tests/support/scenes/SmallStudy.h"
+#include "tests/support/scenes/sessions/SessionBench.h"
 
 #include <QTest>
 
@@ -94,36 +93,13 @@ Edit anyMatter(std::mt19937& random)
     return importOf(labels);
 }
 
-struct Bench {
+struct Bench : test::SessionBench {
     Bench(bool delayed, const Edit& matter)
-        : late(inner, 7)
+        : SessionBench(delayed)
     {
-        EditEngine& engine = delayed ? static_cast<EditEngine&>(late) : inner;
-        session = *EditSession::create(engine, test::smallStudy(), {});
         run(matter);
     }
-    [[nodiscard]] Result<void> tried(const Edit& edit) const
-    {
-        const Result<void> done = session->apply(edit);
-        return done ? session->settle() : done;
-    }
-    void run(const Edit& edit) const
-    {
-        const Result<void> done = tried(edit);
-        QVERIFY2(done, qPrintable(done ? QString() : done.error().arguments.join(u' ')));
-    }
-    [[nodiscard]] Labels labels() const { return *session->questions().labels(0); }
-    [[nodiscard]] std::int64_t voxels(int label) const
-    {
-        const Labels all = labels();
-        return std::count(all.begin(), all.end(), label);
-    }
     [[nodiscard]] const Document& document() const { return session->document(); }
-    [[nodiscard]] const std::vector<HistoryRow>& rows() const { return session->history().rows(); }
-
-    reference::ReferenceEngine inner;
-    reference::DelayedEngine late;
-    std::unique_ptr<EditSession> session;
 };
 
 /// By flooding voxel by voxel.
@@ -225,7 +201,7 @@ private Q_SLOTS:
         QCOMPARE(bench.voxels(1), std::int64_t(216 + 27 + 1));
         QCOMPARE(bench.voxels(3), std::int64_t(27));
         const Result<void> many =
-            bench.tried(SplitIslands{.segment = 1, .into = std::vector(3, first)});
+            bench.carriedOut(SplitIslands{.segment = 1, .into = std::vector(3, first)});
         QVERIFY(!many && many.error().code == ErrorCode::InvalidField);
         QCOMPARE(many.error().arguments.front(), QStringLiteral("splitIslands.into"));
         QCOMPARE(bench.document().segments.size(), std::size_t(3));
@@ -266,7 +242,7 @@ private Q_SLOTS:
 
         const Bench bench(false, specks(255));
         const QByteArray hash = bench.session->stateHash();
-        const Result<void> refused = bench.tried(SplitIslands{.segment = 1});
+        const Result<void> refused = bench.carriedOut(SplitIslands{.segment = 1});
         QVERIFY(!refused && refused.error().code == ErrorCode::TooManyIslands);
         QCOMPARE(refused.error().arguments,
             (QStringList{QStringLiteral("Parts"), QStringLiteral("254"), QStringLiteral("253")}));
@@ -346,10 +322,10 @@ private Q_SLOTS:
     void whatCannotBe()
     {
         const Bench bench(false, fourIslands());
-        const Result<void> unknown = bench.tried(SplitIslands{.segment = 7});
+        const Result<void> unknown = bench.carriedOut(SplitIslands{.segment = 7});
         QVERIFY(!unknown && unknown.error().code == ErrorCode::UnknownSegment);
         bench.run(test::lockSegment(1));
-        const Result<void> locked = bench.tried(SplitIslands{.segment = 1});
+        const Result<void> locked = bench.carriedOut(SplitIslands{.segment = 1});
         QVERIFY(!locked && locked.error().code == ErrorCode::SegmentLocked);
     }
 };

@@ -5,13 +5,12 @@
 #include "core/edits/EditJson.h"
 #include "core/session/EditSession.h"
 #include "core/session/questions/VoxelQuestions.h"
-#include "tests/reference/DelayedEngine.h"
-#include "tests/reference/ReferenceEngine.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/PlainEdits.h"
 #include "tests/support/scenes/PlainMasks.h"
 #include "tests/support/scenes/SmallStudy.h"
+#include "tests/support/scenes/sessions/SessionBench.h"
 
 #include <QTest>
 
@@ -52,31 +51,13 @@ Edit ballAndBlock()
         {{QStringLiteral("One"), runs[0]}, {QStringLiteral("Two"), runs[1], 8}});
 }
 
-struct Bench {
+struct Bench : test::SessionBench {
     explicit Bench(bool delayed = false)
-        : late(inner, 7)
+        : SessionBench(delayed)
     {
-        EditEngine& engine = delayed ? static_cast<EditEngine&>(late) : inner;
-        session = *EditSession::create(engine, test::smallStudy(), {});
         run(ballAndBlock());
     }
-    [[nodiscard]] Result<void> tried(const Edit& edit) const
-    {
-        const Result<void> done = session->apply(edit);
-        return done ? session->settle() : done;
-    }
-    void run(const Edit& edit) const
-    {
-        const Result<void> done = tried(edit);
-        QVERIFY2(done, qPrintable(done ? QString() : done.error().arguments.join(u' ')));
-    }
-    [[nodiscard]] Labels labels() const { return *session->questions().labels(0); }
     [[nodiscard]] const Document& document() const { return session->document(); }
-    [[nodiscard]] const std::vector<HistoryRow>& rows() const { return session->history().rows(); }
-
-    reference::ReferenceEngine inner;
-    reference::DelayedEngine late;
-    std::unique_ptr<EditSession> session;
 };
 
 SplitSegment splitAt(
@@ -247,13 +228,16 @@ private Q_SLOTS:
     void whatCannotBe()
     {
         const Bench bench;
-        const Result<void> unknown = bench.tried(splitAt(7, {19.0, 17.0, 16.0}, {1.0, 0.0, 0.0}));
+        const Result<void> unknown =
+            bench.carriedOut(splitAt(7, {19.0, 17.0, 16.0}, {1.0, 0.0, 0.0}));
         QVERIFY(!unknown && unknown.error().code == ErrorCode::UnknownSegment);
-        const Result<void> nowhere = bench.tried(splitAt(1, {19.0, 17.0, 16.0}, {0.0, 0.0, 0.0}));
+        const Result<void> nowhere =
+            bench.carriedOut(splitAt(1, {19.0, 17.0, 16.0}, {0.0, 0.0, 0.0}));
         QVERIFY(!nowhere && nowhere.error().code == ErrorCode::InvalidField);
         QCOMPARE(nowhere.error().arguments.front(), QStringLiteral("splitSegment.normalLps"));
         bench.run(test::lockSegment(1));
-        const Result<void> locked = bench.tried(splitAt(1, {19.0, 17.0, 16.0}, {1.0, 0.0, 0.0}));
+        const Result<void> locked =
+            bench.carriedOut(splitAt(1, {19.0, 17.0, 16.0}, {1.0, 0.0, 0.0}));
         QVERIFY(!locked && locked.error().code == ErrorCode::SegmentLocked);
         bench.run(splitAt(2, {25.0, 17.0, 16.0}, {1.0, 0.0, 0.0}));
         QCOMPARE(bench.document().segments.size(), std::size_t(3));
