@@ -11,6 +11,7 @@
 
 #include <QCheckBox>
 #include <QDoubleSpinBox>
+#include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
@@ -69,7 +70,6 @@ LeakSection::LeakSection(Workspace& workspace, QWidget* parent)
     m_area->setSingleStep(5.0);
     m_area->setPrefix(tr("by "));
     m_area->setSuffix(tr(" mm²"));
-    m_factor->setMinimumWidth(m_area->sizeHint().width());
     m_barriers->setObjectName(QStringLiteral("growBarriers"));
     m_barriers->setToolTip(
         tr("What is shut to growth: stripes in slices, translucent in the 3D view"));
@@ -105,16 +105,15 @@ LeakSection::LeakSection(Workspace& workspace, QWidget* parent)
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(theme::smallPadding);
-    auto* guard = new QHBoxLayout;
+    // Both widths are the guard's: one above the other, and nothing else beside them.
+    auto* guard = new QGridLayout;
     guard->setSpacing(theme::smallPadding);
-    guard->addWidget(m_guard, 1);
-    guard->addWidget(m_factor);
+    guard->setColumnStretch(0, 1);
+    guard->addWidget(m_guard, 0, 0);
+    guard->addWidget(m_factor, 0, 1);
+    guard->addWidget(m_area, 1, 1);
     layout->addLayout(guard);
-    auto* more = new QHBoxLayout;
-    more->setSpacing(theme::smallPadding);
-    more->addWidget(m_barriers, 1);
-    more->addWidget(m_area);
-    layout->addLayout(more);
+    layout->addWidget(m_barriers);
     layout->addWidget(m_offer);
     m_offer->hide();
     connect(m_guard, &QCheckBox::toggled, this, &LeakSection::takeSettings);

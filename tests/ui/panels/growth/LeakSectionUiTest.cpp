@@ -106,6 +106,19 @@ class LeakSectionUiTest : public QObject {
 private Q_SLOTS:
     void init() { test::failOnUnexpectedMessages(); }
 
+    /// How much wider a leak is stands with what stops at leaks, not with the barriers.
+    void bothWidthsStandTogether()
+    {
+        LeakyPanel leaky;
+        const QRect times = leaky.part<QDoubleSpinBox>("growGuardFactor").geometry();
+        const QRect by = leaky.part<QDoubleSpinBox>("growGuardArea").geometry();
+        const QRect guard = leaky.part<QCheckBox>("growGuard").geometry();
+        const QRect barriers = leaky.part<QCheckBox>("growBarriers").geometry();
+        QVERIFY(guard.top() <= times.center().y() && guard.bottom() >= times.center().y());
+        QVERIFY(by.left() == times.left() && by.right() == times.right());
+        QVERIFY(by.top() > times.bottom() && by.bottom() < barriers.top());
+    }
+
     void barriersAreShownOrNot()
     {
         LeakyPanel fixture;
