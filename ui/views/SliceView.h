@@ -16,6 +16,7 @@ class QMenu;
 namespace ui {
 
 class SegmentLookButton;
+struct CornerTexts;
 
 /// A view of a plane of the patient: a standard plane through the crosshair, or the plane that a
 /// derived class chooses.
@@ -145,6 +146,7 @@ private:
     [[nodiscard]] core::WindowLevel windowLevel() const;
     [[nodiscard]] double fittingMmPerPixel() const;
     [[nodiscard]] QString windowText() const;
+    [[nodiscard]] CornerTexts cornerTexts(const gpu::SliceScene& slice) const;
     void holdLens(bool held);
     /// Moves the lens to the pointer.
     void moveLens();
