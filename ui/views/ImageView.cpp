@@ -23,7 +23,7 @@ namespace {
 
 constexpr int restMilliseconds = 160;
 /// A picture that is held for a shorter time than this does not blink.
-constexpr int heldMilliseconds = 300;
+constexpr int unchangedMilliseconds = 300;
 
 /// Slices count in pixels: a scene of logical pixels is not one of device pixels.
 gpu::Scene scaled(gpu::Scene scene, double mmFactor)
@@ -62,7 +62,7 @@ ImageView::ImageView(Workspace& workspace, gpu::ViewId view, QWidget* parent)
     });
 
     m_heldLong.setSingleShot(true);
-    m_heldLong.setInterval(heldMilliseconds);
+    m_heldLong.setInterval(unchangedMilliseconds);
     connect(&m_heldLong, &QTimer::timeout, this, [this] { update(); });
 
     const auto refresh = [this] { requestFrame(); };
