@@ -11,7 +11,6 @@
 
 #include <QCheckBox>
 #include <QDoubleSpinBox>
-#include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
@@ -105,15 +104,17 @@ LeakSection::LeakSection(Workspace& workspace, QWidget* parent)
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(theme::smallPadding);
-    // Both widths are the guard's: one above the other, and nothing else beside them.
-    auto* guard = new QGridLayout;
-    guard->setSpacing(theme::smallPadding);
-    guard->setColumnStretch(0, 1);
-    guard->addWidget(m_guard, 0, 0);
-    guard->addWidget(m_factor, 0, 1);
-    guard->addWidget(m_area, 1, 1);
-    layout->addLayout(guard);
-    layout->addWidget(m_barriers);
+    auto* switches = new QHBoxLayout;
+    switches->setSpacing(theme::smallPadding);
+    switches->addWidget(m_guard, 1);
+    switches->addWidget(m_barriers);
+    layout->addLayout(switches);
+    // Both widths are the guard's: nothing else stands in their row.
+    auto* widths = new QHBoxLayout;
+    widths->setSpacing(theme::smallPadding);
+    widths->addWidget(m_factor, 1);
+    widths->addWidget(m_area, 1);
+    layout->addLayout(widths);
     layout->addWidget(m_offer);
     m_offer->hide();
     connect(m_guard, &QCheckBox::toggled, this, &LeakSection::takeSettings);

@@ -114,9 +114,8 @@ private Q_SLOTS:
         const QRect by = leaky.part<QDoubleSpinBox>("growGuardArea").geometry();
         const QRect guard = leaky.part<QCheckBox>("growGuard").geometry();
         const QRect barriers = leaky.part<QCheckBox>("growBarriers").geometry();
-        QVERIFY(guard.top() <= times.center().y() && guard.bottom() >= times.center().y());
-        QVERIFY(by.left() == times.left() && by.right() == times.right());
-        QVERIFY(by.top() > times.bottom() && by.bottom() < barriers.top());
+        QVERIFY(by.top() == times.top() && by.left() > times.right());
+        QVERIFY(guard.bottom() < times.top() && barriers.bottom() < times.top());
     }
 
     void barriersAreShownOrNot()
