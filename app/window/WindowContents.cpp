@@ -359,7 +359,8 @@ void addContents(ui::MainWindow& window)
     new ui::KeyframeRecorder(workspace, window.views().volume());
     // The last to hear of a session: the others have set themselves up by then.
     auto* display = new ui::DisplayState(workspace, window.views(), tools, &window);
-    addTimes(window, *new ui::TimeSteps(workspace, window.opener(), *display, &window));
+    addTimes(
+        window, *new ui::TimeSteps(workspace, window.opener(), *display, window.views(), &window));
 }
 
 } // namespace app

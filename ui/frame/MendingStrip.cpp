@@ -36,8 +36,8 @@ QString styleOf(bool isNext, bool isDone)
 {
     const QColor& colour = isNext ? theme::text : isDone ? theme::good : theme::secondary;
     const QString back = isNext ? theme::selected.name() : QStringLiteral("transparent");
-    const QString rim = isNext ? theme::accent.name() : QStringLiteral("transparent");
-    // The rim is always there, lest the words move when the emphasis does.
+    const QString rim = isNext ? theme::accent.name() : theme::line.name();
+    // Each has a rim: else the dots would be near to that of the next step, and far from words.
     return QStringLiteral("QToolButton { color: %1; background: %2; border: 1px solid %3; "
                           "border-radius: %4px; padding: 1px 10px; }")
         .arg(colour.name(), back, rim)

@@ -74,4 +74,19 @@ SliceStack sliceStack(const core::VolumeGeometry& geometry, const glm::dvec3& no
     return stack;
 }
 
+int samplesPerSlice(const core::VolumeGeometry& geometry, const SliceStack& stack)
+{
+    constexpr double alongAnAxis = 0.05; // voxels
+    constexpr double mostApart = 0.5 + 1e-6; // voxels
+    const glm::dvec3 apart =
+        glm::abs(glm::dmat3(geometry.worldToIndex()) * (stack.normalLps * stack.stepMm));
+    const double most = std::max({apart.x, apart.y, apart.z});
+    if (apart.x + apart.y + apart.z - most < alongAnAxis)
+        return 1;
+    int samples = 1;
+    while (most / samples > mostApart)
+        samples += 2;
+    return samples;
+}
+
 } // namespace ui

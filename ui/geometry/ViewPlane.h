@@ -44,5 +44,10 @@ struct SliceStack {
 /// @param normalLps unit
 [[nodiscard]] SliceStack sliceStack(
     const core::VolumeGeometry& geometry, const glm::dvec3& normalLps);
+/// How many samples of a slab belong to each of its slices; an odd number, so that one of them lies
+/// in the middle of the slice. 1 where the normal is an axis of the voxels, since the slices hold
+/// all there is. In oblique slabs so many that two neighbours are at most half a voxel apart along
+/// every axis: wider gaps would show as stripes.
+[[nodiscard]] int samplesPerSlice(const core::VolumeGeometry& geometry, const SliceStack& stack);
 
 } // namespace ui

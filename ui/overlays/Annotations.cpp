@@ -4,10 +4,15 @@
 #include "ui/base/Theme.h"
 #include "ui/geometry/OrientationLetters.h"
 
+#include <QFont>
+#include <QFontMetrics>
 #include <QFontMetricsF>
 #include <QPainter>
+#include <QStyle>
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace ui {
 
@@ -18,21 +23,104 @@ constexpr double crosshairGap = 14.0; // pixels
 constexpr int lineHeight = 17;
 constexpr int topMargin = 9;
 constexpr int bottomMargin = 9;
+constexpr int textRim = 4; ///< pixels at either side of a text that lines leave free
 
-void paintLines(QPainter& painter, const QRect& view, int firstY, int step, int flags,
-    const QStringList& lines, double width)
+/// A text as it is drawn.
+struct PlacedText {
+    QRectF box;
+    Qt::Alignment side;
+    QString text;
+    QColor colour;
+    QFont font;
+};
+
+void placeLines(std::vector<PlacedText>& placed, const QRect& view, int firstY, int step,
+    Qt::Alignment side, const QStringList& lines, double width)
 {
-    const QFontMetricsF metrics(painter.font());
+    const QFont font = theme::smallFont();
+    const QFontMetricsF metrics(font);
     int y = firstY;
     for (const QString& line : lines) {
         if (line.isEmpty())
             continue;
-        const QRectF box(
-            view.left() + theme::padding, y, view.width() - 2 * theme::padding, lineHeight);
-        paintText(painter, box, flags | Qt::AlignVCenter,
-            metrics.elidedText(line, Qt::ElideRight, width), theme::text);
+        placed.push_back({.box = QRectF(view.left() + theme::padding, y,
+                              view.width() - 2 * theme::padding, lineHeight),
+            .side = side | Qt::AlignVCenter,
+            .text = metrics.elidedText(line, Qt::ElideRight, width),
+            .colour = theme::text,
+            .font = font});
         y += step;
     }
+}
+
+std::vector<PlacedText> placedCorners(const QRect& view, const CornerTexts& texts)
+{
+    const double half = view.width() / 2.0 - theme::padding - 24;
+    const int top = view.top() + topMargin;
+    const int bottom = view.bottom() + 1 - bottomMargin - lineHeight;
+    std::vector<PlacedText> placed{
+        {.box = QRectF(view.left() + theme::padding, top, half, lineHeight),
+            .side = Qt::AlignLeft | Qt::AlignVCenter,
+            .text = texts.title,
+            .colour = texts.titleColour,
+            .font = theme::headingFont()}};
+    placeLines(placed, view, top + lineHeight, lineHeight, Qt::AlignLeft, texts.topLeft, half);
+    placeLines(placed, view, top, lineHeight, Qt::AlignRight, texts.topRight, half);
+    placeLines(placed, view, bottom, -lineHeight, Qt::AlignLeft, texts.bottomLeft, half);
+    placeLines(placed, view, bottom, -lineHeight, Qt::AlignRight, texts.bottomRight, half);
+    return placed;
+}
+
+std::vector<PlacedText> placedLetters(
+    const QRect& view, const glm::dvec3& rightLps, const glm::dvec3& downLps)
+{
+    QFont font = theme::bodyFont();
+    font.setWeight(QFont::Bold);
+    constexpr double box = 44.0;
+    constexpr double inset = 8.0;
+    const QRectF frame(view);
+    const QPointF middle = frame.center();
+    std::vector<PlacedText> placed;
+    const auto place = [&](double x, double y, Qt::Alignment side, const glm::dvec3& direction) {
+        placed.push_back({.box = QRectF(x, y, box, box),
+            .side = side,
+            .text = directionLetters(direction),
+            .colour = theme::text,
+            .font = font});
+    };
+    place(frame.left() + inset, middle.y() - box / 2, Qt::AlignLeft | Qt::AlignVCenter, -rightLps);
+    place(frame.right() - inset - box, middle.y() - box / 2, Qt::AlignRight | Qt::AlignVCenter,
+        rightLps);
+    place(middle.x() - box / 2, frame.top() + inset + theme::viewBarHeight - 2,
+        Qt::AlignHCenter | Qt::AlignTop, -downLps);
+    place(middle.x() - box / 2, frame.bottom() - inset - box, Qt::AlignHCenter | Qt::AlignBottom,
+        downLps);
+    return placed;
+}
+
+void paintPlaced(QPainter& painter, const std::vector<PlacedText>& texts)
+{
+    painter.save();
+    for (const PlacedText& each : texts) {
+        painter.setFont(each.font);
+        paintText(painter, each.box, int(each.side), each.text, each.colour);
+    }
+    painter.restore();
+}
+
+QRegion regionOf(const std::vector<PlacedText>& texts)
+{
+    QRegion region;
+    for (const PlacedText& each : texts) {
+        if (each.text.isEmpty())
+            continue;
+        const QFontMetrics metrics(each.font);
+        const QSize size(metrics.horizontalAdvance(each.text), metrics.height());
+        const QRect tight =
+            QStyle::alignedRect(Qt::LeftToRight, each.side, size, each.box.toAlignedRect());
+        region += tight.adjusted(-textRim, -1, textRim, 1);
+    }
+    return region;
 }
 
 } // namespace
@@ -64,45 +152,23 @@ void paintText(
 
 void paintCorners(QPainter& painter, const QRect& view, const CornerTexts& texts)
 {
-    painter.save();
-    const double half = view.width() / 2.0 - theme::padding - 24;
-    painter.setFont(theme::headingFont());
-    const QRectF titleBox(view.left() + theme::padding, view.top() + topMargin, half, lineHeight);
-    paintText(painter, titleBox, Qt::AlignLeft | Qt::AlignVCenter, texts.title, texts.titleColour);
+    paintPlaced(painter, placedCorners(view, texts));
+}
 
-    painter.setFont(theme::smallFont());
-    const int top = view.top() + topMargin;
-    const int bottom = view.bottom() + 1 - bottomMargin - lineHeight;
-    paintLines(painter, view, top + lineHeight, lineHeight, Qt::AlignLeft, texts.topLeft, half);
-    paintLines(painter, view, top, lineHeight, Qt::AlignRight, texts.topRight, half);
-    paintLines(painter, view, bottom, -lineHeight, Qt::AlignLeft, texts.bottomLeft, half);
-    paintLines(painter, view, bottom, -lineHeight, Qt::AlignRight, texts.bottomRight, half);
-    painter.restore();
+QRegion cornersRegion(const QRect& view, const CornerTexts& texts)
+{
+    return regionOf(placedCorners(view, texts));
 }
 
 void paintEdgeLetters(
     QPainter& painter, const QRect& view, const glm::dvec3& rightLps, const glm::dvec3& downLps)
 {
-    painter.save();
-    QFont font = theme::bodyFont();
-    font.setWeight(QFont::Bold);
-    painter.setFont(font);
-    constexpr double box = 44.0;
-    constexpr double inset = 8.0;
-    const QRectF frame(view);
-    const QPointF middle = frame.center();
-    const auto letters = [&](const QRectF& where, int flags, const glm::dvec3& direction) {
-        paintText(painter, where, flags, directionLetters(direction), theme::text);
-    };
-    letters(QRectF(frame.left() + inset, middle.y() - box / 2, box, box),
-        Qt::AlignLeft | Qt::AlignVCenter, -rightLps);
-    letters(QRectF(frame.right() - inset - box, middle.y() - box / 2, box, box),
-        Qt::AlignRight | Qt::AlignVCenter, rightLps);
-    letters(QRectF(middle.x() - box / 2, frame.top() + inset + theme::viewBarHeight - 2, box, box),
-        Qt::AlignHCenter | Qt::AlignTop, -downLps);
-    letters(QRectF(middle.x() - box / 2, frame.bottom() - inset - box, box, box),
-        Qt::AlignHCenter | Qt::AlignBottom, downLps);
-    painter.restore();
+    paintPlaced(painter, placedLetters(view, rightLps, downLps));
+}
+
+QRegion edgeLettersRegion(const QRect& view, const glm::dvec3& rightLps, const glm::dvec3& downLps)
+{
+    return regionOf(placedLetters(view, rightLps, downLps));
 }
 
 double scaleBarLengthMm(double mmPerPixel, double maximumPixels)

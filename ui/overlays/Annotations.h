@@ -5,6 +5,7 @@
 
 #include <QColor>
 #include <QRect>
+#include <QRegion>
 #include <QStringList>
 
 #include <glm/glm.hpp>
@@ -27,10 +28,15 @@ struct CornerTexts {
     QStringList bottomRight;
 };
 void paintCorners(QPainter& painter, const QRect& view, const CornerTexts& texts);
+/// What these texts cover, in pixels, for lines to leave it free.
+[[nodiscard]] QRegion cornersRegion(const QRect& view, const CornerTexts& texts);
 
 /// Draws orientation letters at the middle of the four edges of a picture.
 void paintEdgeLetters(
     QPainter& painter, const QRect& view, const glm::dvec3& rightLps, const glm::dvec3& downLps);
+/// What these letters cover, in pixels.
+[[nodiscard]] QRegion edgeLettersRegion(
+    const QRect& view, const glm::dvec3& rightLps, const glm::dvec3& downLps);
 
 /// Draws a scale bar of a round length, right-aligned, its lower end at @p baseline.
 void paintScaleBar(QPainter& painter, const QRect& view, int baseline, double mmPerPixel);

@@ -22,6 +22,8 @@ namespace ui {
 namespace {
 
 constexpr int restMilliseconds = 160;
+/// A picture that is held for a shorter time than this does not blink.
+constexpr int unchangedMilliseconds = 300;
 
 /// Slices count in pixels: a scene of logical pixels is not one of device pixels.
 gpu::Scene scaled(gpu::Scene scene, double mmFactor)
@@ -58,6 +60,10 @@ ImageView::ImageView(Workspace& workspace, gpu::ViewId view, QWidget* parent)
         m_penRests = true;
         requestFrame();
     });
+
+    m_heldLong.setSingleShot(true);
+    m_heldLong.setInterval(unchangedMilliseconds);
+    connect(&m_heldLong, &QTimer::timeout, this, [this] { update(); });
 
     const auto refresh = [this] { requestFrame(); };
     connect(&m_workspace, &Workspace::crosshairChanged, this, refresh);
@@ -136,8 +142,44 @@ void ImageView::takeFrame(const gpu::Frame& frame)
     m_picture = picture;
     m_pictureScene = frame.scene;
     m_pictureQuality = frame.quality;
+    // A coarse picture may still be of the place where the view stood as the study was opened.
+    if (frame.scene == m_request.scene || frame.quality != gpu::Frame::Quality::Coarse)
+        releasePicture();
     update();
     Q_EMIT qualityChanged();
+}
+
+void ImageView::holdPicture(const QString& awaited)
+{
+    m_awaited = awaited;
+    if (holdsPicture() || m_picture.isNull() || !isVisible())
+        return;
+    QPixmap held(sizeInDevicePixels());
+    held.setDevicePixelRatio(devicePixelRatioF());
+    // What lies in the view as a widget stays itself.
+    render(&held, {}, {}, DrawWindowBackground);
+    m_held = held;
+    m_heldLong.start();
+}
+
+void ImageView::releasePicture()
+{
+    m_heldLong.stop();
+    m_held = {};
+    update();
+}
+
+void ImageView::paintHeld(QPainter& painter) const
+{
+    painter.drawPixmap(rect(), m_held);
+    if (m_heldLong.isActive())
+        return;
+    QColor veil = theme::picture;
+    veil.setAlpha(130);
+    painter.fillRect(rect().adjusted(0, theme::viewBarHeight, 0, 0), veil);
+    painter.setFont(theme::bodyFont());
+    paintText(painter, rect().adjusted(theme::padding, 0, -theme::padding, 0),
+        Qt::AlignCenter | Qt::TextWordWrap, m_awaited, theme::text);
 }
 
 void ImageView::showEarlySlice(const std::shared_ptr<const core::EarlySlice>& early)
@@ -330,6 +372,7 @@ void ImageView::hideEvent(QHideEvent* event)
 {
     QWidget::hideEvent(event);
     m_pointer.forget();
+    releasePicture(); // the next one will not come
     // Nobody looks: edits shall not draw this view anew.
     m_requested = false;
     m_workspace.frames().forget(m_view);
@@ -338,6 +381,8 @@ void ImageView::hideEvent(QHideEvent* event)
 void ImageView::paintEvent(QPaintEvent*)
 {
     QPainter painter(this);
+    if (holdsPicture())
+        return paintHeld(painter);
     painter.fillRect(rect(), theme::picture);
     if (!m_picture.isNull() && shownVolume()) {
         painter.setRenderHint(QPainter::SmoothPixmapTransform);

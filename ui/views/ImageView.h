@@ -7,6 +7,8 @@
 #include "ui/workspace/Workspace.h"
 
 #include <QImage>
+#include <QPixmap>
+#include <QString>
 #include <QTimer>
 #include <QWidget>
 
@@ -57,6 +59,12 @@ public:
     virtual void takeFrame(const gpu::Frame& frame);
     /// Sets the early slice; null if no study is being loaded, or none has arrived yet.
     void showEarlySlice(const std::shared_ptr<const core::EarlySlice>& early);
+    /// Keeps what is on the screen, whatever study is closed or opened, until a picture of the next
+    /// one arrives. Does nothing if nothing was drawn yet.
+    /// @param awaited what is to come; shown over the picture, which is dimmed, if that takes long
+    void holdPicture(const QString& awaited);
+    void releasePicture();
+    [[nodiscard]] bool holdsPicture() const { return !m_held.isNull(); }
     /// Resets zoom, pan and camera to show the whole volume.
     virtual void resetView() = 0;
     /// Adds a function that appends entries to the end of this view's context menus.
@@ -131,6 +139,7 @@ private:
     void doubleClicked() override { Q_EMIT maximiseToggled(); }
     void refresh() override { requestFrame(); }
     void drawWithoutEngine();
+    void paintHeld(QPainter& painter) const;
     [[nodiscard]] QSize sizeInDevicePixels() const;
 
     Workspace& m_workspace;
@@ -144,6 +153,9 @@ private:
     QImage m_picture;
     gpu::Scene m_pictureScene; ///< in device pixels, as it came
     std::optional<gpu::Frame::Quality> m_pictureQuality; ///< none if the engine did not draw it
+    QPixmap m_held; ///< what was on the screen; null: no picture is held
+    QString m_awaited; ///< of holdPicture()
+    QTimer m_heldLong; ///< active while m_held is shown as it was
     QTimer m_rest;
     QTimer m_penRest; ///< restarted by each move of a pen that is down
     bool m_penRests = false; ///< the pen is down and has not moved for a moment

@@ -143,28 +143,9 @@ void SliceView::paintOtherSlices(QPainter& painter, const ViewContext& shown) co
         painter, shown, planes, shownVolume()->geometry, shown.toPixel(workspace().crosshairLps()));
 }
 
-void SliceView::paintAnnotations(QPainter& painter, const ViewContext& shown)
+CornerTexts SliceView::cornerTexts(const gpu::SliceScene& slice) const
 {
     const core::Volume& volume = *shownVolume();
-    const Workspace::ViewOptions& options = workspace().viewOptions();
-    const auto& slice = std::get<gpu::SliceScene>(shown.scene);
-
-    if (!early()) {
-        paintClipSection(painter, shown, workspace().clip(), volume.geometry);
-        if (const auto box = growBoxOf(workspace().growSettings(), volume.geometry))
-            paintBoxSection(painter, shown, *box, volume.geometry, theme::good);
-        paintMeasurements(painter, shown, workspace());
-        paintPlaneLine(painter, shown, workspace().plane());
-    }
-    if (options.referenceLines && !early())
-        paintOtherSlices(painter, shown);
-    if (options.showCrosshair)
-        paintCross(painter, shown);
-    if (penOverPicture() && !early())
-        paintHandles(painter, shown);
-    paintEdgeLetters(painter, rect(), slice.rightLps, slice.downLps);
-    paintColours(painter, slice);
-
     const double position = glm::dot(slice.centreLps, m_axes.normalLps);
     const glm::dvec3 side = position < 0.0 ? -m_axes.normalLps : m_axes.normalLps;
     const int number = m_stack.numberAt(slice.centreLps);
@@ -175,7 +156,7 @@ void SliceView::paintAnnotations(QPainter& painter, const ViewContext& shown)
     CornerTexts texts;
     texts.title = title();
     texts.titleColour = barColour();
-    if (options.showPatient)
+    if (workspace().viewOptions().showPatient)
         texts.topLeft = patientLines(volume.identity);
     texts.topRight = {studyText(volume.identity), seriesText(volume.identity), timeText(volume)};
     texts.bottomLeft = {QObject::tr("zoom %1").arg(zoom, 0, 'f', 1), windowText()};
@@ -191,6 +172,37 @@ void SliceView::paintAnnotations(QPainter& painter, const ViewContext& shown)
                              .arg(number + 1)
                              .arg(m_stack.count)
                              .arg(directionLetters(side), numberText(std::abs(position), 1))};
+    return texts;
+}
+
+void SliceView::paintAnnotations(QPainter& painter, const ViewContext& shown)
+{
+    const core::Volume& volume = *shownVolume();
+    const Workspace::ViewOptions& options = workspace().viewOptions();
+    const auto& slice = std::get<gpu::SliceScene>(shown.scene);
+    const CornerTexts texts = cornerTexts(slice);
+
+    if (!early()) {
+        paintClipSection(painter, shown, workspace().clip(), volume.geometry);
+        if (const auto box = growBoxOf(workspace().growSettings(), volume.geometry))
+            paintBoxSection(painter, shown, *box, volume.geometry, theme::good);
+        paintMeasurements(painter, shown, workspace());
+    }
+    // Lines pass behind texts, which they would cross out.
+    painter.save();
+    painter.setClipRegion(QRegion(rect()) - cornersRegion(rect(), texts)
+        - edgeLettersRegion(rect(), slice.rightLps, slice.downLps));
+    if (!early())
+        paintPlaneLine(painter, shown, workspace().plane());
+    if (options.referenceLines && !early())
+        paintOtherSlices(painter, shown);
+    if (options.showCrosshair)
+        paintCross(painter, shown);
+    painter.restore();
+    if (penOverPicture() && !early())
+        paintHandles(painter, shown);
+    paintEdgeLetters(painter, rect(), slice.rightLps, slice.downLps);
+    paintColours(painter, slice);
     paintCorners(painter, rect(), texts);
     paintScaleBar(painter, rect(), height() - 34, slice.mmPerPixel);
     if (m_box) {

@@ -86,7 +86,7 @@ void SliceView::thickenSlab(double steps)
     if (options.slabMode == gpu::SlabMode::Off) {
         options.slabMode = gpu::SlabMode::Maximum;
     } else {
-        const int reach = std::clamp(slab().reach + whole, 1, greatestSlabReach);
+        const int reach = std::clamp(slabReach() + whole, 1, greatestSlabReach);
         options.slabMm = (2 * reach + 1) * m_stack.stepMm;
     }
     workspace().setViewOptions(options);

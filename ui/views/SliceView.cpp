@@ -260,13 +260,22 @@ gpu::SceneSlab SliceView::slab() const
     const Workspace::ViewOptions& options = workspace().viewOptions();
     if (options.slabMode == gpu::SlabMode::Off)
         return {};
-    const double beside = 0.5 * (options.slabMm / m_stack.stepMm - 1.0);
+    const int slices = 2 * slabReach() + 1;
+    // All samples of a pixel take time; both numbers are odd.
+    const int affordable = std::max(1, (mostSlabSamples / slices - 1) | 1);
+    const int perSlice = std::min(samplesPerSlice(shownVolume()->geometry, m_stack), affordable);
     const glm::dvec3 here = throughLps();
     const glm::dvec3 onSlice = m_stack.movedTo(here, m_stack.numberAt(here));
     return {.mode = options.slabMode,
-        .reach = int(std::clamp(std::round(beside), 1.0, double(greatestSlabReach))),
-        .stepMm = m_stack.stepMm,
+        .reach = (slices * perSlice - 1) / 2,
+        .stepMm = m_stack.stepMm / perSlice,
         .offsetMm = glm::dot(onSlice - here, axesOnScreen().normalLps)};
+}
+
+int SliceView::slabReach() const
+{
+    const double beside = 0.5 * (workspace().viewOptions().slabMm / m_stack.stepMm - 1.0);
+    return int(std::clamp(std::round(beside), 1.0, double(greatestSlabReach)));
 }
 
 void SliceView::resizeEvent(QResizeEvent* event)

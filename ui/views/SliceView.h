@@ -16,6 +16,7 @@ class QMenu;
 namespace ui {
 
 class SegmentLookButton;
+struct CornerTexts;
 
 /// A view of a plane of the patient: a standard plane through the crosshair, or the plane that a
 /// derived class chooses.
@@ -122,6 +123,7 @@ private:
     static constexpr double leastMmPerPixel = 1e-3;
     static constexpr double greatestMmPerPixel = 100.0;
     static constexpr int greatestSlabReach = 100; ///< number of slices on either side
+    static constexpr int mostSlabSamples = 401; ///< of oblique slabs
     /// A handle on the line of a plane.
     struct Handle {
         SliceOrientation plane;
@@ -137,14 +139,17 @@ private:
     void turnCrosshair(const QPointF& from, const QPointF& to, bool alone);
     void paintHandles(QPainter& painter, const ViewContext& shown) const;
     void zoomBy(double factor, const QPointF& at);
-    /// The slab of the view options, with its samples on the slices of the stack.
+    /// The slab of the view options, with its samples on the slices of the stack and, if it is
+    /// oblique, between them.
     [[nodiscard]] gpu::SceneSlab slab() const;
+    [[nodiscard]] int slabReach() const; ///< number of slices on either side
     /// Switches the slab on, or changes its thickness by one slice on either side per step.
     void thickenSlab(double steps);
     /// Of the workspace, or of the early slice.
     [[nodiscard]] core::WindowLevel windowLevel() const;
     [[nodiscard]] double fittingMmPerPixel() const;
     [[nodiscard]] QString windowText() const;
+    [[nodiscard]] CornerTexts cornerTexts(const gpu::SliceScene& slice) const;
     void holdLens(bool held);
     /// Moves the lens to the pointer.
     void moveLens();

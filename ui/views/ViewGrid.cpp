@@ -107,12 +107,16 @@ void ViewGrid::centreOn(const glm::dvec3& placeLps)
 
 void ViewGrid::give(const gpu::Frame& frame)
 {
-    if (frame.failure)
-        return m_workspace.fail(*frame.failure);
     for (ImageView* view : views()) {
-        if (view->takes(frame.view))
+        if (!view->takes(frame.view))
+            continue;
+        if (frame.failure)
+            view->releasePicture(); // there will be no other
+        else
             view->takeFrame(frame);
     }
+    if (frame.failure)
+        return m_workspace.fail(*frame.failure);
     Q_EMIT frameTimed(frame.renderMilliseconds);
 }
 
@@ -217,6 +221,26 @@ bool ViewGrid::showEarlySlice(const std::shared_ptr<const core::EarlySlice>& ear
     for (ImageView* view : views())
         view->showEarlySlice(m_early);
     return isSeen;
+}
+
+void ViewGrid::holdPictures(const QString& awaited)
+{
+    for (ImageView* view : views())
+        view->holdPicture(awaited);
+}
+
+void ViewGrid::releasePictures()
+{
+    for (ImageView* view : views())
+        view->releasePicture();
+    Q_EMIT picturesReleased();
+}
+
+bool ViewGrid::holdsPictures() const
+{
+    const auto all = views();
+    return std::any_of(
+        all.begin(), all.end(), [](const ImageView* view) { return view->holdsPicture(); });
 }
 
 bool ViewGrid::refined() const

@@ -62,12 +62,19 @@ public:
     /// yet
     bool showEarlySlice(const std::shared_ptr<const core::EarlySlice>& early);
     [[nodiscard]] const core::EarlySlice* earlySlice() const { return m_early.get(); }
+    /// Keeps the pictures that are on the screen until those of the study that is opened next
+    /// arrive; see ImageView::holdPicture().
+    void holdPictures(const QString& awaited);
+    /// Ends that: nothing is opened after all.
+    void releasePictures();
+    [[nodiscard]] bool holdsPictures() const;
     /// Whether every visible view shows the finest picture of its scene.
     [[nodiscard]] bool refined() const;
 
 Q_SIGNALS:
     void layoutChanged();
     void awaitsBoxChanged();
+    void picturesReleased();
     void pictureChanged(); ///< some view's quality changed
     void frameTimed(double milliseconds);
 

@@ -144,6 +144,7 @@ MainWindow::MainWindow(Workspace& workspace, const QString& graphics)
     connect(m_views, &ViewGrid::frameTimed, m_status, &StatusLine::showFrameTime);
     connect(&workspace, &Workspace::sessionChanged, this, &MainWindow::showSession);
     connect(m_shown, &ShownStudy::earlyChanged, this, &MainWindow::showPages);
+    connect(m_views, &ViewGrid::picturesReleased, this, &MainWindow::showPages);
     connect(&workspace, &Workspace::sessionSaved, this, [this] {
         m_messages->dismiss();
         m_header->showIdentity(m_shown->volume());
@@ -334,7 +335,7 @@ void MainWindow::showPanels(bool shown)
 {
     m_panelsWanted = shown;
     m_panels->setUsable(m_workspace.volume() != nullptr);
-    m_panels->showAll(shown && m_shown->volume());
+    m_panels->showAll(shown && hasPictures());
     m_actions.refresh();
 }
 
@@ -390,13 +391,20 @@ void MainWindow::showSession()
     m_actions.refresh();
 }
 
+bool MainWindow::hasPictures() const
+{
+    return m_shown->volume() || m_views->holdsPictures();
+}
+
 void MainWindow::showPages()
 {
-    const bool open = m_shown->volume() != nullptr;
+    const bool open = hasPictures();
     m_pages->setCurrentWidget(open ? static_cast<QWidget*>(m_views) : m_startPage);
     m_tools->setVisible(open);
     showPanels(m_panelsWanted);
-    m_header->showIdentity(m_shown->volume());
+    // Pictures are held for another point in time of the same patient.
+    if (!m_views->holdsPictures() || m_shown->volume())
+        m_header->showIdentity(m_shown->volume());
 }
 
 /// Over the pictures, which would move when a message comes and goes; above the start page, whose

@@ -96,6 +96,7 @@ private:
     void buildCentre();
     void connectOpener();
     void showSession();
+    [[nodiscard]] bool hasPictures() const; ///< else the start page is shown
     void showPages();
     void placeMessages();
     void bringUpPanelOf(const Tool& tool);

@@ -43,7 +43,7 @@ void ShownStudy::setEarly(const std::shared_ptr<const core::EarlySlice>& early)
 
 void ShownStudy::showEarlyAgain()
 {
-    if (m_early)
+    if (m_early && !m_views.holdsPictures())
         showEarly(m_early);
 }
 

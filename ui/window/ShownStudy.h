@@ -27,7 +27,7 @@ public:
     /// Sets the first slice of what is being opened; null if nothing is, or no slice has arrived.
     void setEarly(const std::shared_ptr<const core::EarlySlice>& early);
     /// To be called when a study was closed: shows the early slice of its successor if there is
-    /// one.
+    /// one, and the views do not hold their pictures.
     void showEarlyAgain();
     /// The open volume, or the one of which a slice has arrived; null if the start page is shown.
     [[nodiscard]] const core::Volume* volume() const;

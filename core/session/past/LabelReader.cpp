@@ -85,6 +85,14 @@ std::optional<LabelPlace> LabelReader::placeOf(std::uint8_t label) const
     return place;
 }
 
+std::int64_t LabelReader::voxelsOf(std::uint8_t label) const
+{
+    std::int64_t count = 0;
+    for (const BrickImage& brick : m_bricks)
+        forEachVoxel(m_grid, brick, label, [&count](const glm::ivec3&) { ++count; });
+    return count;
+}
+
 std::vector<std::uint8_t> LabelReader::takeLabels()
 {
     const glm::ivec3 size = m_grid.volumeSize;

@@ -38,6 +38,8 @@ public:
     /// Where a label (1 or more) lies, in what was read so far; none: it has no voxels. Any thread.
     /// Cost ∝ the bricks that are not empty.
     [[nodiscard]] std::optional<LabelPlace> placeOf(std::uint8_t label) const;
+    /// How many voxels have a label from 1 on, in what was read. Any thread. Cost as of placeOf().
+    [[nodiscard]] std::int64_t voxelsOf(std::uint8_t label) const;
     /// The labels, x fastest; the reader is empty afterwards. Any thread. Cost ∝ the volume.
     [[nodiscard]] std::vector<std::uint8_t> takeLabels();
 

@@ -94,12 +94,33 @@ vec3 faceRise(Ray ray, vec3 at)
     return face;
 }
 
-/// Differences per voxel of what segmentationAt() returns where a ray meets a segment: they point
-/// inwards.
+/// Points from a place to the opaque voxels within three voxels of it. Steps of single voxels, of
+/// which alone the border of an opaque segment within a translucent one is known, do not show in it.
+vec3 opaqueRise(vec3 at)
+{
+    const vec3 place = at / voxel - 0.5;
+    const vec3 base = floor(place);
+    vec3 rise = vec3(0.0);
+    for (int i = 0; i < 216; ++i) {
+        const vec3 there = base + vec3(i % 6 - 2, i / 6 % 6 - 2, i / 36 - 2);
+        const vec3 away = there - place;
+        const float near = max(0.0, 1.0 - dot(away, away) / 9.0);
+        rise += away * (near * near * floor(opacityAt((there + 0.5) * voxel)));
+    }
+    return rise;
+}
+
+/// Differences per voxel of what segmentationAt() returns where a ray meets a segment, or others in
+/// their direction: they point inwards.
 vec3 segmentRise(Ray ray, vec3 at)
 {
     if (voxelTrue)
         return faceRise(ray, at);
+    if (pastTranslucent) {
+        const float share = opaqueShare(at);
+        if (share > 0.0 && share <= texture(segmentation, at).r)
+            return opaqueRise(at);
+    }
     return 0.5
         * vec3(segmentationAt(at + vec3(voxel.x, 0, 0)) - segmentationAt(at - vec3(voxel.x, 0, 0)),
             segmentationAt(at + vec3(0, voxel.y, 0)) - segmentationAt(at - vec3(0, voxel.y, 0)),

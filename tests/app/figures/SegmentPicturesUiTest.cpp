@@ -23,6 +23,7 @@
 
 #include <QApplication>
 #include <QDoubleSpinBox>
+#include <QLabel>
 #include <QMenu>
 #include <QPushButton>
 #include <QRadioButton>
@@ -139,14 +140,16 @@ private Q_SLOTS:
         show(gpu::Context::Hidden);
         // To settle would end what is shown before it is applied.
         QVERIFY(wait([this] { return session().isOpen<core::ThresholdSegment>(); }));
+        const auto* size = asked.findChild<QLabel*>(QStringLiteral("thresholdNow"));
+        QVERIFY(wait([size] { return !size->text().contains(QStringLiteral("counting")); }));
         for (int picture = 0; picture < 3; ++picture) {
             QTest::qWait(2 * restMs);
             QVERIFY(wait([&views] { return views.refined(); }));
         }
-        constexpr QSize size(300, 226);
+        constexpr QSize side(300, 226);
         QVERIFY(
-            test::keepCollage({{test::middleOf(views.axial(), size),
-                                  test::middleOf(views.volume(), size), asked.grab().toImage()}},
+            test::keepCollage({{test::middleOf(views.axial(), side),
+                                  test::middleOf(views.volume(), side), asked.grab().toImage()}},
                 "threshold.png"));
         asked.close();
     }

@@ -6,6 +6,8 @@
 
 #include <QTest>
 
+#include <algorithm>
+
 namespace orientationTest {
 
 class OrientationTest : public QObject {
@@ -17,6 +19,7 @@ private Q_SLOTS:
     void planesAreRadiological();
     void stackOfAnAlignedVolumeIsItsSlices();
     void stackCoversAnObliqueVolume();
+    void obliqueSlabsAreSampledBetweenSlices();
     void movingKeepsThePlace();
     void cameraSides_data();
     void cameraSides();
@@ -112,6 +115,34 @@ void OrientationTest::stackCoversAnObliqueVolume()
     const double last = stack.firstMm + (stack.count - 1) * stack.stepMm;
     QVERIFY(last <= highest + 0.5 * stack.stepMm);
     QVERIFY(last >= highest - stack.stepMm);
+}
+
+void OrientationTest::obliqueSlabsAreSampledBetweenSlices()
+{
+    // Slices of 3 mm with pixels of 0.5 mm.
+    core::VolumeGeometry geometry;
+    geometry.size = {64, 64, 30};
+    geometry.indexToWorld = glm::dmat4(
+        {0.5, 0.0, 0.0, 0.0}, {0.0, 0.5, 0.0, 0.0}, {0.0, 0.0, 3.0, 0.0}, {1.0, 2.0, 3.0, 1.0});
+    const auto samples = [&geometry](const dvec3& normal) {
+        return ui::samplesPerSlice(geometry, ui::sliceStack(geometry, glm::normalize(normal)));
+    };
+    // All that there is lies on the slices.
+    for (const dvec3& axis : {dvec3(1, 0, 0), dvec3(0, 1, 0), dvec3(0, 0, -1)})
+        QCOMPARE(samples(axis), 1);
+    QCOMPARE(samples({0.001, 0.0, 1.0}), 1); // cosines are rounded in files
+    // At 3-4-5 a step of 2.4 mm passes 2.88 voxels aside: 5 samples of 0.58 are too far apart.
+    QCOMPARE(samples({0.6, 0.0, 0.8}), 7);
+    // Nearly along the slices a step is one of their pixels.
+    QCOMPARE(samples({1.0, 0.3, 0.0}), 3);
+    for (const dvec3& normal : {dvec3(0.2, 0.3, 1.0), dvec3(1, 1, 1), dvec3(-2, 5, 1)}) {
+        const ui::SliceStack stack = ui::sliceStack(geometry, glm::normalize(normal));
+        const int count = ui::samplesPerSlice(geometry, stack);
+        QVERIFY(count % 2 == 1);
+        const dvec3 step = stack.normalLps * stack.stepMm / double(count);
+        const dvec3 apart = glm::abs(geometry.toIndex(geometry.toWorld(dvec3(0.0)) + step));
+        QVERIFY(std::max({apart.x, apart.y, apart.z}) < 0.501);
+    }
 }
 
 void OrientationTest::movingKeepsThePlace()

@@ -14,6 +14,8 @@
 #include <QTest>
 #include <QWheelEvent>
 
+#include <algorithm>
+
 namespace viewsUiTest {
 
 using ui::SliceView;
@@ -99,6 +101,7 @@ private Q_SLOTS:
     void lettersFollowTheDirection();
     void wheelWalksThroughSlices();
     void aSlabHoldsWholeSlices();
+    void anObliqueSlabLeavesNoGaps();
     void thePointerPointsIntoTheSliceThatIsShown();
     void keysWalkThroughSlices();
     void leftDragWithoutToolIsWindowLevel();
@@ -252,6 +255,30 @@ void ViewsUiTest::wheelWalksThroughSlices()
     wheel(axial, 100);
     QCOMPARE(axial.sliceNumber(), 0);
     QCOMPARE(fixture.window.views().sagittal().sliceNumber(), 31);
+}
+
+/// As thick as its slices together, which the wheel counts; samples lie between them, too.
+void ViewsUiTest::anObliqueSlabLeavesNoGaps()
+{
+    constexpr Qt::KeyboardModifiers both = Qt::ControlModifier | Qt::ShiftModifier;
+    test::WindowFixture fixture(test::oblique());
+    SliceView& axial = fixture.window.views().axial();
+    fixture.window.actionTable()[QStringLiteral("view.slabMip")].trigger();
+    const core::VolumeGeometry& geometry = fixture.workspace.volume()->geometry;
+    const ui::SliceStack stack = ui::sliceStack(geometry, {0.0, 0.0, 1.0});
+    const auto slices = [&] {
+        const gpu::SceneSlab& slab = sliceScene(fixture, axial).slab;
+        return (2 * slab.reach + 1) * slab.stepMm / stack.stepMm;
+    };
+    const double thick = slices();
+    QVERIFY(std::abs(thick - std::round(thick)) < 1e-9 && int(std::lround(thick)) % 2 == 1);
+    const gpu::SliceScene& scene = sliceScene(fixture, axial);
+    const glm::dvec3 step =
+        glm::cross(scene.rightLps, scene.downLps) * sliceScene(fixture, axial).slab.stepMm;
+    const glm::dvec3 apart = glm::abs(geometry.toIndex(geometry.toWorld(glm::dvec3(0.0)) + step));
+    QVERIFY(std::max({apart.x, apart.y, apart.z}) < 0.501);
+    wheel(axial, 1, both);
+    QVERIFY(std::abs(slices() - thick - 2.0) < 1e-9);
 }
 
 void ViewsUiTest::aSlabHoldsWholeSlices()

@@ -16,12 +16,15 @@
 
 #include <QCheckBox>
 #include <QComboBox>
+#include <QFontMetrics>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <cstdint>
+#include <optional>
 
 namespace ui {
 
@@ -55,6 +58,7 @@ ThresholdDialog::ThresholdDialog(Workspace& workspace, QWidget* parent)
             follow();
         });
     connect(m_apply, &QPushButton::clicked, this, &ThresholdDialog::carryOut);
+    connect(m_trial, &ThresholdTrial::changed, this, &ThresholdDialog::showState);
     connect(&workspace, &Workspace::documentChanged, this, &ThresholdDialog::showState);
     connect(&workspace, &Workspace::clipChanged, this, [this] {
         showState();
@@ -96,6 +100,8 @@ void ThresholdDialog::build()
     m_now->setObjectName(QStringLiteral("thresholdNow"));
     m_now->setFont(theme::smallFont());
     m_now->setProperty("role", QStringLiteral("secondary"));
+    m_now->setMinimumHeight(
+        2 * QFontMetrics(theme::smallFont()).lineSpacing()); // as with a preview
     m_limit = new QPushButton(tr("As editable range"), this);
     m_limit->setObjectName(QStringLiteral("thresholdAsRange"));
     m_limit->setToolTip(tr("From now on all tools change only voxels with these values"));
@@ -188,9 +194,16 @@ void ThresholdDialog::showState()
     const core::Segment* about = segment();
     if (about) {
         constexpr double mm3PerMl = 1000.0;
-        const double ml =
-            double(about->voxels) * workspace().volume()->geometry.voxelVolumeMm3() / mm3PerMl;
-        m_now->setText(tr("Now: %1 voxels, %2").arg(countText(about->voxels), volumeText(ml)));
+        const double mlPerVoxel = workspace().volume()->geometry.voxelVolumeMm3() / mm3PerMl;
+        const auto sized = [mlPerVoxel](const QString& text, std::int64_t voxels) {
+            return text.arg(countText(voxels), volumeText(double(voxels) * mlPerVoxel));
+        };
+        QString text = sized(tr("Now: %1 voxels, %2"), about->voxels);
+        if (const std::optional<std::int64_t> voxels = m_trial->voxels())
+            text.prepend(sized(tr("Preview: %1 voxels, %2"), *voxels) + u'\n');
+        else if (m_trial->isCounting())
+            text.prepend(tr("Preview: counting …") + u'\n');
+        m_now->setText(text);
     } else {
         m_now->clear();
     }

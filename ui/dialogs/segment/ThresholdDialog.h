@@ -55,7 +55,7 @@ private:
     QCheckBox* m_onlyVisible = nullptr;
     QCheckBox* m_boxed = nullptr;
     QCheckBox* m_preview = nullptr;
-    QLabel* m_now = nullptr; ///< the segment's present size
+    QLabel* m_now = nullptr; ///< the segment's size, in the preview and at present
     QPushButton* m_limit = nullptr;
     QPushButton* m_apply = nullptr;
 };

@@ -69,7 +69,6 @@ LeakSection::LeakSection(Workspace& workspace, QWidget* parent)
     m_area->setSingleStep(5.0);
     m_area->setPrefix(tr("by "));
     m_area->setSuffix(tr(" mm²"));
-    m_factor->setMinimumWidth(m_area->sizeHint().width());
     m_barriers->setObjectName(QStringLiteral("growBarriers"));
     m_barriers->setToolTip(
         tr("What is shut to growth: stripes in slices, translucent in the 3D view"));
@@ -105,16 +104,17 @@ LeakSection::LeakSection(Workspace& workspace, QWidget* parent)
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(theme::smallPadding);
-    auto* guard = new QHBoxLayout;
-    guard->setSpacing(theme::smallPadding);
-    guard->addWidget(m_guard, 1);
-    guard->addWidget(m_factor);
-    layout->addLayout(guard);
-    auto* more = new QHBoxLayout;
-    more->setSpacing(theme::smallPadding);
-    more->addWidget(m_barriers, 1);
-    more->addWidget(m_area);
-    layout->addLayout(more);
+    auto* switches = new QHBoxLayout;
+    switches->setSpacing(theme::smallPadding);
+    switches->addWidget(m_guard, 1);
+    switches->addWidget(m_barriers);
+    layout->addLayout(switches);
+    // Both widths are the guard's: nothing else stands in their row.
+    auto* widths = new QHBoxLayout;
+    widths->setSpacing(theme::smallPadding);
+    widths->addWidget(m_factor, 1);
+    widths->addWidget(m_area, 1);
+    layout->addLayout(widths);
     layout->addWidget(m_offer);
     m_offer->hide();
     connect(m_guard, &QCheckBox::toggled, this, &LeakSection::takeSettings);

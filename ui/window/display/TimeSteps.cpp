@@ -4,6 +4,7 @@
 #include "core/repair/SeriesRepair.h"
 #include "core/session/SessionDisplay.h"
 #include "ui/settings/StudyOpener.h"
+#include "ui/views/ViewGrid.h"
 #include "ui/window/display/DisplayState.h"
 
 #include <QGuiApplication>
@@ -12,13 +13,15 @@
 
 namespace ui {
 
-TimeSteps::TimeSteps(
-    Workspace& workspace, StudyOpener& opener, DisplayState& display, QObject* parent)
+TimeSteps::TimeSteps(Workspace& workspace, StudyOpener& opener, DisplayState& display,
+    ViewGrid& views, QObject* parent)
     : QObject(parent)
     , m_workspace(workspace)
     , m_opener(opener)
     , m_display(display)
+    , m_views(views)
 {
+    connect(&workspace, &Workspace::sessionClosing, this, &TimeSteps::holdPictures);
     connect(&workspace, &Workspace::sessionChanged, this, &TimeSteps::takeAlong);
     connect(&opener, &StudyOpener::finished, this, &TimeSteps::finishOpening);
     connect(&workspace, &Workspace::documentChanged, this, [this] {
@@ -59,6 +62,17 @@ void TimeSteps::openPoint(int time)
     m_look = m_display.composed();
     m_opener.open(volume.sourcePath, core::withRepair(key, volume.repair));
     m_awaited = key;
+    m_awaitedText =
+        tr("Opening point %1 of %2").arg(time + 1).arg(volume.alternatives->times.size());
+}
+
+void TimeSteps::holdPictures()
+{
+    // The point before is closed for the one that is awaited: nothing else closes it meanwhile.
+    if (!m_awaited.isEmpty())
+        m_views.holdPictures(m_awaitedText);
+    else if (m_views.holdsPictures())
+        m_views.releasePictures(); // one that was never drawn is closed
 }
 
 void TimeSteps::play(double pointsPerSecond)
@@ -94,8 +108,10 @@ void TimeSteps::playOn()
 void TimeSteps::finishOpening()
 {
     // What has opened is awaited no more.
-    if (!std::exchange(m_awaited, {}).isEmpty())
-        pause();
+    if (std::exchange(m_awaited, {}).isEmpty())
+        return;
+    pause();
+    m_views.releasePictures();
 }
 
 void TimeSteps::takeAlong()

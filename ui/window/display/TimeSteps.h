@@ -12,19 +12,21 @@ namespace ui {
 
 class DisplayState;
 class StudyOpener;
+class ViewGrid;
 class Workspace;
 
 /// Goes from one point in time of a series to another. Each point is a study with a session of its
 /// own and is opened as any other study, so what was drawn stays with its point. What the user
 /// looks at is carried over: crosshair, grey scale, position and zoom of the views and, to a point
-/// that was never opened before, also the look of the 3D view. GUI thread.
+/// that was never opened before, also the look of the 3D view. The views keep their pictures until
+/// those of the next point arrive. GUI thread.
 class TimeSteps : public QObject {
     Q_OBJECT
 
 public:
     /// Construct it after @p display, which must hear of a new session first. All must outlive
     /// this.
-    TimeSteps(Workspace& workspace, StudyOpener& opener, DisplayState& display,
+    TimeSteps(Workspace& workspace, StudyOpener& opener, DisplayState& display, ViewGrid& views,
         QObject* parent = nullptr);
 
     /// Whether there is a point this many points later; negative: earlier.
@@ -46,6 +48,7 @@ Q_SIGNALS:
     void playingChanged(bool isPlaying);
 
 private:
+    void holdPictures();
     void takeAlong();
     void finishOpening();
     void playOn();
@@ -54,7 +57,9 @@ private:
     Workspace& m_workspace;
     StudyOpener& m_opener;
     DisplayState& m_display;
+    ViewGrid& m_views;
     QString m_awaited; ///< series key of the point that is being opened; empty: none
+    QString m_awaitedText; ///< which point that is, in words
     QJsonObject m_look; ///< what the user looked at in the point before
     bool m_isPlaying = false;
     std::size_t m_rowsAtFirst = 0; ///< number of the history's rows when the point was opened

@@ -76,6 +76,16 @@ private Q_SLOTS:
         QVERIFY(!readerOf({{{3, 4, 5}, 2}}).placeOf(1));
     }
 
+    void voxelsAreCountedByLabel()
+    {
+        const LabelReader reader =
+            readerOf({{{3, 4, 5}, 2}, {{39, 19, 17}, 2}, {{3, 4, 6}, 1}, {{16, 0, 0}, 2}});
+        QCOMPARE(reader.voxelsOf(1), std::int64_t(1));
+        QCOMPARE(reader.voxelsOf(2), std::int64_t(3));
+        QCOMPARE(reader.voxelsOf(3), std::int64_t(0));
+        QCOMPARE(readerOf({}).voxelsOf(1), std::int64_t(0));
+    }
+
     /// In the last brick, of which most lies outside.
     void oneVoxelIsItsOwnMiddle()
     {

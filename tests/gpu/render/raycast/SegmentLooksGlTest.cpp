@@ -6,6 +6,8 @@
 #include <QTest>
 
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
 #include <vector>
 
 namespace segmentLooksGlTest {
@@ -99,6 +101,48 @@ class SegmentLooksGlTest : public test::FrameTest {
     {
         m_fixture->fill(VolumeField::Labels, box, std::uint8_t(label));
         m_fixture->fill(VolumeField::Segmentation, box, 255);
+    }
+    /// A ball of segment 2, of ten voxels' radius, in a block of another segment; 0: alone.
+    void putBall(int block)
+    {
+        constexpr int side = 64;
+        std::vector<std::uint8_t> labels;
+        for (int z = 0; z < side; ++z) {
+            for (int y = 0; y < side; ++y) {
+                for (int x = 0; x < side; ++x) {
+                    const glm::dvec3 away = glm::dvec3(x, y, z) - 31.5;
+                    const glm::dvec3 far = glm::abs(away);
+                    const bool inBlock = std::max({far.x, far.y, far.z}) < 14.0;
+                    labels.push_back(std::uint8_t(glm::length(away) < 10.0 ? 2
+                            : inBlock                                      ? block
+                                                                           : 0));
+                }
+            }
+        }
+        std::vector<std::uint8_t> bodies;
+        for (const std::uint8_t label : labels)
+            bodies.push_back(label != 0 ? 255 : 0);
+        m_fixture->volume.labels().upload<std::uint8_t>(labels);
+        m_fixture->volume.segmentation().upload<std::uint8_t>(bodies);
+        for (const VolumeField field : {VolumeField::Labels, VolumeField::Segmentation})
+            m_fixture->volume.markDirty(field, {glm::ivec3(0), glm::ivec3(side)});
+    }
+    /// How far the red of a pixel is from the mean of its four neighbours, on average around the
+    /// middle of a picture.
+    static double roughness(const Frame& frame)
+    {
+        constexpr int reach = 7; // pixels
+        double sum = 0.0;
+        int count = 0;
+        for (int y = 48 - reach; y < 48 + reach; ++y) {
+            for (int x = 48 - reach; x < 48 + reach; ++x) {
+                const int beside = test::pixel(frame, x - 1, y).r + test::pixel(frame, x + 1, y).r
+                    + test::pixel(frame, x, y - 1).r + test::pixel(frame, x, y + 1).r;
+                sum += std::abs(0.25 * beside - test::pixel(frame, x, y).r);
+                ++count;
+            }
+        }
+        return sum / count;
     }
     static void addModes()
     {
@@ -204,6 +248,29 @@ private Q_SLOTS:
             }
         }
         QVERIFY(outer > 50);
+    }
+
+    /// Its border is known by whole voxels only, whose steps are not to show in the light: a ball
+    /// in a translucent block is less than half as rough as its voxels are alone.
+    void anOpaqueBallInATranslucentBlockIsSmooth_data()
+    {
+        QTest::addColumn<int>("context");
+        QTest::newRow("isosurface") << int(Context::Opaque);
+        QTest::newRow("segments alone") << int(Context::Hidden);
+    }
+    void anOpaqueBallInATranslucentBlockIsSmooth()
+    {
+        QFETCH(int, context);
+        VolumeScene scene = test::sceneAlongY(RenderMode::Surface);
+        scene.context = Context(context);
+        m_fixture->open(test::centredGeometry({64, 64, 64}), test::noMatter);
+        putBall(0);
+        const double alone = roughness(m_fixture->draw(scene, size, shown()));
+        putBall(1);
+        const double through = roughness(m_fixture->draw(scene, size, shown(50)));
+        qInfo("alone %.2f of 255, by half through the block %.2f", alone, through);
+        QVERIFY(alone > 2.0);
+        QVERIFY(through / half < 0.5 * alone);
     }
 
     void whatIsHiddenIsNoneHoweverOpaque()

@@ -169,23 +169,26 @@ private Q_SLOTS:
         QTRY_VERIFY(fixture.session().isOpen<core::ThresholdSegment>());
         QTRY_COMPARE(fixture.labelInBone(), 1);
         QCOMPARE(fixture.rows(), rows);
-        QCOMPARE(textOf(dialog, "thresholdNow"), QStringLiteral("Now: 0 voxels, 0.00 mL"));
+        // What is seen is counted, and told apart from what the segment has.
+        const std::int64_t bone = voxelsOfValue(1000);
+        const QString size =
+            QStringLiteral("%1 voxels, %2")
+                .arg(ui::countText(bone), ui::volumeText(double(bone) * 1.5 / 1000.0));
+        QTRY_COMPARE(textOf(dialog, "thresholdNow"),
+            QStringLiteral("Preview: %1\nNow: 0 voxels, 0.00 mL").arg(size));
 
         QSignalSpy said(&fixture.workspace, &ui::Workspace::said);
         press(applyOf(dialog));
         QVERIFY(fixture.session().settle());
         QTRY_COMPARE(said.size(), 1);
         QCOMPARE(fixture.rows(), rows + 1);
-        const std::int64_t bone = voxelsOfValue(1000);
         QCOMPARE(fixture.voxels(1), bone);
         QCOMPARE(fixture.lastRow().name,
             QStringLiteral("Threshold 'Bone' to 226 … 1000 HU, +%1 voxels")
                 .arg(ui::countText(bone)));
         QCOMPARE(said.front().front().toString(),
             fixture.lastRow().name + QStringLiteral("; Ctrl+Z takes it back"));
-        QTRY_COMPARE(textOf(dialog, "thresholdNow"),
-            QStringLiteral("Now: %1 voxels, %2")
-                .arg(ui::countText(bone), ui::volumeText(double(bone) * 1.5 / 1000.0)));
+        QTRY_COMPARE(textOf(dialog, "thresholdNow"), QStringLiteral("Now: %1").arg(size));
         QVERIFY(dialog.isVisible());
         QVERIFY(fixture.session().undo() && fixture.session().settle());
         QCOMPARE(fixture.voxels(1), std::int64_t(0));
@@ -220,6 +223,35 @@ private Q_SLOTS:
         QVERIFY(!fixture.session().isOpen<core::ThresholdSegment>());
         QTRY_COMPARE(fixture.labelInBone(), 2);
         QCOMPARE(fixture.rows(), rows + 1);
+    }
+
+    /// The count is that of the interval that is shown, never of one before.
+    void theCountIsOfWhatIsShown()
+    {
+        Fixture fixture;
+        fixture.addSegments();
+        ui::ThresholdDialog& dialog = fixture.opened();
+        const auto startsWith = [&dialog](const QString& text) {
+            return textOf(dialog, "thresholdNow").startsWith(text);
+        };
+        const auto preview = [](std::int64_t voxels) {
+            return QStringLiteral("Preview: %1 voxels, ").arg(ui::countText(voxels));
+        };
+        const std::int64_t bone = voxelsOfValue(1000);
+        QTRY_VERIFY(startsWith(preview(bone)));
+        // Above all values.
+        fieldOf(dialog, "rangeUpper").setValue(900.0);
+        QVERIFY(startsWith(QStringLiteral("Preview: counting")));
+        QTRY_VERIFY(startsWith(preview(0)));
+        fieldOf(dialog, "rangeUpper").setValue(1000.0);
+        QTRY_VERIFY(startsWith(preview(bone)));
+        checkOf(dialog, "thresholdPreview").setChecked(false);
+        QCOMPARE(textOf(dialog, "thresholdNow"), QStringLiteral("Now: 0 voxels, 0.00 mL"));
+        checkOf(dialog, "thresholdPreview").setChecked(true);
+        QTRY_VERIFY(startsWith(preview(bone)));
+        // A step takes the preview back, and its count goes with it.
+        fixture.apply(test::paintAt(2, test::pointsInBone(), 1.5));
+        QTRY_VERIFY(startsWith(QStringLiteral("Now: ")));
     }
 
     /// Every choice is in the edit.

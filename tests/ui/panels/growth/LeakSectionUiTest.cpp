@@ -106,6 +106,18 @@ class LeakSectionUiTest : public QObject {
 private Q_SLOTS:
     void init() { test::failOnUnexpectedMessages(); }
 
+    /// How much wider a leak is stands with what stops at leaks, not with the barriers.
+    void bothWidthsStandTogether()
+    {
+        LeakyPanel leaky;
+        const QRect times = leaky.part<QDoubleSpinBox>("growGuardFactor").geometry();
+        const QRect by = leaky.part<QDoubleSpinBox>("growGuardArea").geometry();
+        const QRect guard = leaky.part<QCheckBox>("growGuard").geometry();
+        const QRect barriers = leaky.part<QCheckBox>("growBarriers").geometry();
+        QVERIFY(by.top() == times.top() && by.left() > times.right());
+        QVERIFY(guard.bottom() < times.top() && barriers.bottom() < times.top());
+    }
+
     void barriersAreShownOrNot()
     {
         LeakyPanel fixture;

@@ -139,6 +139,63 @@ private Q_SLOTS:
         QVERIFY(session().document().segments.empty());
     }
 
+    /// Between two points the views show the one before: neither black, nor the start page.
+    void viewsKeepTheirPicturesUntilTheNextPoint()
+    {
+        window().opener().open(
+            path("times"), test::SyntheticSeries().seriesUid + QStringLiteral("@2"));
+        waitFor(1);
+        workspace().setWindowLevel({-1015.0, 30.0});
+        QVERIFY(test::waitUntilDrawn(window(), workspace()));
+        ui::ViewGrid& views = window().views();
+        const QImage before = views.axial().grab().toImage();
+        QImage between;
+        int closed = 0;
+        QObject watched;
+        QObject::connect(&workspace(), &ui::Workspace::sessionChanged, &watched, [&] {
+            if (workspace().volume())
+                return;
+            ++closed;
+            for (ui::ImageView* view : {static_cast<ui::ImageView*>(&views.axial()),
+                     static_cast<ui::ImageView*>(&views.sagittal()),
+                     static_cast<ui::ImageView*>(&views.coronal()),
+                     static_cast<ui::ImageView*>(&views.volume())})
+                QVERIFY(view->isVisible() && view->holdsPicture());
+            between = views.axial().grab().toImage();
+        });
+        step("file.nextTime", 2);
+        QCOMPARE(closed, 1);
+        QVERIFY(between == before);
+        QTRY_VERIFY_WITH_TIMEOUT(!views.holdsPictures(), patience);
+        QVERIFY(test::waitUntilDrawn(window(), workspace()));
+        const QImage after = views.axial().grab().toImage();
+        QVERIFY(after != before);
+
+        // Where it takes longer, the picture is dimmed and says what is awaited.
+        views.holdPictures(QStringLiteral("Opening point 1 of 3"));
+        QVERIFY(views.axial().grab().toImage() == after);
+        QTRY_VERIFY_WITH_TIMEOUT(views.axial().grab().toImage() != after, patience);
+        views.releasePictures();
+        QVERIFY(views.axial().grab().toImage() == after);
+    }
+
+    void aPointThatIsCalledOffLeavesNoPictures()
+    {
+        window().opener().open(path("times"), test::SyntheticSeries().seriesUid);
+        waitFor(0);
+        QVERIFY(test::waitUntilDrawn(window(), workspace()));
+        QObject watched;
+        QObject::connect(&workspace(), &ui::Workspace::sessionChanged, &watched, [&] {
+            if (!workspace().session())
+                QMetaObject::invokeMethod(
+                    &watched, [this] { window().closeStudy(); }, Qt::QueuedConnection);
+        });
+        action("file.nextTime").trigger();
+        QTRY_VERIFY_WITH_TIMEOUT(!workspace().session() && !window().opener().busy(), patience);
+        QVERIFY(!window().views().holdsPictures());
+        QVERIFY(!window().views().axial().isVisible());
+    }
+
     /// Where slices were zoomed, turned or oblique at a point, and are not at the next: nothing of
     /// that comes back.
     void theSamePlaceIsSeenWhereSlicesLayOtherwise()
