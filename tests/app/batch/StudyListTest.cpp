@@ -68,7 +68,7 @@ void StudyListTest::anythingIsReadOrRefused_data()
     QTest::addColumn<QByteArray>("text");
     QTest::newRow("table") << QByteArray("a.csv")
                            << QByteArray("\xef\xbb\xbfstudy,name,session,series,segment,mm\r\n"
-                                         "ct/1,one,one.burin,,\"a \"\"b\"\",1.5\r\n"
+                                         "ct/1,one,one.burin,,\"a \"\"b\"\"\",1.5\r\n"
                                          "ct/2,two,,1.2.3,c,-2e3\r\n");
     QTest::newRow("with tabs") << QByteArray("a.tsv")
                                << QByteArray("study\tname\tspacing\n../a.tif\tone\t1x1x2\n"
