@@ -166,6 +166,17 @@ bool DownloadFolder::isWhole(const QString& target, const QStringList& sopInstan
            });
 }
 
+void DownloadFolder::removeLockLeftOver(const QString& target)
+{
+    const QString path =
+        FolderCache::gatheringPlaceOf(QDir::cleanPath(QFileInfo(target).absoluteFilePath()))
+        + QStringLiteral(".lock");
+    if (!QFileInfo::exists(path))
+        return;
+    QLockFile lock(path);
+    static_cast<void>(takeLock(lock)); // its destructor removes the file
+}
+
 QString DownloadFolder::pathOf(const QString& sopInstanceUid) const
 {
     return QDir(m_gathering).filePath(fileName(sopInstanceUid));

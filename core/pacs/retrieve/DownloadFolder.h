@@ -23,6 +23,9 @@ public:
     [[nodiscard]] static Result<DownloadFolder> open(const QString& target);
     /// Whether @p target is a folder with all these objects, each undamaged.
     [[nodiscard]] static bool isWhole(const QString& target, const QStringList& sopInstanceUids);
+    /// Removes the lock of a download into @p target that was killed after all was in place. A lock
+    /// that is held stays.
+    static void removeLockLeftOver(const QString& target);
 
     DownloadFolder(DownloadFolder&&) noexcept = default;
     DownloadFolder& operator=(DownloadFolder&&) noexcept = default;

@@ -103,8 +103,10 @@ Result<Retrieved> retrieveInto(const QString& target, const RetrievePlan::Listin
     if (!plan)
         return tl::unexpected<Error>(plan.error());
     const QStringList instances = plan->instances();
-    if (plan->isKnown() && DownloadFolder::isWhole(target, instances))
+    if (plan->isKnown() && DownloadFolder::isWhole(target, instances)) {
+        DownloadFolder::removeLockLeftOver(target);
         return Retrieved{.received = 0, .kept = int(instances.size())};
+    }
     Result<DownloadFolder> folder = DownloadFolder::open(target);
     if (!folder)
         return tl::unexpected<Error>(folder.error());

@@ -85,6 +85,20 @@ private Q_SLOTS:
         QVERIFY(!QFile::exists(at("cache/a.open-1-1")));
     }
 
+    /// A kill after the last step leaves a lock beside what is whole.
+    void aLockBesideWhatIsWholeGoes()
+    {
+        const QString lock = at(".got.burin-download.lock");
+        DownloadFolder::removeLockLeftOver(target()); // there is none
+        write(lock, {});
+        DownloadFolder::removeLockLeftOver(target());
+        QVERIFY(!QFile::exists(lock));
+        const auto other = DownloadFolder::open(target());
+        VERIFY_DONE(other);
+        DownloadFolder::removeLockLeftOver(target());
+        QVERIFY(QFile::exists(lock)); // another download holds it
+    }
+
     void whyItCannotBeLockedIsSaid()
     {
         // The folder that it is gathered in has a name that is short enough, its lock has not.
