@@ -283,6 +283,7 @@ void OperationQueue::advance()
         m_operations.pop_front();
         m_started = false;
     }
+    askBehindOpen();
     m_advancing = false;
 }
 
@@ -292,7 +293,18 @@ bool OperationQueue::nothingAhead() const
         return true;
     // A stroke under the pen is ended by whoever began it.
     const OpenOperation* open = interactive();
-    return open && open == m_operations.front().get();
+    return open && m_started && open == m_operations.front().get();
+}
+
+/// What was asked while an edit that stands open was still waiting in line is asked as soon as the
+/// engine has that edit; behind it, it would wait until the edit is ended.
+void OperationQueue::askBehindOpen()
+{
+    while (m_operations.size() > 1 && m_started && m_operations.front().get() == interactive()
+        && dynamic_cast<Question*>(m_operations[1].get())) {
+        m_operations[1]->start(m_state);
+        m_operations.erase(m_operations.begin() + 1);
+    }
 }
 
 Result<void> OperationQueue::settle()

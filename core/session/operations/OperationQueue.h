@@ -69,6 +69,7 @@ private:
     void takeBack(const Error& error);
     Result<void> waitUntilSettled();
     void advance();
+    void askBehindOpen();
     bool collect();
     void takeChunks();
     void take(EngineResult&& result);

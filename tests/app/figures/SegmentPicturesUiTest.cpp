@@ -141,7 +141,10 @@ private Q_SLOTS:
         // To settle would end what is shown before it is applied.
         QVERIFY(wait([this] { return session().isOpen<core::ThresholdSegment>(); }));
         const auto* size = asked.findChild<QLabel*>(QStringLiteral("thresholdNow"));
-        QVERIFY(wait([size] { return !size->text().contains(QStringLiteral("counting")); }));
+        QVERIFY(wait([size] {
+            return size->text().startsWith(QStringLiteral("Preview: "))
+                && !size->text().contains(QStringLiteral("counting"));
+        }));
         for (int picture = 0; picture < 3; ++picture) {
             QTest::qWait(2 * restMs);
             QVERIFY(wait([&views] { return views.refined(); }));
@@ -151,6 +154,12 @@ private Q_SLOTS:
             test::keepCollage({{test::middleOf(views.axial(), side),
                                   test::middleOf(views.volume(), side), asked.grab().toImage()}},
                 "threshold.png"));
+        // What was counted in the preview is what the step comes to.
+        const QString counted = size->text().section(QLatin1Char('\n'), 0, 0);
+        QVERIFY(counted.startsWith(QStringLiteral("Preview: ")));
+        asked.findChild<QPushButton*>(QStringLiteral("applyThreshold"))->click();
+        const QString now = QStringLiteral("Now: ") + counted.mid(9);
+        QVERIFY(wait([&] { return size->text().section(QLatin1Char('\n'), -1) == now; }));
         asked.close();
     }
 

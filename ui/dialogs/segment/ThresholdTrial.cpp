@@ -84,13 +84,36 @@ void ThresholdTrial::count()
     const core::EditSession* session = m_workspace.session();
     const core::Segment* segment =
         isOpen() ? session->document().segment(m_shown->segment) : nullptr;
-    if (segment) {
+    if (!segment) {
+        Q_EMIT changed();
+    } else if (m_hasBegun && session->growthProgress().running) {
+        m_countSoon.start();
+    } else {
         m_reader = std::make_shared<core::LabelReader>(
             m_workspace.volume()->geometry.size, segment->plane);
-        readOn();
-    } else {
-        Q_EMIT changed();
+        if (m_hasBegun)
+            readOn();
+        else
+            awaitBegin();
     }
+}
+
+/// Large volumes are gone through in slices of time, and questions are answered in between. Whether
+/// that is going on is known only when the engine has begun, which is when it answers a question.
+void ThresholdTrial::awaitBegin()
+{
+    // One that has read nothing yet always has something to ask.
+    static_cast<void>(m_workspace.session()->questions().readOn(
+        m_reader, [self = QPointer(this), reader = m_reader](const core::Result<void>& portion) {
+            if (!self || self->m_reader != reader)
+                return;
+            self->m_reader.reset();
+            self->m_hasBegun = portion.has_value();
+            if (portion)
+                return self->count();
+            self->stopCounting();
+            Q_EMIT self->changed();
+        }));
 }
 
 void ThresholdTrial::readOn()
@@ -125,6 +148,7 @@ void ThresholdTrial::stopCounting()
     m_counting.cancel();
     m_reader.reset();
     m_voxels.reset();
+    m_hasBegun = false;
 }
 
 void ThresholdTrial::drop()

@@ -51,6 +51,7 @@ private:
     void begin();
     [[nodiscard]] bool isOpen() const;
     void count();
+    void awaitBegin();
     void readOn();
     void stopCounting();
 
@@ -62,6 +63,7 @@ private:
     QTimer m_countSoon; ///< delay after the preview has begun
     std::shared_ptr<core::LabelReader> m_reader; ///< null: nothing is being counted
     std::optional<std::int64_t> m_voxels; ///< of m_shown
+    bool m_hasBegun = false; ///< the engine has begun m_shown; it may still be working on it
     core::Background m_counting; ///< last: it uses all of the above
 };
 

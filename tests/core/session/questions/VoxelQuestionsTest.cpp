@@ -5,6 +5,7 @@
 #include "core/edits/kinds/growth/GrowCriteria.h"
 #include "core/edits/kinds/growth/ShrinkAt.h"
 #include "core/edits/kinds/growth/ToleranceEdits.h"
+#include "core/edits/kinds/values/ThresholdSegment.h"
 #include "core/session/EditSession.h"
 #include "core/session/past/LabelReader.h"
 #include "tests/reference/DelayedEngine.h"
@@ -102,6 +103,31 @@ private Q_SLOTS:
             bench.questions().probe({{-1, 0, 0}}, take);
         });
         QVERIFY(!outside && outside.error().code == ErrorCode::InvalidField);
+    }
+
+    /// What is asked behind a preview is answered while it stands open, of what it shows, also if
+    /// the preview has to wait until another one is taken back.
+    void previewsAreAskedAbout()
+    {
+        const Bench bench({test::addSegment("Brain")});
+        const double most = bench.study.volume.maximum;
+        const ThresholdSegment little{.segment = 1, .lower = most, .upper = most};
+        const ThresholdSegment all{
+            .segment = 1, .lower = bench.study.volume.minimum, .upper = most};
+        using Probes = std::vector<ProbedVoxel>;
+        for (const auto& [edit, label] : {std::pair(little, 0), {all, 1}, {little, 0}, {all, 1}}) {
+            QVERIFY(bench.session->begin(edit));
+            std::optional<Result<Probes>> told;
+            bench.questions().probe(
+                {inBrain}, [&told](Result<Probes> answer) { told = std::move(answer); });
+            for (int i = 0; i < 1000 && !told; ++i)
+                bench.session->poll();
+            QVERIFY(bench.session->isOpen<ThresholdSegment>());
+            QVERIFY(told && *told);
+            QCOMPARE(int((*told)->front().label), label);
+        }
+        bench.session->end(Ending::Rollback);
+        QVERIFY(bench.session->settle());
     }
 
     void raysAreToldOneByOne()
