@@ -198,9 +198,15 @@ void ThresholdDialog::showState()
         const auto sized = [mlPerVoxel](const QString& text, std::int64_t voxels) {
             return text.arg(countText(voxels), volumeText(double(voxels) * mlPerVoxel));
         };
+        const QString preview = tr("Preview: %1 voxels, %2");
+        // As wide as any count can be: a dialog that grows moves its buttons away.
+        const glm::ivec3 size = workspace().volume()->geometry.size;
+        const std::int64_t all = std::int64_t(size.x) * size.y * size.z;
+        m_now->setMinimumWidth(
+            QFontMetrics(theme::smallFont()).horizontalAdvance(sized(preview, all)));
         QString text = sized(tr("Now: %1 voxels, %2"), about->voxels);
         if (const std::optional<std::int64_t> voxels = m_trial->voxels())
-            text.prepend(sized(tr("Preview: %1 voxels, %2"), *voxels) + u'\n');
+            text.prepend(sized(preview, *voxels) + u'\n');
         else if (m_trial->isCounting())
             text.prepend(tr("Preview: counting …") + u'\n');
         m_now->setText(text);
