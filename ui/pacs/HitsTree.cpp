@@ -13,7 +13,7 @@ namespace {
 enum Column { Name, Id, Date, Modality, Description, Series, Images, Here, ColumnCount };
 constexpr int placeRole = Qt::UserRole; ///< in the source's order
 
-QString countText(int number)
+QString imageCountText(int number)
 {
     return number < 0 ? QStringLiteral("?") : QString::number(number);
 }
@@ -48,7 +48,7 @@ public:
 
 void putCount(QTreeWidgetItem& row, Column column, int count)
 {
-    row.setText(column, countText(count));
+    row.setText(column, imageCountText(count));
     row.setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);
 }
 

@@ -71,9 +71,8 @@ void PlainLimits::build()
 {
     const QString smoothTip =
         tr("Keeps growth out of threads, specks and thin sheets of noise: the stronger it is, the "
-           "more "
-           "neighbours of a voxel must lie in the interval, too. It fills no holes: Smooth noise "
-           "does, which stands under Criteria. Choose less of it for thin vessels and walls");
+           "more neighbours of a voxel must lie in the interval, too. It fills no holes: Smooth "
+           "noise does, which stands under Criteria. Choose less of it for thin vessels and walls");
     const QString necksTip =
         tr("Growth passes through no neck, and through no hole in a wall, that is narrower than "
            "this. Parts that are thinner throughout are left out, too");
