@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/end/SuddenEnd.h"
 
+#include "app/end/CallerOfNew.h"
 #include "app/end/EndNote.h"
 #include "core/base/MemoryReserve.h"
 
@@ -26,14 +27,6 @@ void write(int descriptor, const char* text)
 {
     if (descriptor >= 0)
         static_cast<void>(!::write(descriptor, text, std::strlen(text)));
-}
-
-[[noreturn]] void endForWantOfMemory()
-{
-    write(note, EndNote::outOfMemory);
-    write(STDERR_FILENO,
-        "burin: not enough memory: the program has to end; every step so far is in its session\n");
-    ::_exit(EXIT_FAILURE);
 }
 
 void onCrash(int number)
@@ -69,9 +62,18 @@ bool isForWantOfMemory()
 
 } // namespace
 
+void endForWantOfMemory()
+{
+    write(note, EndNote::outOfMemory);
+    write(STDERR_FILENO,
+        "burin: not enough memory: the program has to end; every step so far is in its session\n");
+    ::_exit(EXIT_FAILURE);
+}
+
 void watchForSuddenEnd()
 {
     core::keepMemoryReserve();
+    prepareToNameCallers();
     std::set_terminate(onTerminate);
     // A stack that has overflowed is of no use to a handler.
     static std::array<char, 65536> stack;

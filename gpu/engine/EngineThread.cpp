@@ -4,6 +4,7 @@
 #include "core/base/trace/Trace.h"
 #include "gpu/gl/DebugOutput.h"
 #include "gpu/gl/GpuTrace.h"
+#include "gpu/gl/context/CallsDriver.h"
 
 #include <future>
 #include <utility>
@@ -32,6 +33,7 @@ core::Result<void> EngineThread::start()
     std::promise<bool> current;
     std::future<bool> isCurrent = current.get_future();
     m_thread = std::thread([this, &current] {
+        const CallsDriver calls;
         const bool made = m_context->makeCurrent();
         if (made)
             DebugOutput::install();

@@ -6,8 +6,8 @@
 #include "gpu/engine/GpuEditEngine.h"
 #include "gpu/fields/textures/VolumeTextures.h"
 #include "gpu/frame/FrameScheduler.h"
-#include "gpu/gl/EglContext.h"
 #include "gpu/gl/GlFailure.h"
+#include "gpu/gl/context/EglContext.h"
 
 #include <utility>
 

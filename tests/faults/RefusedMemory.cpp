@@ -5,6 +5,7 @@
 //   BURIN_REFUSE_NTH     which one, counted from 1; 0: none, they are counted only
 //   BURIN_REFUSE_LEAST   only those of at least so many bytes count
 //   BURIN_REFUSE_OURS    1: only those count that the program's own code asks for by operator new
+//   BURIN_REFUSE_LIBRARIES  1: only those count that a library's code asks for by operator new
 //   BURIN_REFUSE_ON      1: that one and all that follow
 //   BURIN_REFUSE_TELL    1: who asked for it, on stderr
 //   BURIN_REFUSE_REPORT  a file that says how many there were, when the program is left orderly
@@ -37,6 +38,7 @@ std::atomic<bool> ready = false;
 long nth = 0;
 std::size_t least = 0;
 bool onlyOurs = false;
+bool onlyLibraries = false;
 bool onAndOn = false;
 bool tells = false;
 std::atomic<long> counted = 0;
@@ -46,8 +48,10 @@ thread_local bool looking = false;
 
 constexpr std::ptrdiff_t longestNew = 256; ///< bytes of its code
 
-/// Whether the next caller beyond operator new is the program itself.
-bool isOurs()
+enum class Caller { Unknown, Program, Library };
+
+/// Whose code called operator new, if that is what asks.
+Caller callerOfNew()
 {
     constexpr int deepest = 8;
     void* frames[deepest];
@@ -62,20 +66,21 @@ bool isOurs()
         if (!byNew)
             continue;
         Dl_info info{};
-        return dladdr(at, &info) != 0 && info.dli_fbase == program;
+        return dladdr(at, &info) != 0 && info.dli_fbase == program ? Caller::Program
+                                                                   : Caller::Library;
     }
-    return false;
+    return Caller::Unknown;
 }
 
 bool refuses(std::size_t bytes)
 {
     if (!ready || bytes < least || looking)
         return false;
-    if (onlyOurs) {
+    if (onlyOurs || onlyLibraries) {
         looking = true;
-        const bool ours = isOurs();
+        const Caller caller = callerOfNew();
         looking = false;
-        if (!ours)
+        if (caller != (onlyOurs ? Caller::Program : Caller::Library))
             return false;
     }
     const long call = ++counted;
@@ -94,6 +99,7 @@ __attribute__((constructor)) void begin()
     nth = numberFrom("BURIN_REFUSE_NTH", 0);
     least = std::size_t(numberFrom("BURIN_REFUSE_LEAST", 0));
     onlyOurs = numberFrom("BURIN_REFUSE_OURS", 0) != 0;
+    onlyLibraries = numberFrom("BURIN_REFUSE_LIBRARIES", 0) != 0;
     tells = numberFrom("BURIN_REFUSE_TELL", 0) != 0;
     onAndOn = numberFrom("BURIN_REFUSE_ON", 0) != 0;
     void* frame = nullptr;

@@ -14,6 +14,7 @@
 #include <QFileInfo>
 #include <QTest>
 
+#include <algorithm>
 #include <set>
 
 namespace memoryFailureGlTest {
@@ -96,6 +97,8 @@ private Q_SLOTS:
     void anyOnes();
     void noneFromThenOn_data();
     void noneFromThenOn();
+    void noneForLibrariesFromThenOn_data();
+    void noneForLibrariesFromThenOn();
     void littleAddressSpace_data();
     void littleAddressSpace();
     void fewHandles_data();
@@ -103,10 +106,16 @@ private Q_SLOTS:
     void slicesAreNotAllOpenAtOnce();
 
 private:
+    /// Whose allocations are counted, and refused.
+    enum class Whose {
+        Anybodys,
+        Ours, ///< that the program's own code asks for by operator new
+        Libraries, ///< that another library's code asks for by operator new
+    };
     [[nodiscard]] test::Surroundings refusing(
-        long which, long least, bool ours, bool onAndOn = false) const;
+        long which, long least, Whose whose, bool onAndOn = false) const;
     [[nodiscard]] Outcome carryOut(const test::Surroundings& around) const;
-    [[nodiscard]] long countOf(long least, bool ours);
+    [[nodiscard]] long countOf(long least, Whose whose);
     void checkWhole(const Outcome& outcome, bool replayed);
 
     QString m_airy;
@@ -114,17 +123,18 @@ private:
     QStringList m_promised; ///< of an undisturbed run
     QStringList m_hashes;
     QList<QByteArray> m_exported;
-    std::map<std::pair<long, bool>, long> m_counts;
+    std::map<std::pair<long, Whose>, long> m_counts;
 };
 
 test::Surroundings MemoryFailureGlTest::refusing(
-    long which, long least, bool ours, bool onAndOn) const
+    long which, long least, Whose whose, bool onAndOn) const
 {
     test::Surroundings around;
     around.variables = {{key("LD_PRELOAD"), key(BURIN_REFUSED_MEMORY)},
         {key("BURIN_REFUSE_NTH"), QString::number(which)},
         {key("BURIN_REFUSE_LEAST"), QString::number(least)},
-        {key("BURIN_REFUSE_OURS"), ours ? key("1") : key("0")},
+        {key("BURIN_REFUSE_OURS"), whose == Whose::Ours ? key("1") : key("0")},
+        {key("BURIN_REFUSE_LIBRARIES"), whose == Whose::Libraries ? key("1") : key("0")},
         {key("BURIN_REFUSE_ON"), onAndOn ? key("1") : key("0")},
         {key("BURIN_REFUSE_REPORT"), path("count.txt")}};
     return around;
@@ -143,13 +153,13 @@ Outcome MemoryFailureGlTest::carryOut(const test::Surroundings& around) const
 }
 
 /// How many allocations an undisturbed run makes.
-long MemoryFailureGlTest::countOf(long least, bool ours)
+long MemoryFailureGlTest::countOf(long least, Whose whose)
 {
-    long& count = m_counts[{least, ours}];
+    long& count = m_counts[{least, whose}];
     if (count > 0)
         return count;
     makeFolder();
-    const Outcome outcome = carryOut(refusing(0, least, ours));
+    const Outcome outcome = carryOut(refusing(0, least, whose));
     count = outcome.status == 0 ? test::bytesOf(path("count.txt")).trimmed().toLong() : 0;
     return count;
 }
@@ -255,13 +265,13 @@ void spread(long count, int daily, int most)
 
 void MemoryFailureGlTest::largeOnesOfOurs_data()
 {
-    spread(countOf(large, true), 14, 0);
+    spread(countOf(large, Whose::Ours), 14, 0);
 }
 
 void MemoryFailureGlTest::largeOnesOfOurs()
 {
     QFETCH(qlonglong, which);
-    const Outcome outcome = carryOut(refusing(which, large, true));
+    const Outcome outcome = carryOut(refusing(which, large, Whose::Ours));
     checkWhole(outcome, test::longRun() || which % 4 == 1);
     // Refused, or had at a second try.
     QVERIFY2(outcome.status == 0 || saysMemory(outcome), qPrintable(outcome.complaint));
@@ -269,27 +279,44 @@ void MemoryFailureGlTest::largeOnesOfOurs()
 
 void MemoryFailureGlTest::anyOnes_data()
 {
-    spread(countOf(1, false), 6, 300);
+    spread(countOf(1, Whose::Anybodys), 6, 300);
 }
 
 void MemoryFailureGlTest::anyOnes()
 {
     QFETCH(qlonglong, which);
     // A library that is refused may give another reason than memory.
-    checkWhole(carryOut(refusing(which, 1, false)), test::longRun());
+    checkWhole(carryOut(refusing(which, 1, Whose::Anybodys)), test::longRun());
 }
 
 void MemoryFailureGlTest::noneFromThenOn_data()
 {
-    spread(countOf(large, true), 3, 40);
+    spread(countOf(large, Whose::Ours), 3, 40);
 }
 
 void MemoryFailureGlTest::noneFromThenOn()
 {
     QFETCH(qlonglong, which);
-    const Outcome outcome = carryOut(refusing(which, large, true, true));
+    const Outcome outcome = carryOut(refusing(which, large, Whose::Ours, true));
     checkWhole(outcome, test::longRun());
     QVERIFY2(saysMemory(outcome), qPrintable(outcome.complaint));
+}
+
+void MemoryFailureGlTest::noneForLibrariesFromThenOn_data()
+{
+    // So many are asked for also where the driver has compiled everything earlier.
+    constexpr long always = 30000;
+    spread(std::min(always, countOf(1, Whose::Libraries)), 5, 60);
+}
+
+/// An exception that leaves the graphics driver leaves its locks taken: the program never ended.
+void MemoryFailureGlTest::noneForLibrariesFromThenOn()
+{
+    QFETCH(qlonglong, which);
+    const Outcome outcome = carryOut(refusing(which, 1, Whose::Libraries, true));
+    checkWhole(outcome, test::longRun());
+    QVERIFY2(outcome.status != 0 && outcome.complaint.contains(key("memory")),
+        qPrintable(outcome.complaint));
 }
 
 void MemoryFailureGlTest::littleAddressSpace_data()

@@ -7,7 +7,7 @@
 #include "core/refine/fit/InitialFit.h"
 #include "core/refine/mesh/SurfaceUpdate.h"
 #include "core/refine/tools/SurfaceStroke.h"
-#include "gpu/gl/EglContext.h"
+#include "gpu/gl/context/EglContext.h"
 #include "gpu/render/parts/SurfaceBuffers.h"
 #include "tests/benchmarks/common/PeerReport.h"
 #include "tests/peers/ItkSimplexDeformation.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "gpu/engine/EngineThread.h"
-#include "gpu/gl/EglContext.h"
+#include "gpu/gl/context/EglContext.h"
 #include "tests/support/program/TestProgram.h"
 
 #include <QTest>

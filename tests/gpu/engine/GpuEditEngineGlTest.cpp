@@ -2,7 +2,7 @@
 #include "gpu/engine/GpuEditEngine.h"
 
 #include "core/growth/SeedWord.h"
-#include "gpu/gl/EglContext.h"
+#include "gpu/gl/context/EglContext.h"
 #include "tests/support/program/TestProgram.h"
 
 #include <QTest>

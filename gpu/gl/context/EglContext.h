@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/base/Result.h"
-#include "gpu/gl/GlContext.h"
+#include "gpu/gl/context/GlContext.h"
 
 #include <memory>
 

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "gpu/gl/EglContext.h"
+#include "gpu/gl/context/EglContext.h"
+
+#include "gpu/gl/context/CallsDriver.h"
 
 #include <epoxy/egl.h>
 #include <epoxy/gl.h>
@@ -20,6 +22,7 @@ struct EglContext::Handles {
     // The display is the process's, shared with other contexts on it: never terminated.
     ~Handles()
     {
+        const CallsDriver calls;
         if (context != EGL_NO_CONTEXT)
             eglDestroyContext(display, context);
     }
@@ -125,6 +128,7 @@ core::Clause createOn(EGLDisplay display, const EglContextOptions& options, EGLC
 
 core::Result<std::unique_ptr<EglContext>> EglContext::create(const EglContextOptions& options)
 {
+    const CallsDriver calls;
     std::vector<EGLDisplay> displays = hardwareDisplays();
     if (hasWord(eglQueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS), "EGL_MESA_platform_surfaceless")) {
         displays.push_back(
