@@ -5,6 +5,7 @@
 #include "gpu/gl/Gl.h"
 
 #include <atomic>
+#include <new>
 
 namespace gpu {
 
@@ -12,17 +13,27 @@ namespace {
 
 std::atomic<int> errors = 0;
 
-void onMessage(GLenum, GLenum type, GLuint id, GLenum severity, GLsizei length,
-    const GLchar* message, const void*)
+void logMessage(GLenum type, GLuint id, GLenum severity, const QByteArray& text)
 {
-    const QByteArray text(message, length);
     if (type == GL_DEBUG_TYPE_ERROR) {
-        ++errors;
         qCCritical(core::log, "GL error %u: %s", id, text.constData());
     } else if (severity == GL_DEBUG_SEVERITY_HIGH) {
         qCWarning(core::log, "GL %u: %s", id, text.constData());
     } else if (severity != GL_DEBUG_SEVERITY_NOTIFICATION) {
         qCDebug(core::log, "GL %u: %s", id, text.constData());
+    }
+}
+
+/// The driver is under way, perhaps with locks held: nothing may be thrown through it.
+void onMessage(GLenum, GLenum type, GLuint id, GLenum severity, GLsizei length,
+    const GLchar* message, const void*) noexcept
+{
+    if (type == GL_DEBUG_TYPE_ERROR)
+        ++errors;
+    try {
+        logMessage(type, id, severity, QByteArray(message, length));
+    } catch (const std::bad_alloc&) {
+        // There is not even memory to say so. Who made the call asks for the error.
     }
 }
 
