@@ -1,27 +1,43 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "app/window/Application.h"
 #include "core/edits/kinds/chunks/DivideSegment.h"
 #include "core/edits/kinds/segments/ImportMask.h"
 #include "core/export/common/ExportFormats.h"
 #include "tests/support/faults/FileShim.h"
+#include "tests/support/fixtures/ApplicationFixture.h"
 #include "tests/support/fixtures/CommandFixture.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/series/SyntheticSeries.h"
 #include "tests/support/servers/Python.h"
 #include "tests/support/servers/WebArchive.h"
+#include "ui/dialogs/export/ExportDialog.h"
+#include "ui/dialogs/export/Screenshot.h"
+#include "ui/panels/lists/MeasurementsPanel.h"
+#include "ui/report/AuditSaver.h"
+#include "ui/window/MainWindow.h"
 
+#include <QAbstractButton>
+#include <QApplication>
+#include <QComboBox>
 #include <QDateTime>
 #include <QDir>
 #include <QDirIterator>
 #include <QElapsedTimer>
 #include <QFile>
+#include <QFileDialog>
 #include <QFileInfo>
+#include <QJsonDocument>
+#include <QLineEdit>
 #include <QMap>
+#include <QMessageBox>
 #include <QProcess>
 #include <QRegularExpression>
 #include <QSet>
+#include <QSignalSpy>
 #include <QTest>
 
 #include <algorithm>
+#include <array>
 #include <csignal>
 
 namespace filesWrittenUiTest {
@@ -31,6 +47,12 @@ using test::key;
 using test::Outcome;
 
 namespace {
+
+/// Names the folder for driven().
+constexpr const char* drivenIn = "BURIN_DRIVEN_IN";
+/// What it writes there.
+constexpr std::array drivenFiles{"driven.burin", "driven.dcm", "driven.nii.gz", "driven.stl",
+    "driven.csv", "driven.html", "driven.pdf", "driven.png", "measured.csv"};
 
 /// What a file is known by, without its bytes.
 using Stamp = std::pair<qint64, qint64>;
@@ -108,6 +130,8 @@ private Q_SLOTS:
     void masksAndStudies();
     void servers();
     void windows();
+    void windowsOwnDialogs();
+    void driven();
     void cleanupTestCase();
 };
 
@@ -477,6 +501,99 @@ void FilesWrittenUiTest::windows()
     QVERIFY(process.waitForFinished(60000));
     QCOMPARE(process.exitCode(), 128 + SIGTERM);
     judge("open", {at("a.burin")}, true);
+}
+
+/// A window in which a user saves the session under another name, exports, reports and takes a
+/// picture, with every file new and once more over what is there.
+void FilesWrittenUiTest::windowsOwnDialogs()
+{
+    QStringList targets;
+    for (const char* name : drivenFiles)
+        targets += at(name);
+    for (const QString& target : std::as_const(targets))
+        QVERIFY(!QFile::exists(target));
+    for (int time = 0; time < 2; ++time) {
+        QProcess process;
+        QProcessEnvironment environment = m_home.environment();
+        environment.insert(key(drivenIn), m_work);
+        environment.insert(key("BURIN_TEST_DISPLAY"), key("inherit"));
+        process.setProcessEnvironment(environment);
+        process.setProcessChannelMode(QProcess::MergedChannels);
+        m_before = everythingIn(m_home.path(QString()));
+        process.start(
+            QCoreApplication::applicationFilePath(), {key("FilesWrittenUiTest"), key("driven")});
+        QVERIFY(process.waitForFinished(test::ApplicationFixture::patience));
+        QVERIFY2(process.exitCode() == 0, process.readAll().constData());
+        judge("a driven window", targets + QStringList{at("a.burin")}, true);
+        if (QTest::currentTestFailed())
+            return;
+        for (const QString& target : std::as_const(targets))
+            QVERIFY2(QFile::exists(target), qPrintable(target));
+    }
+}
+
+/// What windowsOwnDialogs() watches, in a program of its own.
+void FilesWrittenUiTest::driven()
+{
+    if (!qEnvironmentVariableIsSet(drivenIn))
+        QSKIP("windowsOwnDialogs() starts it");
+    const QDir work(qEnvironmentVariable(drivenIn));
+    const auto in = [&work](const char* name) { return work.filePath(QLatin1String(name)); };
+    constexpr int patience = test::ApplicationFixture::patience;
+    QApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
+    const std::unique_ptr<app::Application> application = *app::Application::create();
+    ui::MainWindow& window = application->window();
+    ui::Workspace& workspace = application->workspace();
+    window.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&window));
+    window.opener().open(in("a.burin"));
+    QTRY_VERIFY_WITH_TIMEOUT(workspace.session(), patience);
+
+    QString wanted;
+    const test::Dialogs dialogs([&wanted](QWidget& dialog) {
+        if (auto* box = qobject_cast<QMessageBox*>(&dialog)) {
+            for (QAbstractButton* button : box->buttons()) {
+                if (box->buttonRole(button) != QMessageBox::RejectRole
+                    && box->buttonRole(button) != QMessageBox::NoRole)
+                    return button->click();
+            }
+        }
+        if (auto* choice = qobject_cast<QFileDialog*>(&dialog)) {
+            choice->findChild<QLineEdit*>()->setText(wanted);
+            QMetaObject::invokeMethod(choice, "accept", Qt::QueuedConnection);
+        }
+    });
+    wanted = in("driven.burin");
+    QSignalSpy saved(&workspace, &ui::Workspace::sessionSaved);
+    window.saveSessionAs();
+    QTRY_COMPARE_WITH_TIMEOUT(saved.count(), 1, patience);
+
+    const std::pair<const char*, core::ExportFormat> formats[] = {
+        {"driven.dcm", core::ExportFormat::DicomSeg}, {"driven.nii.gz", core::ExportFormat::Nifti},
+        {"driven.stl", core::ExportFormat::Stl}, {"driven.csv", core::ExportFormat::Csv}};
+    for (const auto& [name, format] : formats) {
+        QTest::keyClick(&window, Qt::Key_E, Qt::ControlModifier);
+        auto* dialog = window.findChild<ui::ExportDialog*>();
+        QVERIFY(dialog);
+        auto* choice = dialog->findChild<QComboBox*>(key("exportFormat"));
+        choice->setCurrentIndex(choice->findData(int(format)));
+        dialog->findChild<QLineEdit*>(key("exportFile"))->setText(in(name));
+        QSignalSpy exported(dialog, &ui::ExportDialog::exported);
+        dialog->findChild<QAbstractButton*>(key("exportStart"))->click();
+        QTRY_COMPARE_WITH_TIMEOUT(exported.count(), 1, patience);
+        delete dialog;
+    }
+    auto* reports = window.findChild<ui::AuditSaver*>();
+    QSignalSpy reported(reports, &ui::AuditSaver::saved);
+    for (const char* name : {"driven.html", "driven.pdf"}) {
+        reported.clear();
+        reports->save(in(name));
+        QTRY_COMPARE_WITH_TIMEOUT(reported.count(), 1, patience);
+    }
+    wanted = in("driven.png");
+    QVERIFY(!ui::askAndSavePicture(workspace, window).isEmpty());
+    window.findChild<ui::MeasurementsPanel*>()->saveAs(in("measured.csv"));
+    QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(in("measured.csv")), patience);
 }
 
 void FilesWrittenUiTest::cleanupTestCase()
