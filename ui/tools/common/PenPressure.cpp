@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/tools/common/PenPressure.h"
 
+#include "ui/base/Icons.h"
 #include "ui/base/Theme.h"
 
 #include <QToolButton>
@@ -30,8 +31,7 @@ QToolButton* pressureButton(QWidget* parent)
 {
     auto* button = new QToolButton(parent);
     button->setObjectName(QStringLiteral("radiusByPressure"));
-    // As short as the drill's "p²": the bar has no room.
-    button->setText(QObject::tr("p"));
+    button->setIcon(stateIcon(QStringLiteral("pressure")));
     button->setAccessibleName(QObject::tr("Pressure: radius"));
     button->setToolTip(QObject::tr(
         "Pressure: radius, that is, the radius follows the pressure of the pen, up to the one that "

@@ -16,8 +16,8 @@ namespace ui {
 /// Whether a pen at rest is pressed so much harder than before that its tool has to cover more.
 [[nodiscard]] bool pressesHarder(double share, double before);
 
-/// Creates the switch "p" of a tool's options. On: the radius follows the pressure of the pen. Off:
-/// pressure has no effect.
+/// Creates the switch with the pressed pen of a tool's options. On: the radius follows the pressure
+/// of the pen. Off: pressure has no effect.
 [[nodiscard]] QToolButton* pressureButton(QWidget* parent);
 
 } // namespace ui
