@@ -70,7 +70,8 @@ QString carryOut(FencedWork work, const Request& request, std::span<std::uint8_t
     } catch (const std::bad_alloc&) {
         return QStringLiteral("decoding it takes more memory than such an image may");
     } catch (const std::exception& exception) {
-        return QString::fromLatin1(exception.what());
+        const QString what = QString::fromLatin1(exception.what());
+        return what.isEmpty() ? QStringLiteral("damaged pixel data") : what;
     }
 }
 

@@ -55,7 +55,9 @@ Clause sentenceOf(const Reply& reply)
     QString text = QString::fromUtf8(reply.sentence.data(),
         qsizetype(std::min<std::size_t>(reply.sentenceBytes, longestSentence)));
     for (QChar& letter : text) {
-        if (!letter.isPrint())
+        // To Qt these are printable.
+        const bool endsLine = letter == QChar::LineSeparator || letter == QChar::ParagraphSeparator;
+        if (!letter.isPrint() || endsLine)
             letter = QLatin1Char('?');
     }
     return text.isEmpty() ? Clause::saying("damaged pixel data") : Clause(text);

@@ -522,6 +522,7 @@ def decoders():
     replies("refused-without-a-word", ready, reply(refused))
     replies("letters-that-are-not-printed",
             ready, reply(refused, "a\0b\n\x1b[0m\u202e\ufeff\U0001d11e\ue000".encode() + b"\xff\xc3"))
+    replies("more-lines-than-one", ready, reply(refused, "a\u2028b\u2029c".encode()))
     replies("cut-within-a-letter", ready, reply(refused, b"a" + "\u00fc".encode() * 119 + b"\xc3"))
     replies("sentence-longer-than-its-place", ready, reply(refused, b"a" * 240, size=241))
     replies("sentence-without-end", ready, reply(refused, b"a" * 240, size=0xffffffff))
@@ -544,6 +545,7 @@ def decoders():
     request("nothing-at-all", 0, 0, 0, 0)
     request("refused", 8192, 3, 4096, 4096, b"damaged pixel data")
     request("thrown", 8192, 3, 4096, 4096, b"!thrown in a decoder")
+    request("thrown-without-a-word", 8192, 3, 4096, 4096, b"!")
     request("no-memory", 8192, 3, 4096, 4096, b"?")
     request("sentence-that-is-cut-within-a-letter", 8192, 3, 4096, 4096, b"a" + b"\xff" * 127)
     request("output-over-the-input", 8192, 4097, 4096, 4096)
