@@ -401,6 +401,10 @@ def segmentations():
     segmentation("along-no-direction", one, [(1, low)], [1], orientation="0\\0\\0\\0\\0\\0")
     segmentation("longer-than-all-directions", one, [(1, low)], [1],
                  orientation="1e200\\0\\0\\0\\1e200\\0")
+    segmentation("frames-farther-apart-than-numbers-can-tell", one + one,
+                 [(1, "-1e308\\-10\\-4"), (1, "1e308\\-10\\-2")], [1])
+    segmentation("a-frame-at-no-place", one + one, [(1, low), (1, "1e308\\1e308\\-2")], [1],
+                 orientation="0.6\\0.8\\0\\-0.8\\0.6\\0", spacing="0.01\\0.01")
     segmentation("pixels-smaller-than-all", one, [(1, low)], [1], spacing="1e-308\\1e-308")
 
 
@@ -444,6 +448,9 @@ def contours():
             (1, [square(closed, -4, 0, 9, NumberOfContourPoints=2147483647)]))
     regions("contours-of-none", (-2147483648, [square(closed, -4, -5, 12)]),
             StructureSetROISequence=[], RTROIObservationsSequence=[])
+    regions("farther-than-numbers-can-tell",
+            (1, [square(closed, "-1e300", -5, 12), square(closed, "1e300", -5, 12),
+                 square(closed, -4, -5, 12)]))
     regions("corners-beyond-all-pixels", (1, [square(closed, -4, "-1e300", "1e300")]))
 
 
