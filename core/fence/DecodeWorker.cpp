@@ -61,21 +61,25 @@ private:
     std::size_t m_bytes = 0;
 };
 
-QString carryOut(FencedWork work, const Request& request, const SharedMemory& memory)
+QString carryOut(FencedWork work, const Request& request, std::span<std::uint8_t> memory)
 {
-    const std::span<std::uint8_t> all = memory.bytes();
     try {
         return work(std::span(request.parameters).first(request.parameterBytes),
-            all.first(request.inputBytes), all.subspan(request.outputAt, request.outputBytes));
+            memory.first(request.inputBytes),
+            memory.subspan(request.outputAt, request.outputBytes));
     } catch (const std::bad_alloc&) {
         return QStringLiteral("decoding it takes more memory than such an image may");
     } catch (const std::exception& exception) {
-        return QString::fromLatin1(exception.what());
+        const QString what = QString::fromLatin1(exception.what());
+        return what.isEmpty() ? QStringLiteral("damaged pixel data") : what;
     }
 }
 
-Reply replyTo(const Request& request, const QString& wrong)
+} // namespace
+
+fence::Reply fence::replyTo(const Request& request, std::span<std::uint8_t> memory, FencedWork work)
 {
+    const QString wrong = carryOut(work, request, memory);
     Reply reply{.number = request.number};
     reply.verdict = wrong.isEmpty() ? Verdict::Done : Verdict::Refused;
     const QByteArray sentence = wrong.toUtf8();
@@ -84,8 +88,6 @@ Reply replyTo(const Request& request, const QString& wrong)
     std::memcpy(reply.sentence.data(), sentence.constData(), reply.sentenceBytes);
     return reply;
 }
-
-} // namespace
 
 int runDecodeWorker(void (*prepare)(), FencedWork work)
 {
@@ -98,13 +100,9 @@ int runDecodeWorker(void (*prepare)(), FencedWork work)
     SharedMemory memory;
     Request request;
     while (read(socketDescriptor, &request, sizeof(request)) == ssize_t(sizeof(request))) {
-        const bool sound = request.magic == magic && memory.reach(request.memoryBytes)
-            && request.parameterBytes <= longestParameters && request.inputBytes <= request.outputAt
-            && request.outputAt <= request.memoryBytes
-            && request.outputBytes <= request.memoryBytes - request.outputAt;
-        if (!sound)
+        if (!isSound(request) || !memory.reach(request.memoryBytes))
             _exit(1);
-        const Reply reply = replyTo(request, carryOut(work, request, memory));
+        const Reply reply = replyTo(request, memory.bytes(), work);
         if (write(socketDescriptor, &reply, sizeof(reply)) != ssize_t(sizeof(reply)))
             _exit(1);
     }

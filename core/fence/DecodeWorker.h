@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/fence/FenceProtocol.h"
+
 #include <QString>
 
 #include <cstdint>
@@ -22,5 +24,16 @@ using FencedWork = QString (*)(std::span<const std::uint8_t> parameters,
 /// @param prepare called before that; does everything for which @p work needs files
 /// @return the process's exit status
 int runDecodeWorker(void (*prepare)(), FencedWork work);
+
+namespace fence {
+
+/// Carries out a request, as a decoder process does. What @p work throws is a refusal.
+///
+/// @pre isSound(request)
+/// @param memory has at least as many bytes as the request says
+[[nodiscard]] Reply replyTo(
+    const Request& request, std::span<std::uint8_t> memory, FencedWork work);
+
+} // namespace fence
 
 } // namespace core

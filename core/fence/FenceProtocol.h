@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/base/words/Clause.h"
+
 #include <array>
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 
-/// The messages between a program and its decoder processes: fixed messages over a socket, and
-/// bytes in shared memory. Both ends are the same program, so versions cannot differ.
+/// The messages between a program and its decoder processes, and how each side reads what the other
+/// sent: fixed messages over a socket, and bytes in shared memory. Both ends are the same program,
+/// so versions cannot differ. An image may have taken over a decoder, so the program trusts none of
+/// its messages.
 namespace core::fence {
 
 /// The file descriptors of a decoder process.
@@ -45,5 +50,30 @@ struct Reply {
     std::uint32_t sentenceBytes = 0;
     std::array<char, longestSentence> sentence{}; ///< UTF-8: why it was refused
 };
+
+/// What came over the socket of a decoder.
+enum class Heard {
+    Message,
+    Silence, ///< nothing in the time that it had
+    End, ///< the decoder closed its end
+    Noise, ///< something that is no such message
+};
+
+/// Waits for the first message of a decoder.
+/// @param socket the program's end, of type SOCK_SEQPACKET
+/// @param ready the message, if there is one; otherwise not to be used
+[[nodiscard]] Heard hear(int socket, std::chrono::milliseconds patience, Ready& ready);
+
+/// Waits for the reply to the request of that number. A reply that is a message has a known verdict
+/// and a sentence that is not too long.
+[[nodiscard]] Heard hear(
+    int socket, std::chrono::milliseconds patience, std::uint32_t number, Reply& reply);
+
+/// Why a request was refused: one line of printable letters, never empty. For a reply that was
+/// heard.
+[[nodiscard]] Clause sentenceOf(const Reply& reply);
+
+/// Whether everything that a request names lies in its memory, and the input before the output.
+[[nodiscard]] bool isSound(const Request& request);
 
 } // namespace core::fence

@@ -87,18 +87,6 @@ void limit(pid_t process, decltype(RLIMIT_AS) resource, rlim_t value)
     prlimit(process, resource, &both, nullptr);
 }
 
-/// Sentences of a decoder are shown to people: one line of printable letters.
-Clause printable(const Reply& reply)
-{
-    QString text = QString::fromUtf8(reply.sentence.data(),
-        qsizetype(std::min<std::size_t>(reply.sentenceBytes, longestSentence)));
-    for (QChar& letter : text) {
-        if (!letter.isPrint())
-            letter = QLatin1Char('?');
-    }
-    return text.isEmpty() ? Clause::saying("damaged pixel data") : Clause(text);
-}
-
 } // namespace
 
 std::unique_ptr<WorkerProcess> WorkerProcess::start(
@@ -115,8 +103,8 @@ std::unique_ptr<WorkerProcess> WorkerProcess::start(
         return nullptr;
     }
     Ready ready;
-    const Heard heard = made->hear(&ready, sizeof(ready), patience);
-    if (heard != Heard::Message || ready.magic != magic) {
+    const Heard heard = hear(made->m_socket, patience, ready);
+    if (heard != Heard::Message) {
         why = heard == Heard::Silence ? Clause::saying("it does not answer")
                                       : Clause::saying("it is not Burin's");
         return nullptr;
@@ -252,7 +240,7 @@ WorkerProcess::Answer WorkerProcess::ask(std::span<const std::uint8_t> parameter
     if (send(m_socket, &request, sizeof(request), MSG_NOSIGNAL) != ssize_t(sizeof(request)))
         return {.outcome = howItEnded()};
     Reply reply;
-    switch (hear(&reply, sizeof(reply), 10 * patience)) {
+    switch (hear(m_socket, 10 * patience, request.number, reply)) {
     case Heard::Silence:
         end();
         return {.outcome = Outcome::TooSlow};
@@ -263,34 +251,9 @@ WorkerProcess::Answer WorkerProcess::ask(std::span<const std::uint8_t> parameter
     case Heard::Message:
         break;
     }
-    const bool sound = reply.magic == magic && reply.number == request.number
-        && reply.sentenceBytes <= longestSentence;
-    if (sound && reply.verdict == Verdict::Refused)
-        return {.outcome = Outcome::Refused, .sentence = printable(reply)};
-    if (!sound || reply.verdict != Verdict::Done)
-        return {.outcome = Outcome::Nonsense};
+    if (reply.verdict == Verdict::Refused)
+        return {.outcome = Outcome::Refused, .sentence = sentenceOf(reply)};
     return {.outcome = Outcome::Done, .output = {m_bytes + outputAt, outputBytes}};
-}
-
-WorkerProcess::Heard WorkerProcess::hear(void* message, std::size_t size, milliseconds patience)
-{
-    const auto until = std::chrono::steady_clock::now() + patience;
-    pollfd watched{.fd = m_socket, .events = POLLIN, .revents = 0};
-    while (true) {
-        const auto left =
-            std::chrono::duration_cast<milliseconds>(until - std::chrono::steady_clock::now());
-        const int woken = poll(&watched, 1, int(std::max<std::int64_t>(0, left.count())));
-        if (woken < 0 && errno == EINTR)
-            continue;
-        if (woken <= 0)
-            return Heard::Silence;
-        const ssize_t got = recv(m_socket, message, size, MSG_DONTWAIT | MSG_TRUNC);
-        if (got < 0 && (errno == EINTR || errno == EAGAIN))
-            continue;
-        if (got <= 0)
-            return Heard::End;
-        return std::size_t(got) == size ? Heard::Message : Heard::Noise;
-    }
 }
 
 /// Its end of the socket is closed: it has ended, or will not be heard of again.

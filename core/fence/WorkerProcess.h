@@ -72,8 +72,6 @@ private:
     [[nodiscard]] bool spawn(const WorkerProgram& program, int theirSocket);
     [[nodiscard]] bool share(std::size_t bytes);
     void allow(std::size_t inputBytes, std::size_t outputBytes, std::chrono::milliseconds patience);
-    enum class Heard { Message, Silence, End, Noise };
-    [[nodiscard]] Heard hear(void* message, std::size_t size, std::chrono::milliseconds patience);
     [[nodiscard]] Outcome howItEnded();
     void end();
 

@@ -77,6 +77,13 @@ private:
 /// Contours of one height, in mm along the normal; steps of a thousandth are none.
 using Planes = std::map<std::int64_t, std::vector<const RtContour*>>;
 
+/// Files may state heights so great that no whole number holds them or their differences.
+std::int64_t thousandthsOf(double mm)
+{
+    constexpr double farthestMm = 1e12;
+    return std::llround(std::clamp(mm, -farthestMm, farthestMm) * 1000.0);
+}
+
 double mmOf(std::int64_t height)
 {
     return double(height) / 1000.0;
@@ -86,7 +93,7 @@ Planes planesOf(const RtRoi& roi, const Slices& slices)
 {
     Planes planes;
     for (const RtContour& contour : roi.contours)
-        planes[std::llround(slices.heightOf(contour.points.front()) * 1000.0)].push_back(&contour);
+        planes[thousandthsOf(slices.heightOf(contour.points.front()))].push_back(&contour);
     return planes;
 }
 
@@ -122,7 +129,7 @@ Reach reachOf(const RtStructFile& set, const Slices& slices)
 /// The plane nearest to a slice; null: none reaches it. Midway the upper one does.
 const std::vector<const RtContour*>* planeAt(const Planes& planes, double height, double reachMm)
 {
-    const std::int64_t wanted = std::llround(height * 1000.0);
+    const std::int64_t wanted = thousandthsOf(height);
     const auto above = planes.lower_bound(wanted);
     auto nearest = above;
     if (above != planes.begin()) {
@@ -132,7 +139,7 @@ const std::vector<const RtContour*>* planeAt(const Planes& planes, double height
     }
     if (nearest == planes.end())
         return nullptr;
-    const std::int64_t reach = std::llround(reachMm * 500.0);
+    const std::int64_t reach = thousandthsOf(reachMm / 2.0);
     const std::int64_t off = wanted - nearest->first;
     return off >= -reach && off < reach ? &nearest->second : nullptr;
 }

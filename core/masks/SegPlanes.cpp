@@ -39,6 +39,14 @@ std::vector<double> sliceHeights(const FrameLattice& lattice, const VolumeGeomet
     return heights;
 }
 
+/// As in LatticeMap. What is too far away, or not a number, is put where that still has room.
+std::int64_t fixedPlace(double place)
+{
+    constexpr double farthestPlace = 1e8;
+    const double held = place >= -farthestPlace ? std::min(place, farthestPlace) : -farthestPlace;
+    return std::llround(held * double(LatticeMap::one));
+}
+
 bool isAcross(const FrameLattice& lattice, const VolumeGeometry& geometry)
 {
     constexpr double mostMm = 0.01;
@@ -82,6 +90,12 @@ Result<FrameLattice> latticeOf(
         planes.push_back(heightMm(lattice, plane.position));
     }
     const std::vector<double> slices = sliceHeights(lattice, geometry);
+    // Sorting needs numbers, and sums of great ones may be none.
+    const auto isNumber = [](double height) { return std::isfinite(height); };
+    if (!std::all_of(planes.begin(), planes.end(), isNumber)
+        || !std::all_of(slices.begin(), slices.end(), isNumber))
+        return failure(ErrorCode::UnsupportedFormat, path,
+            Clause::saying("its pixels are out of all proportion to the study's"));
     const double step = smallestStep(slices);
     const double mostMm = std::max(0.01, 0.01 * step);
     lattice.onSlices =
@@ -127,8 +141,7 @@ SegmentPlanes::SegmentPlanes(const SegFile& seg, int number, const glm::dmat4& t
             continue;
         const glm::dvec3 at(toLattice * glm::dvec4(seg.frames[i].plane.position, 1.0));
         for (int axis = 0; axis < 3; ++axis)
-            m_places[i][std::size_t(axis)] =
-                std::llround(std::clamp(at[axis], -1e8, 1e8) * double(LatticeMap::one));
+            m_places[i][std::size_t(axis)] = fixedPlace(at[axis]);
         byHeight[m_places[i][2]].push_back(i);
     }
     for (auto& [height, frames] : byHeight)

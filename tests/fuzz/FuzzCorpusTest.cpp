@@ -27,7 +27,8 @@ constexpr std::array targets{Target{"dicom", test::fuzzDicom}, Target{"seg", tes
     Target{"session", test::fuzzSession}, Target{"delta", test::fuzzDelta},
     Target{"surfacestep", test::fuzzSurfaceStep}, Target{"recipe", test::fuzzRecipe},
     Target{"multipart", test::fuzzMultipart}, Target{"webanswer", test::fuzzWebAnswer},
-    Target{"archive", test::fuzzArchive}};
+    Target{"archive", test::fuzzArchive}, Target{"decoderreply", test::fuzzDecoderReply},
+    Target{"decoderrequest", test::fuzzDecoderRequest}};
 
 } // namespace
 
@@ -40,6 +41,7 @@ private Q_SLOTS:
     void foundCasesAreSurvived_data();
     void foundCasesAreSurvived();
     void everyFolderIsATarget();
+    void everyTargetHasCases();
 };
 
 void FuzzCorpusTest::foundCasesAreSurvived_data()
@@ -78,6 +80,15 @@ void FuzzCorpusTest::everyFolderIsATarget()
         QVERIFY2(std::any_of(targets.begin(), targets.end(),
                      [&](const auto& target) { return folder == QLatin1String(target.folder); }),
             qPrintable(folder));
+    }
+}
+
+void FuzzCorpusTest::everyTargetHasCases()
+{
+    const QDir root(QStringLiteral(BURIN_TEST_DATA_DIR "/fuzz"));
+    for (const Target& target : targets) {
+        const QDir cases(root.filePath(QLatin1String(target.folder)));
+        QVERIFY2(!cases.entryList(QDir::Files).isEmpty(), target.folder);
     }
 }
 

@@ -28,5 +28,10 @@ void fuzzRecipe(FuzzBytes bytes);
 void fuzzMultipart(FuzzBytes bytes);
 void fuzzWebAnswer(FuzzBytes bytes);
 void fuzzArchive(FuzzBytes bytes);
+/// What a decoder that an image has taken over sends to the program: messages, each of which begins
+/// with its length in two bytes.
+void fuzzDecoderReply(FuzzBytes bytes);
+/// A request as a decoder reads it, and the memory that goes with it.
+void fuzzDecoderRequest(FuzzBytes bytes);
 
 } // namespace test

@@ -35,9 +35,21 @@ void fuzzSession(FuzzBytes bytes)
 
 void fuzzDelta(FuzzBytes bytes)
 {
-    BrickDelta delta;
-    delta.pieces.emplace_back(reinterpret_cast<const char*>(bytes.data()), qsizetype(bytes.size()));
-    (void)expandDelta(delta, {{40, 36, 34}});
+    BrickDelta stream;
+    stream.pieces.emplace_back(
+        reinterpret_cast<const char*>(bytes.data()), qsizetype(bytes.size()));
+    // Once more as what the stream holds, which no mutation of it would leave sound.
+    DeltaWriter writer;
+    writer.add(bytes);
+    for (const BrickDelta& delta : {stream, BrickDelta{writer.finish()}}) {
+        const Result<std::vector<BrickImage>> images = expandDelta(delta, {{40, 36, 34}});
+        for (std::size_t i = 0; images && i < images->size(); ++i) {
+            const BrickImage& image = (*images)[i];
+            const int voxelBytes = bytesPerVoxel(image.key.field);
+            if (image.bytes.size() != std::size_t(voxelBytes) * BrickGrid::voxelsPerBrick)
+                qFatal("a brick without its bytes");
+        }
+    }
 }
 
 void fuzzSurfaceStep(FuzzBytes bytes)

@@ -2,9 +2,11 @@
 """Small real files for the fuzzers to begin with: seeds.py OUT [SHARED_DATA [EDITS [SESSIONS]]]
 
 OUT/TARGET/… for every target of FuzzTargets.h. From pydicom's test files, the cases that fuzzing
-found (tests/data/fuzz), sessions, archives and answers as strangers made them and, where they are, the shared studies,
-of which volumes are cropped to a few voxels. EDITS is what `burin edits --json` prints; SESSIONS a folder of small sessions of this
-version (`burin run`), of which the differences are seeds, too. Needs python3-pydicom and python3-nibabel.
+found (tests/data/fuzz), what strangers may have made (sessions, archives, answers, masks,
+differences, messages of decoders) and, where they are, the shared studies, of which volumes are
+cropped to a few voxels. EDITS is what `burin edits --json` prints; SESSIONS a folder of small
+sessions of this version (`burin run`), of which the differences are seeds, too. Needs
+python3-pydicom and python3-nibabel.
 """
 import gzip
 import io
@@ -314,13 +316,261 @@ def masks_of_strangers():
         + struct.pack("<IB", 5, 2) + struct.pack("<d", float("nan")) + corner[8:])
 
 
+def encoded(**elements):
+    """Explicit VR, little-endian: a list is a sequence, bytes are taken as they are."""
+    whole = b""
+    for tag, value in sorted((pydicom.datadict.tag_for_keyword(keyword), value)
+                             for keyword, value in elements.items()):
+        vr = pydicom.datadict.dictionary_VR(tag).split(" or ")[-1]
+        if vr == "SQ":
+            items = [encoded(**item) for item in value]
+            value = b"".join(struct.pack("<HHI", 0xfffe, 0xe000, len(item)) + item for item in items)
+        elif isinstance(value, int):
+            value = (struct.pack("<H" if vr == "US" else "<I", value) if vr in ("US", "UL")
+                     else str(value).encode())
+        elif isinstance(value, str):
+            value = value.encode()
+        value += (b"\0" if vr == "UI" else b" ") * (len(value) % 2)
+        whole += struct.pack("<HH2s", tag >> 16, tag & 0xffff, vr.encode())
+        whole += (struct.pack("<HI", 0, len(value)) if vr in ("OB", "OW", "SQ")
+                  else struct.pack("<H", len(value))) + value
+    return whole
+
+
+def part_10(**elements):
+    meta = encoded(FileMetaInformationVersion=b"\0\1",
+                   MediaStorageSOPClassUID=elements["SOPClassUID"],
+                   MediaStorageSOPInstanceUID="1.2.3", TransferSyntaxUID="1.2.840.10008.1.2.1")
+    return (bytes(128) + b"DICM" + encoded(FileMetaInformationGroupLength=len(meta)) + meta
+            + encoded(SOPInstanceUID="1.2.3", PatientID="A", StudyInstanceUID="1.2.4",
+                      SeriesInstanceUID="1.2.5", FrameOfReferenceUID="1.2.6", **elements))
+
+
+def code(value, meaning):
+    return [{"CodeValue": value, "CodingSchemeDesignator": "SCT", "CodeMeaning": meaning}]
+
+
+def segmentations():
+    """On the grid of smallVolume() in FuzzBytes.h."""
+    columns, rows = 24, 20
+
+    def frame(inside, value=1, bits=1):
+        pixels = numpy.zeros((rows, columns), numpy.uint8)
+        pixels[inside] = value
+        return (numpy.packbits(pixels, bitorder="little") if bits == 1 else pixels).tobytes()
+
+    def segmentation(name, pixels, frames, segments, **others):
+        others = {"SOPClassUID": "1.2.840.10008.5.1.4.1.1.66.4", "SegmentationType": "BINARY",
+                  "BitsAllocated": 1, "orientation": "1\\0\\0\\0\\1\\0", "spacing": "1.5\\1.5",
+                  "NumberOfFrames": len(frames), "Rows": rows, "Columns": columns, **others}
+        orientation, spacing = others.pop("orientation"), others.pop("spacing")
+        put("seg", name, part_10(
+            Modality="SEG", SamplesPerPixel=1, PixelRepresentation=0, PixelData=pixels,
+            SegmentSequence=[
+                {"SegmentNumber": number, "SegmentLabel": f"Segment {number}",
+                 "SegmentAlgorithmType": "MANUAL", "RecommendedDisplayCIELabValue": b"\0\xc0" * 3,
+                 "SegmentedPropertyCategoryCodeSequence": code("123037004", "Anatomical Structure"),
+                 "SegmentedPropertyTypeCodeSequence": code("10200004", "Liver")}
+                for number in segments],
+            SharedFunctionalGroupsSequence=[
+                {"PlaneOrientationSequence": [{"ImageOrientationPatient": orientation}],
+                 "PixelMeasuresSequence": [{"PixelSpacing": spacing, "SliceThickness": "2"}]}],
+            PerFrameFunctionalGroupsSequence=[
+                {"PlanePositionSequence": [{"ImagePositionPatient": place}],
+                 "SegmentIdentificationSequence": [{"ReferencedSegmentNumber": number}]}
+                for number, place in frames],
+            **others))
+
+    box, beside = numpy.s_[5:12, 6:15], numpy.s_[8:16, 9:20]
+    low, high = "-10\\-10\\-4", "-10\\-10\\-2"
+    one = frame(box)
+    segmentation("two-that-overlap", one + one + frame(beside), [(1, low), (1, high), (2, high)],
+                 [1, 2])
+    segmentation("between-pixels-and-slices", one + one, [(1, "-9.3\\-8\\-5"), (1, "-9\\-8\\1.3")],
+                 [1], spacing="0.7\\2.1")
+    segmentation("fractional", frame(box, 200, 8), [(1, low)], [1], SegmentationType="FRACTIONAL",
+                 BitsAllocated=8, MaximumFractionalValue=255)
+    segmentation("label-map", frame(box, 2, 8) + frame(beside, 1, 8), [(1, low), (1, high)],
+                 [0, 1, 2], SOPClassUID="1.2.840.10008.5.1.4.1.1.66.7", SegmentationType="LABELMAP",
+                 BitsAllocated=8)
+    segmentation("one-number-twice", one + one, [(1, low), (1, low)], [1, 1])
+    segmentation("frames-of-no-segment", one + one, [(65535, low), (0, high)], [0, 7])
+    segmentation("fewer-pixels-than-frames", one, [(1, low), (1, high)], [1])
+    segmentation("gigabytes-in-a-few-bytes", one, [(1, low)], [1], Rows=65535, Columns=65535)
+    segmentation("frames-without-end", one, [(1, low)], [1], NumberOfFrames=2147483647)
+    segmentation("along-no-direction", one, [(1, low)], [1], orientation="0\\0\\0\\0\\0\\0")
+    segmentation("longer-than-all-directions", one, [(1, low)], [1],
+                 orientation="1e200\\0\\0\\0\\1e200\\0")
+    segmentation("frames-farther-apart-than-numbers-can-tell", one + one,
+                 [(1, "-1e308\\-10\\-4"), (1, "1e308\\-10\\-2")], [1])
+    segmentation("a-frame-at-no-place", one + one, [(1, low), (1, "1e308\\1e308\\-2")], [1],
+                 orientation="0.6\\0.8\\0\\-0.8\\0.6\\0", spacing="0.01\\0.01")
+    segmentation("pixels-smaller-than-all", one, [(1, low)], [1], spacing="1e-308\\1e-308")
+
+
+def contours():
+    def square(kind, z, first, last, **others):
+        corners = ((first, first), (last, first), (last, last), (first, last))
+        return {"ContourGeometricType": kind, "NumberOfContourPoints": 4,
+                "ContourData": "\\".join(f"{x}\\{y}\\{z}" for x, y in corners), **others}
+
+    def regions(name, *rois, **others):
+        listed = [{"ROINumber": number, "ROIName": f"Region {number}",
+                   "ReferencedFrameOfReferenceUID": "1.2.6"} for number, _ in rois]
+        put("rtstruct", name, part_10(**{
+            "SOPClassUID": "1.2.840.10008.5.1.4.1.1.481.3", "Modality": "RTSTRUCT",
+            "ReferencedFrameOfReferenceSequence": [
+                {"FrameOfReferenceUID": "1.2.6", "RTReferencedStudySequence": [
+                    {"RTReferencedSeriesSequence": [
+                        {"ContourImageSequence": [{"ReferencedSOPInstanceUID": "1.2.7"}]}]}]}],
+            "StructureSetROISequence": listed,
+            "ROIContourSequence": [
+                {"ReferencedROINumber": number, "ROIDisplayColor": "255\\0\\128",
+                 "ContourSequence": items} for number, items in rois],
+            "RTROIObservationsSequence": [
+                {"ObservationNumber": 1, "ReferencedROINumber": rois[0][0],
+                 "RTROIIdentificationCodeSequence": code("10200004", "Liver")}], **others}))
+
+    closed = "CLOSED_PLANAR"
+    regions("a-hole-and-others",
+            (1, [square(closed, -4, -5, 12), square(closed, -4, 0, 6), square(closed, -2, -5, 12)]),
+            (2, [square("CLOSEDPLANAR_XOR", 0, -8, 3), square("OPEN_PLANAR", 2, -8, 3),
+                 {"ContourGeometricType": "POINT", "ContourData": "1\\2\\3"}]))
+    regions("between-slices", (1, [square(closed, -4.7, -5, 12), square(closed, -4.2, -5, 12),
+                                   square(closed, 7.1, -5, 12)]))
+    regions("numbers-that-are-none", (1, [square(closed, -4, -5, "1e999")]))
+    regions("two-numbers-a-point", (1, [{"ContourGeometricType": closed, "ContourData": "1\\2"}]))
+    regions("surrounds-nothing",
+            (1, [square(closed, -4, 3, 3), {"ContourGeometricType": closed,
+                                            "ContourData": "\\".join(["1\\1\\-4", "9\\9\\-4"] * 3)}]),
+            (2, []))
+    regions("regions-of-one-number", (1, [square(closed, -4, -5, 12)]),
+            (1, [square(closed, -4, 0, 9, NumberOfContourPoints=2147483647)]))
+    regions("contours-of-none", (-2147483648, [square(closed, -4, -5, 12)]),
+            StructureSetROISequence=[], RTROIObservationsSequence=[])
+    regions("farther-than-numbers-can-tell",
+            (1, [square(closed, "-1e300", -5, 12), square(closed, "1e300", -5, 12),
+                 square(closed, -4, -5, 12)]))
+    regions("corners-beyond-all-pixels", (1, [square(closed, -4, "-1e300", "1e300")]))
+
+
+def differences():
+    """What the rows of sessions hold, of 3 x 3 x 3 bricks (core/session/README.md): plain, as
+    fuzzDelta packs it, and streams of zstd that nobody would write."""
+    coverage, labels, words, overwritten = 1, 2, 3, 4
+    seed = 0x80002000  # that was sketched, admitted in the first generation
+
+    def head(*entries, along=(3, 3), count=None):
+        return b"BDL3" + struct.pack("<3I", *along, len(entries) if count is None else count) + b"".join(
+            struct.pack("<4BI", field, 0, form, 0, brick) for field, form, brick in entries)
+
+    def mask(*voxels):
+        bits = bytearray(512)
+        for voxel in voxels:
+            bits[voxel // 8] |= 1 << voxel % 8
+        return bytes(bits)
+
+    def kept(*differences):
+        return b"".join(bytes(word >> 8 * byte & 255 for word in differences) for byte in range(4))
+
+    two = head((coverage, 1, 0), (coverage, 1, 26))
+    sound = two + mask(0, 17, 4095) + mask(7) + b"\1\2\xff" + b"\x80"
+    put("delta", "coverage-of-two-bricks", sound)
+    put("delta", "more-behind-its-end", sound + b"\0")
+    put("delta", "cut-within-a-mask", sound[:700])
+    # A seed on the border of two bricks, and the voxels beside it that follow from it.
+    put("delta", "growth-over-a-border",
+        head((labels, 1, 0), (labels, 1, 1), (words, 2, 0), (words, 2, 1), (overwritten, 1, 1))
+        + mask(1102, 1103) + mask(1088) + mask(1088) + b"\3\3" + b"\3" + b"\5"
+        + b"\2" + b"\0" + b"\0\0" + kept(seed))
+    put("delta", "growth-without-a-seed", head((words, 1, 13)) + mask(1, 2) + b"\0" + b"\3\3")
+    put("delta", "growth-after-the-last-generation",
+        head((words, 1, 13)) + mask(1, 2) + b"\1" + b"\3" + kept(~(262143 << 13 | 3 << 5) & 0xffffffff))
+    put("delta", "words-that-do-not-follow",
+        head((words, 1, 26)) + mask(*range(64)) + b"\xff" * 8 + kept(*[seed, 0xffffffff, 1, 0] * 16))
+    put("delta", "words-beside-no-labels", head((labels, 1, 0), (words, 2, 1)) + mask(5) + b"\3\1"
+        + kept(seed))
+    put("delta", "one-brick-twice", head((coverage, 1, 3), (coverage, 1, 3)) + mask(1) * 2 + b"\1\1")
+    put("delta", "more-bricks-than-there-are", head((coverage, 1, 0), count=0xffffffff) + mask(1))
+    put("delta", "a-brick-that-there-is-not", head((coverage, 1, 27)) + mask(1) + b"\1")
+    put("delta", "bricks-of-another-volume",
+        head((coverage, 1, 0), along=(0xffffffff, 0)) + mask(1) + b"\1")
+
+    def block(kind, size, content, last=0):
+        return struct.pack("<I", last | kind << 1 | size << 3)[:3] + content
+
+    raw, repeated = 0, 1
+    begin = head((coverage, 1, 0))
+    stream = (b"\x28\xb5\x2f\xfd\0\x38" + block(raw, len(begin), begin)
+              + block(repeated, 512, b"\xff") + block(repeated, 4096, b"\7", last=1))
+    put("delta", "stream-of-repeats", stream)
+    put("delta", "stream-of-two-frames", stream + stream)
+    put("delta", "stream-that-unpacks-to-megabytes",
+        stream[:-4] + block(repeated, 1 << 17, b"\7") * 64 + stream[-4:])
+    put("delta", "stream-with-a-window-of-terabytes", stream[:5] + b"\xff" + stream[6:])
+    put("delta", "stream-cut-short", stream[:-5])
+
+
+def decoders():
+    """What a decoder and its program tell each other (core/fence/FenceProtocol.h)."""
+    magic, done, refused = 0x464e4345, 1, 2
+    ready = struct.pack("<II", magic, 1)
+
+    def reply(verdict, sentence=b"", number=1, size=None, begin=magic):
+        return struct.pack("<4I240s", begin, number, verdict, len(sentence) if size is None else size,
+                           sentence)
+
+    def replies(name, *messages):
+        put("decoderreply", name, b"".join(struct.pack("<H", len(one)) + one for one in messages))
+
+    replies("done", ready, reply(done))
+    replies("done-and-more", ready, reply(done), reply(refused, b"twice"))
+    replies("refused", ready, reply(refused, "damaged <b>\u00fc".encode()))
+    replies("refused-without-a-word", ready, reply(refused))
+    replies("letters-that-are-not-printed",
+            ready, reply(refused, "a\0b\n\x1b[0m\u202e\ufeff\U0001d11e\ue000".encode() + b"\xff\xc3"))
+    replies("more-lines-than-one", ready, reply(refused, "a\u2028b\u2029c".encode()))
+    replies("cut-within-a-letter", ready, reply(refused, b"a" + "\u00fc".encode() * 119 + b"\xc3"))
+    replies("sentence-longer-than-its-place", ready, reply(refused, b"a" * 240, size=241))
+    replies("sentence-without-end", ready, reply(refused, b"a" * 240, size=0xffffffff))
+    replies("done-of-another-request", ready, reply(done, number=2))
+    replies("verdict-that-there-is-not", ready, reply(77))
+    replies("of-another-program", ready, reply(done, begin=7))
+    replies("shorter-than-a-reply", ready, reply(done)[:-1])
+    replies("longer-than-a-reply", ready, reply(done) + b"\0" * 4096)
+    replies("ready-and-gone", ready)
+    replies("done-before-it-is-ready", reply(done), ready)
+    replies("ready-in-halves", ready[:4], ready[4:])
+
+    def request(name, memory, input_bytes, output_at, output_bytes, parameters=b"", size=None,
+                begin=magic, content=b"\1\2\3"):
+        put("decoderrequest", name, struct.pack(
+            "<IIQQQQI128s4x", begin, 1, memory, input_bytes, output_at, output_bytes,
+            len(parameters) if size is None else size, parameters) + content)
+
+    request("sound", 8192, 3, 4096, 4096)
+    request("nothing-at-all", 0, 0, 0, 0)
+    request("refused", 8192, 3, 4096, 4096, b"damaged pixel data")
+    request("thrown", 8192, 3, 4096, 4096, b"!thrown in a decoder")
+    request("thrown-without-a-word", 8192, 3, 4096, 4096, b"!")
+    request("no-memory", 8192, 3, 4096, 4096, b"?")
+    request("sentence-that-is-cut-within-a-letter", 8192, 3, 4096, 4096, b"a" + b"\xff" * 127)
+    request("output-over-the-input", 8192, 4097, 4096, 4096)
+    request("output-beyond-the-memory", 8192, 3, 4096, 4097)
+    request("output-beyond-all-numbers", 8192, 3, 2 ** 64 - 4096, 8192)
+    request("more-than-all-memory", 2 ** 64 - 1, 3, 4096, 2 ** 64 - 4097)
+    request("more-parameters-than-there-is-place", 8192, 3, 4096, 4096, size=129)
+    request("parameters-without-end", 8192, 3, 4096, 4096, size=0xffffffff)
+    request("of-another-program", 8192, 3, 4096, 4096, begin=7)
+
+
 def found():
     for path in (HERE.parent / "data" / "fuzz").glob("*/*"):
         put(path.parent.name, path.name, path.read_bytes())
 
 
 for step in (dicom, volumes, images, meshes, recipes, sessions, strangers, web, archives,
-             masks_of_strangers, found):
+             masks_of_strangers, segmentations, contours, differences, decoders, found):
     step()
 for folder in sorted(out.iterdir()):
     print(f"{folder.name}: {len(list(folder.iterdir()))}")

@@ -91,8 +91,10 @@ QString misbehaved(std::span<const std::uint8_t> parameters, std::span<const std
         sink = std::uint64_t(write(2, "x", 1));
     } else if (what == "throw") {
         throw std::runtime_error("thrown in a decoder");
+    } else if (what == "throw nothing") {
+        throw std::runtime_error("");
     } else if (what == "refuse") {
-        return QStringLiteral("refused\nwith a \x01 line");
+        return QStringLiteral("refused\nwith\u2028a \x01\u2029line");
     } else if (what == "chatter") {
         return QString(5000, QLatin1Char('x'));
     }
@@ -247,8 +249,10 @@ void FencedDecoderTest::failuresCostOneCall_data()
     if (!test::underSanitizer)
         row("allocate", "decoding it takes more memory than such an image may");
     // That sanitizer reads a file when something is thrown, and the fence lets nobody read.
-    if (!test::underAddressSanitizer)
+    if (!test::underAddressSanitizer) {
         row("throw", "thrown in a decoder");
+        row("throw nothing", "damaged pixel data");
+    }
 }
 
 void FencedDecoderTest::failuresCostOneCall()
@@ -290,7 +294,7 @@ void FencedDecoderTest::sentencesAreOnePrintableLine()
 {
     FencedDecoder decoder;
     decoder.setProgram(selfAs(misbehave));
-    QCOMPARE(decoded(decoder, "refuse").wrong, QStringLiteral("refused?with a ? line"));
+    QCOMPARE(decoded(decoder, "refuse").wrong, QStringLiteral("refused?with?a ??line"));
     QCOMPARE(decoded(decoder, "chatter").wrong.size(), qsizetype(fence::longestSentence));
     QCOMPARE(decoder.idle().size(), std::size_t(1));
 }
