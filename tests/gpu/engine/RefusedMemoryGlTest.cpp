@@ -170,31 +170,41 @@ void RefusedMemoryGlTest::anyErrorIsRefused()
 void RefusedMemoryGlTest::aSessionGoesOn_data()
 {
     QTest::addColumn<uint>("seed");
-    for (uint seed = 71; seed < (test::longRun() ? 91u : 72u); ++seed)
-        QTest::addRow("seed %u", seed) << seed;
+    QTest::addColumn<bool>("imports");
+    for (uint seed = 71; seed < (test::longRun() ? 91u : 73u); ++seed) {
+        const bool imports = seed % 2 == 0;
+        QTest::addRow("seed %u%s", seed, imports ? ", with imports" : "") << seed << imports;
+    }
 }
 
 /// A hasty user whose GPU refuses memory now and then: after each step the session holds what its
-/// history says, and the file opens again.
+/// history says, and the file opens again. In every second history masks that overlap are imported,
+/// for which further label planes are needed.
 void RefusedMemoryGlTest::aSessionGoesOn()
 {
     QFETCH(uint, seed);
+    QFETCH(bool, imports);
     RefusingGl refusing(seed, 30, 90);
     std::optional<RefusingGl::Pause> pause(std::in_place, refusing);
-    const test::RandomHistory history = test::runRandomHistory(
-        m_gpu.engine(), test::longRun() ? 1000 : 400, seed, [&](bool acting) {
-            if (acting)
-                pause.reset();
-            else
-                pause.emplace(refusing);
-        });
+    test::RandomHistory history =
+        test::runRandomHistory(m_gpu.engine(), test::longRun() ? 1000 : 400, seed,
+            [&](bool acting) {
+                if (acting)
+                    pause.reset();
+                else
+                    pause.emplace(refusing);
+            },
+            {.planes = imports});
     QVERIFY2(history.failure.isEmpty(), qPrintable(history.failure));
     int done = 0;
     for (const auto& [what, count] : history.done)
         done += count;
-    qInfo("%d storages of %d refused, %d steps done", refusing.refused(), refusing.calls(), done);
+    const QString mask = QStringLiteral("importMask");
+    qInfo("%d storages of %d refused, %d steps done; %d masks imported, %d refused",
+        refusing.refused(), refusing.calls(), done, history.done[mask], history.refused[mask]);
     QVERIFY(refusing.refused() > 10);
     QVERIFY(done > 20);
+    QCOMPARE(history.done[mask] > 0, imports);
 }
 
 void RefusedMemoryGlTest::aVolumeThatDoesNotFit()
