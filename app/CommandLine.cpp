@@ -19,12 +19,10 @@
 #include "app/window/DisplayNeeded.h"
 #include "app/window/GuardedApplication.h"
 #include "app/window/OpenCommand.h"
+#include "app/window/PrivateSettings.h"
 #include "core/base/Guarded.h"
-#include "core/base/files/PrivateFolder.h"
 
 #include <QApplication>
-#include <QFileInfo>
-#include <QSettings>
 
 #include <algorithm>
 #include <cstdio>
@@ -54,14 +52,6 @@ void printHelp(FILE* out)
         std::fprintf(
             out, "  burin %s %s\n      %s\n", command->name, command->usage, command->summary);
     std::fprintf(out, "\nburin COMMAND --help says what each option means.\n");
-}
-
-/// They name the studies that were open last. Qt makes the file for everybody to read.
-void keepSettingsPrivate()
-{
-    const QString file = QSettings().fileName();
-    if (core::makePrivateFolder(QFileInfo(file).absolutePath()))
-        core::makePrivateFile(file);
 }
 
 } // namespace

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/window/Application.h"
+#include "app/window/PrivateSettings.h"
 #include "core/edits/kinds/chunks/DivideSegment.h"
 #include "core/edits/kinds/segments/ImportMask.h"
 #include "core/export/common/ExportFormats.h"
@@ -235,6 +236,12 @@ QString FilesWrittenUiTest::kindOf(
     const QString shaders = qEnvironmentVariable("MESA_SHADER_CACHE_DIR");
     if (!shaders.isEmpty() && path.startsWith(shaders + QLatin1Char('/')))
         return QStringLiteral("Mesa's cache of shaders");
+    const QString dialogs = m_home.path(QStringLiteral("config/QtProject.conf"));
+    if (path == dialogs || path == dialogs + QStringLiteral(".lock")
+        || (event.what == "unnamed" && path == m_home.path(QStringLiteral("config")))
+        || (event.what == "link" && event.more == dialogs)
+        || (event.what == "rename" && event.more == dialogs))
+        return QStringLiteral("which folders Qt's dialogs showed");
     // Qt writes settings into a file without a name, and then gives it one.
     if (event.what == "link")
         return event.more.startsWith(m_home.path(QStringLiteral("config/burin/")))
@@ -530,6 +537,11 @@ void FilesWrittenUiTest::windowsOwnDialogs()
         for (const QString& target : std::as_const(targets))
             QVERIFY2(QFile::exists(target), qPrintable(target));
     }
+    const QFile::Permissions others =
+        QFile::ReadGroup | QFile::WriteGroup | QFile::ReadOther | QFile::WriteOther;
+    const QString dialogs = m_home.path(QStringLiteral("config/QtProject.conf"));
+    QVERIFY(QFileInfo(dialogs).size() > 0);
+    QVERIFY(!(QFile::permissions(dialogs) & others));
 }
 
 /// What windowsOwnDialogs() watches, in a program of its own.
@@ -541,6 +553,10 @@ void FilesWrittenUiTest::driven()
     const auto in = [&work](const char* name) { return work.filePath(QLatin1String(name)); };
     constexpr int patience = test::ApplicationFixture::patience;
     QApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
+    // Where settings lie.
+    QCoreApplication::setApplicationName(key("burin"));
+    QCoreApplication::setOrganizationName(key("burin"));
+    app::keepSettingsPrivate();
     const std::unique_ptr<app::Application> application = *app::Application::create();
     ui::MainWindow& window = application->window();
     ui::Workspace& workspace = application->workspace();
@@ -572,9 +588,11 @@ void FilesWrittenUiTest::driven()
         {"driven.dcm", core::ExportFormat::DicomSeg}, {"driven.nii.gz", core::ExportFormat::Nifti},
         {"driven.stl", core::ExportFormat::Stl}, {"driven.csv", core::ExportFormat::Csv}};
     for (const auto& [name, format] : formats) {
+        window.activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(&window));
         QTest::keyClick(&window, Qt::Key_E, Qt::ControlModifier);
-        auto* dialog = window.findChild<ui::ExportDialog*>();
-        QVERIFY(dialog);
+        ui::ExportDialog* dialog = nullptr;
+        QTRY_VERIFY_WITH_TIMEOUT((dialog = window.findChild<ui::ExportDialog*>()), patience);
         auto* choice = dialog->findChild<QComboBox*>(key("exportFormat"));
         choice->setCurrentIndex(choice->findData(int(format)));
         dialog->findChild<QLineEdit*>(key("exportFile"))->setText(in(name));

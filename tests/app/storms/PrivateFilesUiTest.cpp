@@ -287,6 +287,7 @@ void PrivateFilesUiTest::whatTellsIsItsOwnersAlone()
 {
     QVERIFY(QFile::exists(m_home.path(QStringLiteral("config/burin/burin.conf"))));
     QCOMPARE(modeOf(m_home.path(QStringLiteral("config/burin/burin.conf"))), 0600);
+    QCOMPARE(modeOf(m_home.path(QStringLiteral("config/QtProject.conf"))), 0600);
     QCOMPARE(modeOf(m_home.path(QStringLiteral("got"))), 0700);
     QCOMPARE(modeOf(at(QStringLiteral("a.burin"))), 0600);
     QCOMPARE(modeOf(at(QStringLiteral("b.burin"))), 0600);
