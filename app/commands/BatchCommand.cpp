@@ -257,16 +257,21 @@ const Command batchCommand{.name = "batch",
         " on where it was ended; FOLDER gets a folder for each study, with session, exports"
         " and record.json, and results.csv",
     .options = {{"studies", "LIST", "the studies: a list or a folder"},
-        {"into", "FOLDER", "where the results go"}, {"jobs", "N", "how many studies at once (1)"},
+        {"into", "FOLDER", "where the results go"},
+        {"jobs", "N", "how many studies are worked on at once; 1 by default"},
         {"retries", "N",
             "how often a study is tried again after a failure that may pass, such as a crash or "
-            "too little memory (0)"},
-        {"only", "NAME", "does this study of the list, and writes no table"},
+            "too little memory; 0 by default"},
+        {"only", "NAME", "carries out this study of the list alone, and writes no table"},
         {"list", nullptr, "lists the studies, and does nothing"},
         {"table", nullptr, "writes results.csv from what is finished, and does nothing else"},
-        {"force", nullptr, "does studies anew that were finished with another recipe"},
-        {"with-images", nullptr, "as for run"}, {"apply-elsewhere", nullptr, "as for run"},
-        {"author", "NAME", "who stands in the audit trail"}},
+        {"force", nullptr, "carries out again studies that were finished with another recipe"},
+        {"with-images", nullptr,
+            "puts the study's images, and with them who the patient is, into each session"},
+        {"apply-elsewhere", nullptr,
+            "allows a recipe that was made on another study, and skips what belongs to that study "
+            "alone"},
+        {"author", "NAME", "the name that stands in the audit trail"}},
     .run = runBatch};
 
 } // namespace app

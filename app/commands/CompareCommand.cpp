@@ -139,13 +139,13 @@ const Command compareCommand{.name = "compare",
     .words = "MASK REFERENCE",
     .usage = "MASK REFERENCE --study PATH [--series UID] [--repair REPAIRS] [--segment NAME]"
              " [--reference NAME] [--json]",
-    .summary = "how far a mask is from the one that is held for the truth: relative volume error,"
-               " Dice, distances of the surfaces in mm; masks of any format, on the study's grid;"
-               " with --json a line for each pair of segments",
+    .summary = "measures how far a mask is from a reference mask: relative volume error, Dice, and "
+               "distances of the surfaces in mm; masks may be of any format and are compared on "
+               "the study's grid; --json prints a line for each pair of segments",
     .options = std::vector<Option>{{"study", "PATH", "the study, as a file or folder"},
-                   {"segment", "NAME", "which of the mask's segments; all, if nothing is said"},
-                   {"reference", "NAME", "which of the reference's segments"},
-                   {"json", nullptr, "a line of JSON for each pair of segments"}}
+                   {"segment", "NAME", "which segment of the mask is compared; all by default"},
+                   {"reference", "NAME", "with which segment of the reference it is compared"},
+                   {"json", nullptr, "prints a line of JSON for each pair of segments"}}
         + seriesOptions(),
     .run = runCompare};
 

@@ -91,8 +91,8 @@ int runEdits(const Arguments& arguments)
 const Command editsCommand{.name = "edits",
     .words = "",
     .usage = "[--json]",
-    .summary = "what a recipe can hold: every edit with its fields",
-    .options = {{"json", nullptr, "as JSON"}},
+    .summary = "lists what a recipe can hold: every edit with its fields",
+    .options = {{"json", nullptr, "prints it as JSON"}},
     .run = runEdits};
 
 } // namespace app

@@ -149,15 +149,16 @@ const Command historyCommand{.name = "history",
     .words = "FILE.burin",
     .usage = "FILE.burin [--json | --as-recipe | --report OUT.html|OUT.pdf [--force]"
              " | --deidentified OUT.burin [--dates remove|keep|DAYS] [--force]]",
-    .summary =
-        "what was done in a session, branches included; as a recipe for burin run; as an audit"
-        " report; as a session without the patient, for others",
-    .options = {{"json", nullptr, "as JSON"}, {"as-recipe", nullptr, "as a recipe for burin run"},
-        {"report", "OUT.html|OUT.pdf", "an audit report"},
-        {"deidentified", "OUT.burin", "a copy without the patient, for others"},
+    .summary = "tells what was done in a session, branches included, or writes it as a recipe for "
+               "burin run, as an audit report, or as a copy of the session without who the patient "
+               "is, for others",
+    .options = {{"json", nullptr, "prints it as JSON"},
+        {"as-recipe", nullptr, "prints it as a recipe for burin run"},
+        {"report", "OUT.html|OUT.pdf", "writes an audit report"},
+        {"deidentified", "OUT.burin", "writes a copy without who the patient is, for others"},
         {"dates", "remove|keep|DAYS",
-            "what becomes of dates in that copy; DAYS: they are moved by so many"},
-        {"force", nullptr, "replaces a file that is there"}},
+            "what happens to dates in that copy; DAYS moves them by this number of days"},
+        {"force", nullptr, "replaces a file that exists already"}},
     .run = runHistory,
     .fontsFor = "--report"};
 

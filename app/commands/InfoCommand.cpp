@@ -373,10 +373,10 @@ const Command infoCommand{.name = "info",
     .words = "PATH",
     .usage = "PATH [--series UID] [--repair REPAIRS] [--spacing COLUMNS,ROWS,SLICES] [--json]"
              " | --gl",
-    .summary = "what a file or folder holds: studies, volumes, what is wrong with them and which"
-               " repairs there are; with --repair how they would open",
-    .options = std::vector<Option>{{"json", nullptr, "a line of JSON for each result"},
-                   {"gl", nullptr, "what draws here, instead"}}
+    .summary = "tells what a file or folder holds: its studies and volumes, what is wrong with "
+               "them and how that can be repaired; with --repair, how they would open",
+    .options = std::vector<Option>{{"json", nullptr, "prints a line of JSON for each result"},
+                   {"gl", nullptr, "prints only which graphics driver draws on this machine"}}
         + seriesOptions() + spacingOption(),
     .run = runInfo};
 

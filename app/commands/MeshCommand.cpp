@@ -179,17 +179,18 @@ const Command meshCommand{.name = "mesh",
     .words = "MASK",
     .usage = "MASK --study PATH --out FILE [--series UID] [--repair REPAIRS] [--segment NAME]"
              " [--vertices NUMBER] [--space lps|ras] [--json] [--force]",
-    .summary =
-        "the surface that refinement begins with, of each segment of a mask, as PLY, STL, OBJ"
-        " or glTF (.glb), and how many of the mask's voxels it encloses; as many vertices as"
-        " that takes, unless a number is asked for",
-    .options = std::vector<Option>{{"study", "PATH", "the study, as a file or folder"},
-                   {"out", "FILE", "PLY, STL, OBJ or glTF (.glb), by its ending"},
-                   {"segment", "NAME", "which segment; all, if nothing is said"},
-                   {"vertices", "NUMBER", "so many; as many as it takes, if nothing is said"},
-                   {"space", "lps|ras", "in which axes"},
-                   {"json", nullptr, "a line of JSON for each result"},
-                   {"force", nullptr, "replaces a file that is there"}}
+    .summary = "writes the surface that refinement begins with, for each segment of a mask, as "
+               "PLY, STL, OBJ or glTF (.glb), and tells how many of the mask's voxels it encloses; "
+               "it has as many vertices as that takes, unless a number is asked for",
+    .options =
+        std::vector<Option>{{"study", "PATH", "the study, as a file or folder"},
+            {"out", "FILE", "the file to write, as PLY, STL, OBJ or glTF (.glb) by its ending"},
+            {"segment", "NAME", "which segment of the mask; all by default"},
+            {"vertices", "NUMBER",
+                "how many vertices the surface has; as many as it takes by default"},
+            {"space", "lps|ras", "in which axes the surface is written"},
+            {"json", nullptr, "prints a line of JSON for each result"},
+            {"force", nullptr, "replaces a file that exists already"}}
         + seriesOptions(),
     .run = runMesh};
 

@@ -316,27 +316,26 @@ const Command replayCommand{.name = "replay",
     .usage = "FILE.burin --verify [--to ROW] [--export FILE [--format FORMAT] [--layer NUMBER]"
              " [--fill VALUE] [--deidentify] [--deflated] [--force]] [--study PATH] [--series UID]"
              " [--trace FILE.json]",
-    .summary =
-        "carries out a session's history again, from nothing, and compares every hash;"
-        " --export writes the masks of that state, or with --format coverage --layer NUMBER "
-        "what"
-        " a sculpt layer carves (.nii.gz), or with --format carved-volume the study without "
-        "what"
-        " is carved (.nii.gz, or a new folder for a DICOM series; --fill: the value there,"
-        " without it the least); --deidentify takes the patient out, --deflated makes a DICOM"
-        " SEG smaller",
+    .summary = "carries out a session's history again, from nothing, and compares every hash; "
+               "--export writes the masks of that state; with --format coverage --layer NUMBER it "
+               "writes what a sculpt layer carves (.nii.gz), with --format carved-volume the study "
+               "without what is carved (.nii.gz, or a new folder for a DICOM series), where --fill "
+               "gives the value that stands there, by default the least; --deidentify leaves out "
+               "who the patient is, --deflated makes a DICOM SEG smaller",
     .options =
         std::vector<Option>{{"verify", nullptr, "compares every hash"},
-            {"to", "ROW", "up to this row"}, {"export", "FILE", "writes the masks of that state"},
+            {"to", "ROW", "stops at this row"},
+            {"export", "FILE", "writes the masks of that state"},
             {"format", "FORMAT",
-                "of that file, where its ending does not say; coverage: what a layer carves; "
-                "carved-volume: the study without what is carved"},
-            {"layer", "NUMBER", "which sculpt layer's coverage"},
-            {"fill", "VALUE", "what stands where is carved; the least value, if nothing is said"},
-            {"space", "lps|ras", "in which axes surfaces are"},
-            {"deidentify", nullptr, "takes the patient out"},
+                "the format of that file, if its ending does not say; coverage is what a layer "
+                "carves, carved-volume the study without what is carved"},
+            {"layer", "NUMBER", "the sculpt layer whose coverage is written"},
+            {"fill", "VALUE",
+                "the value that stands where something is carved; the least value by default"},
+            {"space", "lps|ras", "in which axes surfaces are written"},
+            {"deidentify", nullptr, "leaves out who the patient is"},
             {"deflated", nullptr, "makes a DICOM SEG smaller"},
-            {"force", nullptr, "replaces a file that is there"},
+            {"force", nullptr, "replaces a file that exists already"},
             {"study", "PATH", "where the study is, if not where the session says"},
             {"series", "UID", "which series or volume of the study"}}
         + traceOption(),

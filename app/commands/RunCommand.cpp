@@ -437,22 +437,23 @@ const Command runCommand{.name = "run",
              " [--spacing COLUMNS,ROWS,SLICES] --session FILE.burin [--force | --append] "
              "[--with-images] [--apply-elsewhere] [--author NAME] [--facts] [--trace FILE.json]",
     .summary =
-        "carries out a recipe without a window (burin edits: what it can hold); --with-images"
-        " puts the study's images, and with them who the patient is, into the session; --force"
-        " replaces a session, which stays until the new one is whole;"
-        " --repair, here and in info and open: what is done to the series on loading it, of"
-        " tilt, spacing=even, gap=fill, gap=split:NUMBER, duplicates=first, duplicates=last,"
-        " with commas between; none: nothing; --spacing: how many mm the voxels of PNG and TIFF"
-        " pictures are apart",
+        "carries out a recipe without a window (burin edits lists what it can hold); --with-images "
+        "puts the study's images, and with them who the patient is, into the session; --force "
+        "replaces a session, which stays until the new one is whole; --repair, here and in info "
+        "and open, says how the series is repaired on loading: tilt, spacing=even, gap=fill, "
+        "gap=split:NUMBER, duplicates=first, duplicates=last, separated by commas, or none; "
+        "--spacing says how many mm the voxels of PNG and TIFF pictures are apart",
     .options =
         std::vector<Option>{{"study", "PATH", "the study, as a file or folder"},
-            {"session", "FILE.burin", "where every step is kept"},
+            {"session", "FILE.burin", "the session file in which every step is kept"},
             {"force", nullptr, "replaces a session, which stays until the new one is whole"},
-            {"append", nullptr, "goes on with a session that is there"},
+            {"append", nullptr, "goes on with a session that exists already"},
             {"with-images", nullptr,
                 "puts the study's images, and with them who the patient is, into the session"},
-            {"apply-elsewhere", nullptr, "the recipe was made on another study"},
-            {"author", "NAME", "who stands in the audit trail"},
+            {"apply-elsewhere", nullptr,
+                "allows a recipe that was made on another study, and skips what belongs to that "
+                "study alone"},
+            {"author", "NAME", "the name that stands in the audit trail"},
             {"facts", nullptr,
                 "also prints, as lines of JSON, which study and graphics driver it is, and what "
                 "kind a failure is"}}

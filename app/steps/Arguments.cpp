@@ -58,7 +58,7 @@ Arguments::Arguments(const Command& command, const QStringList& words)
     QCommandLineParser parser;
     parser.setSingleDashWordOptionMode(QCommandLineParser::ParseAsLongOptions);
     parser.setApplicationDescription(QString::fromUtf8(command.summary));
-    const QCommandLineOption help(QStringLiteral("help"), QStringLiteral("says this, and no more"));
+    const QCommandLineOption help(QStringLiteral("help"), QStringLiteral("shows this help"));
     parser.addOption(help);
     for (const Option& option : command.options) {
         const QLatin1String name(option.name);
@@ -107,9 +107,9 @@ std::vector<Option> seriesOptions()
 {
     return {{"series", "UID", "which series or volume of the study"},
         {"repair", "REPAIRS",
-            "what is done to the series on loading it: tilt, spacing=even, gap=fill, "
-            "gap=split:NUMBER, duplicates=first or duplicates=last, with commas between; none: "
-            "nothing"}};
+            "how the series is repaired on loading: tilt, spacing=even, gap=fill, "
+            "gap=split:NUMBER, duplicates=first or duplicates=last, separated by commas; none "
+            "repairs nothing"}};
 }
 
 std::vector<Option> spacingOption()

@@ -69,11 +69,14 @@ core::Result<void> applyOptions(const Arguments& arguments, core::WebNode& node)
 
 std::vector<Option> sourceOptions()
 {
-    return {{"own-title", "TITLE", "our application entity title; BURIN, if nothing is said"},
-        {"timeout", "SECONDS", "how long silence is borne; 30, if nothing is said"},
-        {"login-file", "FILE", "holds user:password or \"Bearer TOKEN\"; or in BURIN_LOGIN"},
-        {"tls-authority", "FILE", "whose certificates are trusted (PEM): speaks TLS"},
-        {"tls-certificate", "FILE", "our certificate (PEM)"}, {"tls-key", "FILE", "its key (PEM)"}};
+    return {{"own-title", "TITLE", "our application entity title; BURIN by default"},
+        {"timeout", "SECONDS", "how long to wait for a sign of life; 30 by default"},
+        {"login-file", "FILE",
+            "a file that holds user:password or \"Bearer TOKEN\", as BURIN_LOGIN may instead"},
+        {"tls-authority", "FILE",
+            "speaks TLS, and trusts the certificates of this authority (PEM)"},
+        {"tls-certificate", "FILE", "our own certificate (PEM)"},
+        {"tls-key", "FILE", "the key of our own certificate (PEM)"}};
 }
 
 core::Result<core::PacsSource> sourceOf(const Arguments& arguments)

@@ -253,15 +253,16 @@ const Command openCommand{.name = "open",
              "[--study PATH] | --demo]"
              " [--screenshot FILE.png]"
              " [--size WxH] [--trace FILE.json]",
-    .summary = "the workstation's window with a study, or with a session that goes on; --screenshot"
-               " saves it, fully refined, as PNG or (.dcm) as Secondary Capture of the study, and "
-               "exits",
-    .options = std::vector<Option>{{"demo", nullptr, "the demonstration study"},
-                   {"study", "PATH", "where the study of a session is, if not where it says"},
-                   {"screenshot", "FILE.png",
-                       "saves the window, fully refined, and exits; .dcm: as Secondary Capture of "
-                       "the study"},
-                   {"size", "WxH", "of the window, in pixels"}}
+    .summary = "opens the workstation's window with a study, or with a session that goes on; "
+               "--screenshot saves a picture of it once it is fully refined, as PNG or, for .dcm, "
+               "as Secondary Capture of the study, and exits",
+    .options =
+        std::vector<Option>{{"demo", nullptr, "opens the demonstration study"},
+            {"study", "PATH", "where the study of a session is, if not where the session says"},
+            {"screenshot", "FILE.png",
+                "saves a picture of the window once it is fully refined, and exits; .dcm makes it "
+                "a Secondary Capture of the study"},
+            {"size", "WxH", "the size of the window in pixels"}}
         + seriesOptions() + spacingOption() + traceOption(),
     .needsWindow = true,
     .run = [](const Arguments& arguments) { return traced(arguments, runOpen); }};

@@ -125,14 +125,14 @@ std::vector<EditDocumentation> recipeStepDocumentation()
         }
     }
     all.push_back({.name = QStringLiteral("restore"),
-        .meaning = QStringLiteral("A cut backwards: fills again what was carved. The fields of the "
-                                  "tool beside 'as'; the same as that tool with restore true."),
+        .meaning = QStringLiteral("Fills again what was carved: the same as the tool that 'as' "
+                                  "names, with the fields of that tool, and with restore true."),
         .fields = {{.name = QStringLiteral("as"),
             .type =
                 QStringLiteral("\"drill\" or \"laser\" or \"peel\" or \"scissors\" or \"brush\""),
             .unit = {},
             .fallback = {},
-            .meaning = QStringLiteral("the tool")}}});
+            .meaning = QStringLiteral("the tool that is used")}}});
     for (const MoveWord& word : moveWords) {
         EditDocumentation entry{.name = QLatin1String(word.name),
             .meaning = QString::fromUtf8(word.meaning),
@@ -142,7 +142,7 @@ std::vector<EditDocumentation> recipeStepDocumentation()
                 .type = QStringLiteral("whole number, 0 or more"),
                 .unit = {},
                 .fallback = {},
-                .meaning = QStringLiteral("the row; 0: the beginning")});
+                .meaning = QStringLiteral("the number of the row; 0 is the beginning")});
         all.push_back(std::move(entry));
     }
     return all;

@@ -18,7 +18,7 @@ QString writtenOut(double value, char format, int precision)
     const QString text = locale.toString(std::abs(value), format, precision);
     const bool isZero = std::none_of(text.begin(), text.end(),
         [](QChar character) { return character.isDigit() && character.digitValue() != 0; });
-    return value < 0.0 && !isZero ? QChar(0x2212) + text : text;
+    return value < 0.0 && !isZero ? minusSign + text : text;
 }
 
 } // namespace

@@ -9,6 +9,9 @@
 /// no "−0.0", and no groups but those of countText().
 namespace ui {
 
+/// The true minus sign, "−"; "-" is a hyphen.
+inline constexpr QChar minusSign(0x2212);
+
 /// "−31.5": @p value with a fixed number of decimals.
 [[nodiscard]] QString numberText(double value, int decimals);
 

@@ -3,6 +3,7 @@
 
 #include "ui/base/Theme.h"
 #include "ui/pacs/PacsCache.h"
+#include "ui/widgets/NumberField.h"
 
 #include <QHBoxLayout>
 #include <QLabel>
@@ -17,7 +18,7 @@ CopiesRow::CopiesRow(const core::DownloadCache& cache, QWidget* parent)
     : QWidget(parent)
     , m_cache(cache)
     , m_copies(new QLabel(this))
-    , m_limit(new QSpinBox(this))
+    , m_limit(new WholeNumberField(this))
     , m_clear(new QPushButton(tr("Clear"), this))
 {
     m_copies->setObjectName(QStringLiteral("pacsCopies"));

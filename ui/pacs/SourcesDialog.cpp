@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/pacs/SourcesDialog.h"
 #include "ui/base/TabOrder.h"
+#include "ui/widgets/NumberField.h"
 #include "ui/widgets/StateLine.h"
 
 #include "ui/base/ErrorText.h"
@@ -31,8 +32,8 @@ SourcesDialog::SourcesDialog(QWidget* parent)
     , m_list(new QListWidget(this))
     , m_fields(new QWidget(this))
     , m_form(new QFormLayout(m_fields))
-    , m_movePort(new QSpinBox(m_fields))
-    , m_timeout(new QSpinBox(m_fields))
+    , m_movePort(new WholeNumberField(m_fields))
+    , m_timeout(new WholeNumberField(m_fields))
     , m_remove(new QPushButton(tr("Remove"), this))
     , m_test(new QPushButton(tr("Test"), this))
     , m_ok(nullptr)

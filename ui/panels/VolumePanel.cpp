@@ -4,6 +4,7 @@
 #include "ui/base/Theme.h"
 #include "ui/frame/TransferFunctionEditor.h"
 #include "ui/settings/TransferPresets.h"
+#include "ui/widgets/NumberField.h"
 #include "ui/workspace/InitialDisplay.h"
 #include "ui/workspace/Workspace.h"
 
@@ -93,7 +94,7 @@ void VolumePanel::build()
     m_slider = new QSlider(Qt::Horizontal, this);
     m_slider->setRange(0, sliderSteps);
     m_slider->setAccessibleName(tr("Isosurface threshold"));
-    m_threshold = new QDoubleSpinBox(this);
+    m_threshold = new NumberField(this);
     m_threshold->setObjectName(QStringLiteral("surfaceThreshold"));
     m_threshold->setKeyboardTracking(false);
     m_threshold->setFixedHeight(theme::controlHeight);

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/widgets/HistogramRange.h"
 
+#include "ui/base/NumberText.h"
 #include "ui/base/Theme.h"
 #include "ui/widgets/HistogramRangePlot.h"
+#include "ui/widgets/NumberField.h"
 
 #include <QDoubleSpinBox>
 #include <QGridLayout>
@@ -29,13 +31,13 @@ int decimalsFor(const core::Histogram& histogram)
 
 /// Takes numbers beyond its range for the nearest within it. A plain box would refuse their last
 /// digit, and make −102 of −1024 where the volume ends at −1019.
-class NumberBox : public QDoubleSpinBox {
+class NumberBox : public NumberField {
 public:
-    using QDoubleSpinBox::QDoubleSpinBox;
+    using NumberField::NumberField;
 
     QValidator::State validate(QString& text, int& position) const override
     {
-        const QValidator::State state = QDoubleSpinBox::validate(text, position);
+        const QValidator::State state = NumberField::validate(text, position);
         return state == QValidator::Invalid && number(text) ? QValidator::Intermediate : state;
     }
     void fixup(QString& text) const override
@@ -49,6 +51,7 @@ private:
     {
         if (text.endsWith(suffix()))
             text.chop(suffix().size());
+        text.replace(minusSign, QLatin1Char('-'));
         bool isNumber = false;
         const double value = locale().toDouble(text.trimmed(), &isNumber);
         return isNumber ? std::optional(value) : std::nullopt;

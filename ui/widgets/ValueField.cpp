@@ -2,6 +2,7 @@
 #include "ui/widgets/ValueField.h"
 
 #include "ui/base/Theme.h"
+#include "ui/widgets/NumberField.h"
 
 #include <QDoubleSpinBox>
 
@@ -10,7 +11,7 @@ namespace ui {
 QDoubleSpinBox* valueField(QWidget* parent, const char* name)
 {
     constexpr double farthestValue = 1e6;
-    auto* field = new QDoubleSpinBox(parent);
+    auto* field = new NumberField(parent);
     field->setObjectName(QLatin1String(name));
     field->setFixedHeight(theme::controlHeight);
     field->setKeyboardTracking(false);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/workspace/PendingSeeds.h"
 
-#include "core/edits/kinds/EditKinds.h"
+#include "core/edits/kinds/GrowthKinds.h"
+#include "core/edits/kinds/IsOneOf.h"
 #include "core/edits/kinds/growth/ChangeInterval.h"
 #include "core/edits/kinds/growth/GrowSteps.h"
 #include "core/edits/kinds/growth/SeedStroke.h"
@@ -41,10 +42,10 @@ public:
 
     void follow(const core::HistoryRow& row)
     {
-        using Kinds = core::EditKinds<core::SeedStroke, core::GrowSteps, core::ChangeInterval,
-            core::ShrinkSteps, core::RemoveSegment>;
-        core::visitAmong(
-            [&](const auto& known) { take(known, row.growthGeneration); }, row.edit, Kinds());
+        core::visitAmong([&](const auto& known) { take(known, row.growthGeneration); }, row.edit,
+            core::GrowthKinds());
+        if (const auto* removed = row.edit.as<core::RemoveSegment>())
+            forget([&](const gpu::SceneSeed& seed) { return seed.label == removed->segment; });
         m_generation = row.growthGeneration;
     }
     [[nodiscard]] std::vector<gpu::SceneSeed> pending() const { return m_pending; }
@@ -93,10 +94,11 @@ private:
         }
         std::erase_if(m_grown, goes);
     }
-    void take(const core::RemoveSegment& removed, std::uint32_t)
-    {
-        forget([&](const gpu::SceneSeed& seed) { return seed.label == removed.segment; });
-    }
+    /// Where these leave a seed, the engine knows (show()). ResumeGrowth stands in no row.
+    template <class E>
+    requires core::isOneOf<E, core::BarrierStroke, core::ResumeGrowth, core::ShrinkAt,
+        core::PlugLeak, core::GrowFromSeeds>
+    void take(const E&, std::uint32_t) { }
 
     /// @param segments none: all
     void comeTo(const std::optional<std::vector<int>>& segments)

@@ -33,13 +33,13 @@ int runEcho(const Arguments& arguments)
 const Command echoCommand{.name = "echo",
     .words = "SOURCE",
     .usage = "SOURCE [--own-title TITLE] [--login-file FILE] [--timeout SECONDS] [--json]",
-    .summary = "whether a PACS answers; SOURCE is AETITLE@host:port (DICOM), https://host/dicom-web"
-               " (DICOMweb) or the name of one in the settings, for this and find, get, send, which"
-               " all take --own-title (BURIN), --login-file (user:password or Bearer TOKEN; or in"
-               " BURIN_LOGIN), --timeout (30), and for TLS --tls-authority FILE [--tls-certificate"
-               " FILE --tls-key FILE], all PEM",
-    .options =
-        std::vector<Option>{{"json", nullptr, "a line of JSON for each result"}} + sourceOptions(),
+    .summary = "asks whether a PACS answers; SOURCE is AETITLE@host:port (DICOM), "
+               "https://host/dicom-web (DICOMweb) or the name of a source in the settings; this "
+               "and find, get and send all take --own-title (BURIN), --login-file (user:password "
+               "or Bearer TOKEN, which BURIN_LOGIN may hold instead), --timeout (30), and for TLS "
+               "--tls-authority FILE [--tls-certificate FILE --tls-key FILE], all PEM",
+    .options = std::vector<Option>{{"json", nullptr, "prints a line of JSON for each result"}}
+        + sourceOptions(),
     .run = runEcho};
 
 } // namespace app

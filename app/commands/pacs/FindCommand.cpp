@@ -123,18 +123,19 @@ const Command findCommand{.name = "find",
     .usage = "SOURCE [--patient-name NAME] [--patient-id ID] [--date FROM-TO] [--modality MODALITY]"
              " [--accession NUMBER] [--description TEXT] [--most NUMBER] [--json] | SOURCE --study "
              "UID",
-    .summary = "the studies at a source, or the series of one; * and ? stand for letters, dates"
-               " are YYYYMMDD",
+    .summary = "lists the studies at a source, or the series of one; * and ? stand for letters, "
+               "and dates are YYYYMMDD",
     .options =
-        std::vector<Option>{{"patient-name", "NAME", "* and ? stand for letters, here and below"},
+        std::vector<Option>{{"patient-name", "NAME",
+                                "the patient's name; * and ? stand for letters, here and below"},
             {"patient-id", "ID", "the patient's number"},
-            {"date", "FROM-TO", "YYYYMMDD, or two of them"},
-            {"modality", "MODALITY", "CT, MR, PT …"},
+            {"date", "FROM-TO", "the study's date as YYYYMMDD, or two dates with a hyphen between"},
+            {"modality", "MODALITY", "the modality, such as CT, MR or PT"},
             {"accession", "NUMBER", "the accession number"},
             {"description", "TEXT", "the study's description"},
-            {"study", "UID", "the series of this study instead of studies"},
-            {"most", "NUMBER", "no more than so many"},
-            {"json", nullptr, "a line of JSON for each result"}}
+            {"study", "UID", "lists the series of this study instead of studies"},
+            {"most", "NUMBER", "the greatest number of results"},
+            {"json", nullptr, "prints a line of JSON for each result"}}
         + sourceOptions(),
     .run = runFind};
 

@@ -49,17 +49,16 @@ int runGet(const Arguments& arguments)
 const Command getCommand{.name = "get",
     .words = "SOURCE",
     .usage = "SOURCE --study UID [--series UID] --to FOLDER [--move PORT] [--json]",
-    .summary =
-        "downloads a study or series into a new folder, which is there only when it is whole;"
-        " a download that broke off goes on; --move: the node brings them to that port"
-        " (C-MOVE) instead of handing them over (C-GET)",
+    .summary = "downloads a study or series into a new folder, which is there only when it is "
+               "whole; a download that broke off goes on; with --move the node brings them to that "
+               "port (C-MOVE) instead of handing them over (C-GET)",
     .options =
-        std::vector<Option>{{"study", "UID", "the study"},
-            {"series", "UID", "one series of it alone"},
+        std::vector<Option>{{"study", "UID", "the study to download"},
+            {"series", "UID", "downloads only this series of it"},
             {"to", "FOLDER", "a new folder, which is there only when it is whole"},
             {"move", "PORT",
                 "the node brings them to that port (C-MOVE) instead of handing them over (C-GET)"},
-            {"json", nullptr, "a line of JSON for each result"}}
+            {"json", nullptr, "prints a line of JSON for each result"}}
         + sourceOptions(),
     .run = runGet};
 

@@ -73,8 +73,8 @@ const Command sendCommand{.name = "send",
     .words = "SOURCE PATH...",
     .usage = "SOURCE PATH... [--json]",
     .summary = "stores DICOM files, or those of folders, at a source",
-    .options =
-        std::vector<Option>{{"json", nullptr, "a line of JSON for each result"}} + sourceOptions(),
+    .options = std::vector<Option>{{"json", nullptr, "prints a line of JSON for each result"}}
+        + sourceOptions(),
     .run = runSend};
 
 } // namespace app

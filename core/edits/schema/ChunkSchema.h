@@ -20,12 +20,13 @@ template <class Visitor> void visitFields(Visitor& visit, DivideSegment& edit)
     visitSegment(visit, edit.segment);
     visit.field("marginMm", Presence::Optional, edit.marginMm,
         editFields::Number{"mm", 0.0, 500.0, quantum::perMillimetre},
-        "how far around its voxels, on all sides");
+        "how far the division reaches beyond the segment's voxels, on all sides");
     visit.maybe("owners", edit.owners, editFields::ChunkOwnerList{},
-        "the labels there were in the box, on the volume's grid: voxels are packed runs",
-        "those that there are when it is carried out");
+        "the labels that were in the box, on the volume's grid, with voxels as packed runs",
+        "the labels at the time when the edit is carried out");
     visit.maybe("probabilities", edit.probabilities, editFields::PackedBytes{},
-        "a probability map of the segment, packed: a byte a voxel of the volume", "none");
+        "a probability map of the segment, packed, with one byte for each voxel of the volume",
+        "none");
     visit.maybe("probabilityFile", edit.probabilityFile, editFields::FileName{},
         "the file of a probability map of the segment, which also decides what is likely: numbers "
         "from 0 to 1, or bytes, in NIfTI, NRRD or MetaImage, or a DICOM SEG of type FRACTIONAL "
@@ -44,16 +45,18 @@ template <class Visitor> void visitFields(Visitor& visit, ChunkToggle& edit)
     using Mode = ChunkToggle::Mode;
     visitSegment(visit, edit.segment);
     visit.field("chunks", Presence::Required, edit.chunks, editFields::WholeNumber{1, 5000},
-        "into how many chunks the whole is divided; as many as there are at most, and no fewer "
-        "than hang together");
+        "into how many chunks the whole is divided; never more than there are, nor fewer than "
+        "there are separate parts");
     visit.field("mode", Presence::Optional, edit.mode,
         editFields::Choice<Mode, 3>{{"toggle", "add", "remove"}},
-        "what becomes of them; toggled, a chunk goes if the segment has more than half of it");
+        "what happens to the chunks; toggle takes a chunk away if the segment has more than half "
+        "of it, and otherwise adds it");
     visit.field("pointsLps", Presence::Required, edit.pointsLps, editFields::PointList{positionLps},
-        "each stands for the chunk it lies in, patient coordinates (LPS)");
+        "points that each stand for the chunk in which they lie, in patient coordinates (LPS)");
     visitOverwrite(visit, edit.overwriteUnlocked);
     visit.maybe("bricks", edit.bricks, editFields::BrickList{},
-        "those of the volume that the chunks lie in", "they are found when it is carried out");
+        "the bricks of the volume in which the chunks lie",
+        "they are found when it is carried out");
 }
 
 } // namespace core::editSchema

@@ -16,9 +16,9 @@ inline constexpr editFields::Choice<SliceAxis, 3> sliceAxisNames{{"i", "j", "k"}
 template <> inline constexpr const char* editName<FillBetweenSlices> = "fillBetweenSlices";
 template <>
 inline constexpr const char* editMeaning<FillBetweenSlices> =
-    "Gives a segment that is not locked and was drawn on some slices what lies between them, by "
-    "shape-based interpolation. Takes only voxels that no segment has; does nothing where no "
-    "slice between drawn ones is empty.";
+    "Fills a segment that is not locked and was drawn on some slices between these, by shape-based "
+    "interpolation. Takes only voxels that no segment has; does nothing if no slice between drawn "
+    "ones is empty.";
 template <class Visitor> void visitFields(Visitor& visit, FillBetweenSlices& edit)
 {
     visitSegment(visit, edit.segment);
@@ -31,26 +31,26 @@ template <class Visitor> void visitFields(Visitor& visit, FillBetweenSlices& edi
 template <> inline constexpr const char* editName<FloodFill> = "floodFill";
 template <>
 inline constexpr const char* editMeaning<FloodFill> =
-    "Gives a segment what hangs together with a place and differs in value from it by no more than "
-    "a tolerance, or takes away what hangs together of the segment there; within a slice or in all "
-    "directions.";
+    "Gives a segment the voxels that are connected with a place and differ in value from it by no "
+    "more than a tolerance, or takes away the connected part of the segment there; within a slice "
+    "or in all directions.";
 template <class Visitor> void visitFields(Visitor& visit, FloodFill& edit)
 {
     visitSegment(visit, edit.segment);
     visit.field("placeLps", Presence::Required, edit.placeLps, positionLps,
-        "a place in the voxel with which it begins, patient coordinates (LPS)");
+        "a place in the voxel with which filling begins, in patient coordinates (LPS)");
     visit.maybe("within", edit.within, sliceAxisNames,
         "only in the slice across this index axis: i for columns, j for rows, k for the acquired "
         "slices",
         "in all directions");
     visit.field("corners", Presence::Optional, edit.corners, editFields::Flag{},
-        "whether voxels also hang together at an edge or a corner");
+        "whether voxels that share only an edge or a corner are connected too");
     visit.field("erase", Presence::Optional, edit.erase, editFields::Flag{},
-        "whether what hangs together of the segment is taken away instead");
+        "whether the connected part of the segment is taken away instead");
     visit.when(!edit.erase, [&] {
         visit.field("tolerance", Presence::Required, edit.tolerance,
             editFields::Number{"modality units", 0.0, quantum::unbounded},
-            "how far values may differ from the one at the place (not to erase)");
+            "how far values may differ from the one at the place; not given with erase");
         visitOverwrite(visit, edit.overwriteUnlocked);
     });
     visitEditable(visit, edit.editable);
@@ -66,20 +66,21 @@ template <class Visitor> void visitFields(Visitor& visit, SegmentScissors& edit)
     visitSegment(visit, edit.segment);
     visitView(visit, edit.view);
     visit.field("polygonMm", Presence::Required, edit.polygonMm, viewOutline,
-        "a closed curve in the view plane, relative to the target: right, up");
+        "a closed curve in the view plane, as points to the right and up from the target");
     visit.field("erase", Presence::Optional, edit.erase, editFields::Flag{},
         "whether voxels of the segment are taken away instead");
     visit.field("outside", Presence::Optional, edit.outside, editFields::Flag{},
-        "whether it is about what does not lie under the curve");
+        "whether the edit is about what does not lie under the curve");
     visit.when(!edit.outside, [&] {
         visit.maybe("depthMm", edit.depthMm, drillDepth,
-            "only so far behind what each line of sight meets first: of the segments while "
-            "erasing, else of the values (not outside)",
+            "how far the edit reaches behind what each line of sight meets first: the segments "
+            "while erasing, otherwise voxels of the given values; not given with outside",
             "through everything");
     });
     visit.when(edit.erase, [&] {
         visit.maybe("others", edit.others, editFields::SegmentList{},
-            "further segments that are erased; none of them is locked (only to erase)", "none");
+            "further segments that are erased too, none of them locked; only given with erase",
+            "none");
     });
     visitOnlyValues(visit, edit.lower, edit.upper);
     visit.when(!edit.erase, [&] { visitOverwrite(visit, edit.overwriteUnlocked); });
@@ -101,7 +102,7 @@ template <class Visitor> void visitFields(Visitor& visit, MirrorSegment& edit)
             {"rightLeft", "anteriorPosterior", "inferiorSuperior"}},
         "which sides of the patient change places");
     visit.maybe("placeLps", edit.placeLps, positionLps,
-        "a place in the plane, patient coordinates (LPS); the plane goes through the nearest "
+        "a place in the plane, in patient coordinates (LPS); the plane goes through the nearest "
         "voxel's centre or halfway between two",
         "the middle of the volume");
     visit.field("keep", Presence::Optional, edit.keep, editFields::Flag{},
@@ -120,37 +121,38 @@ template <class Visitor> void visitFields(Visitor& visit, EvolveContour& edit)
     using namespace editFields;
     constexpr WholeNumber share{0, 100};
     visitSegment(visit, edit.segment);
-    visit.maybe("lower", edit.lower, modalityValue,
-        "where the interval of values begins, inclusive", "no least value");
-    visit.maybe("upper", edit.upper, modalityValue, "where the interval of values ends, inclusive",
+    visit.maybe("lower", edit.lower, modalityValue, "the least value of the interval, inclusive",
+        "no least value");
+    visit.maybe("upper", edit.upper, modalityValue, "the greatest value of the interval, inclusive",
         "no greatest value");
     visit.field("softness", Presence::Optional, edit.softness,
         Number{"modality units", 0.0, quantum::unbounded},
-        "how far within the interval, and beyond it, values count in full");
-    visit.field("region", Presence::Optional, edit.region, share, "how much values count");
+        "how far inside or outside the interval a value must lie to count in full");
+    visit.field(
+        "region", Presence::Optional, edit.region, share, "how much the values of voxels count");
     visit.field("edge", Presence::Optional, edit.edge, share,
         "how much shorter a contour counts along edges");
     visit.when(edit.edge > 0, [&] {
         visit.field("edgeGradient", Presence::Required, edit.edgeGradient,
             Number{"modality units/mm", 0.0, quantum::unbounded},
-            "the gradient of an edge that counts half (where edges count)");
+            "the gradient of an edge that counts half; only given if edge is greater than 0");
     });
     visit.field("smoothness", Presence::Optional, edit.smoothness, share,
-        "how much a short contour counts");
+        "how much it counts that the contour is short, and so smooth");
     visit.maybe("bubbleLps", edit.bubbleLps, positionLps,
-        "the segment first receives a ball around this place, patient coordinates (LPS)",
-        "it begins with the segment as it stands");
+        "a place around which the segment first receives a ball, in patient coordinates (LPS)",
+        "the contour begins with the segment as it stands");
     visit.when(edit.bubbleLps.has_value(), [&] {
         visit.field("bubbleMm", Presence::Required, edit.bubbleMm, brushRadius,
-            "radius of that ball (of a bubble)");
+            "the radius of that ball; only given with bubbleLps");
     });
     visit.field("generations", Presence::Optional, edit.generations,
         WholeNumber{1, mostContourGenerations},
         "how many voxels the contour moves at most; it stops earlier where nothing changes");
     visit.maybe("round", edit.round, Flag{},
-        "whether it grows round where nothing holds it: in every second generation across the "
-        "edges of voxels, too",
-        "false: to an octahedron");
+        "whether a contour that nothing stops grows round, since it crosses edges of voxels too in "
+        "every second generation",
+        "false, so that it becomes an octahedron");
     visitOverwrite(visit, edit.overwriteUnlocked);
     visitEditable(visit, edit.editable);
 }

@@ -33,9 +33,10 @@ template <class Visitor> void visitFields(Visitor& visit, SeedStroke& edit)
     visitSegment(visit, edit.segment);
     visit.field("pointsLps", Presence::Required, edit.pointsLps,
         editFields::PointList{positionLps, true},
-        "patient coordinates (LPS), inside the volume; none where seeds are only taken away");
+        "the points, in patient coordinates (LPS), inside the volume; none if seeds are only taken "
+        "away");
     visit.maybe("takenLps", edit.takenLps, editFields::PointList{positionLps},
-        "seeds of the segment that are taken away first, as far as no growth has accepted them",
+        "seeds of the segment that are taken away first, unless a growth has already accepted them",
         "none");
 }
 
@@ -51,69 +52,78 @@ template <class Visitor> void visitOtherCriteria(Visitor& visit, GrowCriteria& c
 {
     visit.field("connectivity", Presence::Optional, criteria.connectivity,
         editFields::Connectivity{},
-        "neighbours of a voxel: those that share a face, a face or an edge, or a corner too");
+        "which voxels are neighbours: 6 are those that share a face, 18 also those that share an "
+        "edge, 26 also those that share a corner");
     visit.maybe("sigmas", criteria.sigmas, editFields::Number{"", 1.0 / 256.0, 100.0, 256.0},
-        "narrows the interval, for each segment by itself, to mean ± so many standard deviations "
-        "around its seeds",
+        "narrows the interval, for each segment by itself, to the mean ± this many standard "
+        "deviations of the values around its seeds",
         "the interval as it is");
     visit.maybe("perStroke", criteria.perStroke, editFields::Flag{},
-        "whether sigmas narrows it for each stroke of seeds by itself: a voxel joins a segment "
-        "where "
-        "one of its strokes takes it; painted seeds are one stroke",
+        "whether sigmas narrows the interval for each stroke of seeds by itself: a voxel joins a "
+        "segment if it suits one of the strokes; painted seeds are one stroke",
         "all seeds of a segment together");
     visit.maybe("difference", criteria.difference, valueDifference,
-        "from the voxel it is reached from, at most", "any");
+        "the greatest difference between a voxel's value and that of the voxel from which growth "
+        "reaches it",
+        "any");
     visit.maybe("gradient", criteria.gradient, valuePerMillimetre,
-        "magnitude of the gradient, at most", "any");
+        "the greatest magnitude of the gradient at a voxel", "any");
     visit.maybe("gradientDifference", criteria.gradientDifference, valuePerMillimetre,
-        "of the gradient's magnitude, from the voxel it is reached from, at most", "any");
+        "the greatest difference between the gradient's magnitude at a voxel and at the voxel from "
+        "which growth reaches it",
+        "any");
     visit.maybe("majority", criteria.majority, editFields::WholeNumber{1, 27},
-        "of the 27 voxels around and at it at least so many lie in the interval", "any number");
+        "how many of the 27 voxels around a voxel, itself included, must lie in the interval",
+        "any number");
     visit.maybe("smoothing", criteria.smoothing, editFields::Flag{},
-        "whether the weighted median of the 27 voxels around and at it is compared with the "
-        "interval, instead of its own value: no holes by noise; threads are left out",
+        "whether the interval is compared with the weighted median of the 27 voxels around a "
+        "voxel, itself included, instead of its own value: noise leaves no holes, but threads are "
+        "left out",
         "its own value");
     visit.maybe("passage", criteria.passage, passageWidth,
-        "growth goes only where a ball of this diameter can roll to from a seed; at most 31 times "
-        "the volume's finest spacing, and nothing is asked below twice that",
+        "growth goes only where a ball of this diameter can roll from a seed; it may be at most 31 "
+        "times the volume's finest spacing, and below twice that spacing it has no effect",
         "any width");
     visit.field("onlyVisible", Presence::Optional, criteria.onlyVisible, editFields::Flag{},
-        "whether what is carved is closed to growth");
-    visitBox(visit, criteria.box, "two opposite corners: growth stays between them",
+        "whether growth stays out of what is carved away");
+    visitBox(visit, criteria.box, "two opposite corners of a box that growth does not leave",
         "everywhere in the volume");
     visit.field("overwriteUnlocked", Presence::Optional, criteria.overwriteUnlocked,
         editFields::Flag{}, "whether growth takes voxels of other segments that are not locked");
     visit.maybe("segments", criteria.segments, editFields::SegmentList{},
-        "those that grow; all others stay as they are", "all that are not locked");
+        "the segments that grow; all others stay as they are", "all that are not locked");
 }
 
 template <class Visitor> void visitInterval(Visitor& visit, GrowCriteria& criteria)
 {
-    visit.field(
-        "lower", Presence::Required, criteria.lower, modalityValue, "smallest value, inclusive");
-    visit.field(
-        "upper", Presence::Required, criteria.upper, modalityValue, "greatest value, inclusive");
+    visit.field("lower", Presence::Required, criteria.lower, modalityValue,
+        "the smallest value of the interval, inclusive");
+    visit.field("upper", Presence::Required, criteria.upper, modalityValue,
+        "the greatest value of the interval, inclusive");
 }
 
 template <class Visitor> void visitGuard(Visitor& visit, GrowGuard& guard)
 {
     visit.maybe("guardFactor", guard.factor, editFields::Number{"", 1.0, 1000.0, 256.0},
-        "the growth stops where a front that came out of a narrow place is so many times as wide "
-        "as that",
+        "growth stops when a front that has come out of a narrow place is this many times as wide "
+        "as it was there",
         "no leak guard");
     visit.when(guard.factor.has_value(), [&] {
         visit.maybe("guardVoxels", guard.voxels, editFields::WholeNumber{0, 1000000},
-            "of old: instead of guardAreaMm2, so many voxels wider, whatever their size",
-            "areas are measured");
+            "as in older sessions, instead of guardAreaMm2: by how many voxels the front must be "
+            "wider, whatever their size",
+            "guardAreaMm2 counts");
         visit.maybe("guardGenerations", guard.generations, editFields::WholeNumber{1, 1000},
-            "of old: instead of guardBackMm, so many generations back", "lengths are measured");
+            "as in older sessions, instead of guardBackMm: how many generations back the narrow "
+            "place may lie",
+            "guardBackMm counts");
         visit.when(!guard.countsVoxels(), [&] {
             visit.field("guardAreaMm2", Presence::Optional, guard.areaMm2,
                 editFields::Number{"mm²", 0.0, 1000000.0, 1000.0},
-                "and so much wider: the front's area");
+                "by how much the front's area must also be larger than at the narrow place");
             visit.field("guardBackMm", Presence::Optional, guard.backMm,
                 editFields::Number{"mm", 0.001, 1000.0, 1000.0},
-                "how far back a narrow place lies at most, along the growth");
+                "how far back the narrow place may lie, measured along the growth");
         });
     });
 }
@@ -127,40 +137,44 @@ template <class Visitor> void visitFields(Visitor& visit, GrowSteps& edit)
     visitInterval(visit, edit.criteria);
     visitOtherCriteria(visit, edit.criteria);
     visit.field("steps", Presence::Required, edit.steps, editFields::StepCount{},
-        "rings to add after the seeds, or until nothing is left to add");
+        "how many rings to add after the seeds, or \"toClosure\" to go on until nothing is left to "
+        "add");
     visit.field("tellsHeld", Presence::Optional, edit.tellsHeld, editFields::Flag{},
-        "whether shrinking leaves what the segment held before; false in sessions of old");
+        "whether shrinking leaves what the segment held before it grew; false in older sessions");
     visitGuard(visit, edit.guard);
 }
 
 template <> inline constexpr const char* editName<ChangeInterval> = "interval";
 template <>
 inline constexpr const char* editMeaning<ChangeInterval> =
-    "Gives the growth another interval: recovers what qualifies now, takes back what does not any "
-    "more and what hung on it.";
+    "Gives the growth another interval: voxels that qualify now come back; those that no longer do "
+    "are taken back, with all that grew through them.";
 template <class Visitor> void visitFields(Visitor& visit, ChangeInterval& edit)
 {
     visitInterval(visit, edit.criteria);
     visit.field("asBefore", Presence::Optional, edit.asBefore, editFields::Flag{},
-        "whether all other criteria are those of the growth before; false once it is carried out");
+        "whether all other criteria are those of the last growth; false once the edit is carried "
+        "out");
     visit.when(!edit.asBefore, [&] { visitOtherCriteria(visit, edit.criteria); });
     visit.maybe("fromSeeds", edit.fromSeeds, editFields::Flag{},
-        "whether it is taken back to the seeds and grown anew; told once it is carried out",
-        "where several segments grow, or sigmas or a passage are asked for");
+        "whether the growth is taken back to its seeds and grown anew; always given once the edit "
+        "is carried out",
+        "true if several segments grow, or if sigmas or a passage is given");
     visit.field("steps", Presence::Optional, edit.steps, editFields::StepCount{},
-        "rings to add after the change, or until nothing is left to add; where fromSeeds is true, "
-        "rings after the seeds");
+        "how many rings to add after the change (after the seeds if fromSeeds is true), or "
+        "\"toClosure\" to go on until nothing is left to add");
     visitGuard(visit, edit.guard);
 }
 
 template <> inline constexpr const char* editName<ResumeGrowth> = "resume";
 template <>
 inline constexpr const char* editMeaning<ResumeGrowth> =
-    "Goes on with the growth before, by its own criteria; new seeds take part.";
+    "Continues the last growth by its own criteria; new seeds take part.";
 template <class Visitor> void visitFields(Visitor& visit, ResumeGrowth& edit)
 {
     visit.field("steps", Presence::Optional, edit.steps, editFields::StepCount{},
-        "rings to add after the seeds, or until nothing is left to add");
+        "how many rings to add after the seeds, or \"toClosure\" to go on until nothing is left to "
+        "add");
 }
 
 template <> inline constexpr const char* editName<ShrinkSteps> = "shrink";
@@ -170,7 +184,7 @@ inline constexpr const char* editMeaning<ShrinkSteps> =
 template <class Visitor> void visitFields(Visitor& visit, ShrinkSteps& edit)
 {
     visit.field("steps", Presence::Required, edit.steps, editFields::StepCount{"toSeeds"},
-        "rings to take back, or all but the accepted seeds");
+        "how many rings to take back, or \"toSeeds\" to leave only the accepted seeds");
 }
 
 template <> inline constexpr const char* editName<ShrinkAt> = "shrinkAt";
@@ -181,14 +195,14 @@ inline constexpr const char* editMeaning<ShrinkAt> =
 template <class Visitor> void visitFields(Visitor& visit, ShrinkAt& edit)
 {
     visit.field("pointsLps", Presence::Required, edit.pointsLps, editFields::PointList{positionLps},
-        "patient coordinates (LPS), inside the volume");
+        "the places, in patient coordinates (LPS), inside the volume");
     visit.field("onlyHere", Presence::Optional, edit.onlyHere, editFields::Flag{},
         "whether only the voxels at the points are taken back");
     visit.field("barrier", Presence::Optional, edit.barrier, editFields::Flag{},
-        "whether the cut is shut to growth");
+        "whether a barrier shuts the cut to growth");
     visit.maybe("steps", edit.steps, editFields::WholeNumber{1, int(seedWord::maxGeneration)},
-        "goes backwards instead: the first step takes the places and what descends from them, each "
-        "further one a generation of their parents; what would take everything is refused",
+        "how many steps to go backwards instead: the first takes the places and what descends from "
+        "them, each further one a generation of their parents; taking everything is refused",
         "all at once, up to where it is narrowest");
 }
 
@@ -199,7 +213,7 @@ inline constexpr const char* editMeaning<PlugLeak> =
 template <class Visitor> void visitFields(Visitor& visit, PlugLeak& edit)
 {
     visit.field("pointLps", Presence::Required, edit.pointLps, positionLps,
-        "a place in the leak, patient coordinates (LPS)");
+        "a place in the leak, in patient coordinates (LPS)");
 }
 
 template <> inline constexpr const char* editName<BarrierStroke> = "barrier";
@@ -216,18 +230,21 @@ template <class Visitor> void visitFields(Visitor& visit, BarrierStroke& edit)
 template <> inline constexpr const char* editName<GrowFromSeeds> = "growFromSeeds";
 template <>
 inline constexpr const char* editMeaning<GrowFromSeeds> =
-    "Gives every voxel of a box to the segment that is nearest by a way on which values change "
-    "little; seeds are the voxels that segments hold, and those that are sketched.";
+    "Gives every voxel of a box to the segment that is nearest along a path on which values change "
+    "little; seeds are the voxels of segments and the sketched seeds.";
 template <class Visitor> void visitFields(Visitor& visit, GrowFromSeeds& edit)
 {
-    visit.maybe("segments", edit.segments, editFields::SegmentList{}, "those that compete",
+    visit.maybe("segments", edit.segments, editFields::SegmentList{}, "the segments that compete",
         "all that are not locked");
-    visitBox(visit, edit.box, "two opposite corners: what lies between is given away",
+    visitBox(visit, edit.box,
+        "two opposite corners of the box whose voxels are given to the segments",
         "around the seeds with a margin of a twentieth");
     visit.field("connectivity", Presence::Optional, edit.connectivity, editFields::Connectivity{},
-        "neighbours of a voxel: those that share a face, a face or an edge, or a corner too");
+        "which voxels are neighbours: 6 are those that share a face, 18 also those that share an "
+        "edge, 26 also those that share a corner");
     visit.maybe("lengthCost", edit.lengthCost, valuePerMillimetre,
-        "what a millimetre of a way costs, besides the difference of values along it",
+        "how much each millimetre of a path costs, in addition to the differences of values along "
+        "it",
         "a thousandth of the volume's range of values");
     visit.field("overwriteUnlocked", Presence::Optional, edit.overwriteUnlocked, editFields::Flag{},
         "whether voxels of segments that do not compete and are not locked are taken");

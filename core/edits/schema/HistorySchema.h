@@ -10,11 +10,13 @@ namespace core::editSchema {
 template <> inline constexpr const char* editName<RevertRows> = "revert";
 template <>
 inline constexpr const char* editMeaning<RevertRows> =
-    "Undoes older strokes and growths only, where nothing wrote or read the same place since.";
+    "Undoes only these older strokes and growths, where nothing has written or read the same place "
+    "since.";
 template <class Visitor> void visitFields(Visitor& visit, RevertRows& edit)
 {
     visit.field("rows", Presence::Required, edit.rows, editFields::RowList{},
-        "rows of the history before this one, ascending (burin history: seq)");
+        "the rows to undo, all of them before this one, in ascending order (burin history calls "
+        "them seq)");
 }
 
 inline constexpr editFields::Number outlineFactor{"", 0.05, 20.0, 1024.0};
@@ -27,24 +29,24 @@ inline constexpr const char* editMeaning<ReviseStroke> =
 template <class Visitor> void visitFields(Visitor& visit, ReviseStroke& edit)
 {
     visit.field("row", Presence::Required, edit.row, editFields::Row{},
-        "a cut of the history before this row (burin history: seq)");
-    visit.maybe("radiusMm", edit.radiusMm, drillRadius, "another radius of a disc or brush");
-    visit.maybe("sideMm", edit.sideMm, maskSide, "another side of a square mask");
+        "the row of the cut, which is before this one (burin history calls it seq)");
+    visit.maybe("radiusMm", edit.radiusMm, drillRadius, "the new radius of a disc or brush");
+    visit.maybe("sideMm", edit.sideMm, maskSide, "the new side of a square mask");
     visit.maybe("widthMm", edit.widthMm, maskSide,
-        "another width of a mask that is an ellipse, a rectangle or rounded");
+        "the new width of a mask that is an ellipse, a rectangle or a rounded rectangle");
     visit.maybe("heightMm", edit.heightMm, maskSide,
-        "another height of a mask that is an ellipse, a rectangle or rounded");
+        "the new height of a mask that is an ellipse, a rectangle or a rounded rectangle");
     visit.maybe("factor", edit.factor, outlineFactor,
-        "how many times as large a drawn outline is to be: a mask's about its sample, a peel's or "
-        "scissors' about its middle");
-    visit.maybe("depthMm", edit.depthMm, drillDepth, "another depth, not of a brush");
-    visit.maybe(
-        "softnessMm", edit.softnessMm, maskSoftness, "another soft edge, of a drill or laser");
-    visit.maybe("layer", edit.layer, layerNumber, "another sculpt layer");
+        "how many times as large a drawn outline becomes: that of a mask about its sample, that of "
+        "peel or scissors about its middle");
+    visit.maybe("depthMm", edit.depthMm, drillDepth, "the new depth; a brush has none");
+    visit.maybe("softnessMm", edit.softnessMm, maskSoftness,
+        "the new width of the soft edge of a drill or laser");
+    visit.maybe("layer", edit.layer, layerNumber, "the new sculpt layer");
     visit.maybe("throughGaps", edit.throughGaps, editFields::Flag{},
-        "whether it goes on behind a gap in the material");
+        "whether the cut goes on behind a gap in the material");
     visit.field("removed", Presence::Optional, edit.removed, editFields::Flag{},
-        "whether it is taken out altogether");
+        "whether the cut is removed altogether");
 }
 
 } // namespace core::editSchema

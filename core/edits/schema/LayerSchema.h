@@ -24,15 +24,15 @@ template <class Visitor> void visitFields(Visitor& visit, AddLayer& edit)
 template <> inline constexpr const char* editName<ChangeLayer> = "changeLayer";
 template <>
 inline constexpr const char* editMeaning<ChangeLayer> =
-    "Renames or mutes a sculpt layer, or has it count alone; fields left out stay as they are.";
+    "Renames or mutes a sculpt layer, or makes it solo; fields left out stay as they are.";
 template <class Visitor> void visitFields(Visitor& visit, ChangeLayer& edit)
 {
     visitLayer(visit, edit.layer);
-    visit.maybe("name", edit.name, editFields::Text{}, "new name");
+    visit.maybe("name", edit.name, editFields::Text{}, "the new name");
     visit.maybe("muted", edit.muted, editFields::Flag{},
-        "whether it hides nothing, as if it were not there");
+        "whether the layer hides nothing, as if it were not there");
     visit.maybe("solo", edit.solo, editFields::Flag{},
-        "whether all layers that are not solo hide nothing, as if muted");
+        "whether all layers that are not solo hide nothing, as if they were muted");
 }
 
 template <> inline constexpr const char* editName<MoveLayer> = "moveLayer";
@@ -43,13 +43,13 @@ template <class Visitor> void visitFields(Visitor& visit, MoveLayer& edit)
 {
     visitLayer(visit, edit.layer);
     visit.field("place", Presence::Required, edit.place, editFields::WholeNumber{1, 254},
-        "its new place in the list, 1 is the first");
+        "its new place in the list, where 1 is the first");
 }
 
 template <> inline constexpr const char* editName<RemoveLayer> = "removeLayer";
 template <>
 inline constexpr const char* editMeaning<RemoveLayer> =
-    "Deletes a sculpt layer with what it has carved; not the only one.";
+    "Deletes a sculpt layer with what it has carved; the only one cannot be deleted.";
 template <class Visitor> void visitFields(Visitor& visit, RemoveLayer& edit)
 {
     visitLayer(visit, edit.layer);
@@ -58,26 +58,26 @@ template <class Visitor> void visitFields(Visitor& visit, RemoveLayer& edit)
 template <> inline constexpr const char* editName<MergeLayers> = "mergeLayers";
 template <>
 inline constexpr const char* editMeaning<MergeLayers> =
-    "Lays what a sculpt layer has carved into another one, and deletes it.";
+    "Adds what a sculpt layer has carved to another layer, and deletes it.";
 template <class Visitor> void visitFields(Visitor& visit, MergeLayers& edit)
 {
     visit.field("from", Presence::Required, edit.from, layerNumber,
-        "the sculpt layer that is laid into the other and deleted");
+        "the sculpt layer that is added to the other and deleted");
     visit.field("into", Presence::Required, edit.into, layerNumber,
-        "the sculpt layer that stays; muted if the other is, and not if it is not");
+        "the sculpt layer that stays; both must be muted, or neither");
 }
 
 template <> inline constexpr const char* editName<SegmentToLayer> = "segmentToLayer";
 template <>
 inline constexpr const char* editMeaning<SegmentToLayer> =
-    "Carves what a segment holds, whole, into a sculpt layer, or all that it does not hold.";
+    "Carves a whole segment into a sculpt layer, or all that does not belong to it.";
 template <class Visitor> void visitFields(Visitor& visit, SegmentToLayer& edit)
 {
     visitSegment(visit, edit.segment);
     visit.field("layer", Presence::Required, edit.layer, layerNumber,
-        "the sculpt layer that is carved; not a muted one");
+        "the sculpt layer that is carved; it must not be muted");
     visit.maybe("outside", edit.outside, editFields::Flag{},
-        "whether all is carved that neither it nor a protected segment holds", "no");
+        "whether all is carved that belongs neither to the segment nor to a protected one", "no");
 }
 
 } // namespace core::editSchema

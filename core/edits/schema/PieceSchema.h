@@ -17,7 +17,8 @@ inline constexpr editFields::Number pieceZoom{"", 0.125, 16.0, quantum::perZoom}
 template <class Visitor> void visitPivot(Visitor& visit, std::optional<glm::dvec3>& pivotLps)
 {
     visit.maybe("pivotLps", pivotLps, positionLps,
-        "what it turns and is zoomed about, at its true place, patient coordinates (LPS)",
+        "the point about which the piece turns and is zoomed, at its true place, in patient "
+        "coordinates (LPS)",
         "the middle of the volume");
 }
 
@@ -29,7 +30,7 @@ inline constexpr const char* editMeaning<CutPiece> =
 template <class Visitor> void visitFields(Visitor& visit, CutPiece& edit)
 {
     visit.field("layer", Presence::Optional, edit.layer, layerNumber,
-        "the sculpt layer that cut it; not that of another piece");
+        "the sculpt layer that cut it out; it must not belong to another piece");
     visitName(visit, edit.name);
     visitPivot(visit, edit.pivotLps);
 }
@@ -37,18 +38,20 @@ template <class Visitor> void visitFields(Visitor& visit, CutPiece& edit)
 template <> inline constexpr const char* editName<PastePiece> = "pastePiece";
 template <>
 inline constexpr const char* editMeaning<PastePiece> =
-    "Shows a segment as a piece of its own, besides where it is.";
+    "Shows a segment as a piece of its own, in addition to its true place.";
 template <class Visitor> void visitFields(Visitor& visit, PastePiece& edit)
 {
     visitSegment(visit, edit.segment);
     visitName(visit, edit.name);
     visitPivot(visit, edit.pivotLps);
     visit.field("offsetMm", Presence::Optional, edit.pose.offsetMm, positionLps,
-        "from its true place, along the patient's axes (LPS)");
+        "how far the piece is moved from its true place, along the patient's axes (LPS)");
     visit.field("rotationDegrees", Presence::Optional, edit.pose.rotationDegrees,
         editFields::Point{pieceTurn},
-        "its direction is the axis (LPS), its length the angle: [0, 0, 90] turns about S");
-    visit.field("zoom", Presence::Optional, edit.pose.zoom, pieceZoom, "1: true size");
+        "a vector whose direction is the axis (LPS) and whose length is the angle: [0, 0, 90] "
+        "turns about S");
+    visit.field("zoom", Presence::Optional, edit.pose.zoom, pieceZoom,
+        "how many times as large as its true size the piece is shown");
 }
 
 template <> inline constexpr const char* editName<ChangePiece> = "changePiece";
@@ -58,12 +61,14 @@ inline constexpr const char* editMeaning<ChangePiece> =
 template <class Visitor> void visitFields(Visitor& visit, ChangePiece& edit)
 {
     visit.field("piece", Presence::Required, edit.piece, pieceNumber, "which piece");
-    visit.maybe("name", edit.name, editFields::Text{}, "new name");
+    visit.maybe("name", edit.name, editFields::Text{}, "the new name");
     visit.maybe("offsetMm", edit.offsetMm, positionLps,
-        "from its true place, along the patient's axes (LPS)");
+        "how far the piece is moved from its true place, along the patient's axes (LPS)");
     visit.maybe("rotationDegrees", edit.rotationDegrees, editFields::Point{pieceTurn},
-        "its direction is the axis (LPS), its length the angle: [0, 0, 90] turns about S");
-    visit.maybe("zoom", edit.zoom, pieceZoom, "1: true size");
+        "a vector whose direction is the axis (LPS) and whose length is the angle: [0, 0, 90] "
+        "turns about S");
+    visit.maybe("zoom", edit.zoom, pieceZoom,
+        "how many times as large as its true size the piece is shown");
 }
 
 template <> inline constexpr const char* editName<SendPiecesHome> = "sendPiecesHome";
@@ -75,7 +80,7 @@ template <class Visitor> void visitFields(Visitor&, SendPiecesHome&) { }
 template <> inline constexpr const char* editName<RemovePiece> = "removePiece";
 template <>
 inline constexpr const char* editMeaning<RemovePiece> =
-    "Makes a piece one no more; what cut it stays cut.";
+    "Makes a piece a piece no longer; what was cut out stays cut.";
 template <class Visitor> void visitFields(Visitor& visit, RemovePiece& edit)
 {
     visit.field("piece", Presence::Required, edit.piece, pieceNumber, "which piece");

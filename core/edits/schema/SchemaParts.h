@@ -62,7 +62,8 @@ template <class Visitor> void visitLayer(Visitor& visit, int& layer)
 /// The name of what an edit makes.
 template <class Visitor> void visitName(Visitor& visit, QString& name)
 {
-    visit.field("name", Presence::Required, name, editFields::Text{}, "shown in the list");
+    visit.field(
+        "name", Presence::Required, name, editFields::Text{}, "the name that the list shows");
 }
 
 /// Whose voxels an edit takes that gives some to a segment.
@@ -76,25 +77,26 @@ template <class Visitor> void visitOverwrite(Visitor& visit, bool& overwriteUnlo
 template <class Visitor>
 void visitOnlyValues(Visitor& visit, std::optional<double>& lower, std::optional<double>& upper)
 {
-    visit.maybe("lower", lower, modalityValue, "only voxels from this value on, inclusive", "any");
-    visit.maybe("upper", upper, modalityValue, "only voxels up to this value, inclusive", "any");
+    visit.maybe("lower", lower, modalityValue, "only voxels whose value is at least this", "any");
+    visit.maybe("upper", upper, modalityValue, "only voxels whose value is at most this", "any");
 }
 
 /// The field "editable" of every edit of labels that has an editable range.
 template <class Visitor> void visitEditable(Visitor& visit, std::optional<EditableRange>& editable)
 {
     visit.maybeGroup("editable", editable,
-        "which voxels may change at all, whatever the edit is about; every part that is given "
-        "narrows it",
+        "which voxels may change at all; each condition that is given narrows the choice further",
         "any voxel", [](auto& inside, EditableRange& range) {
             constexpr editFields::SegmentList segments{.mayBeEmpty = true};
             visitOnlyValues(inside, range.lower, range.upper);
             inside.maybe("box", range.box, editFields::CornerPair{positionLps},
-                "two opposite corners: only voxels between them", "the whole volume");
+                "two opposite corners of a box; only voxels inside it may change",
+                "the whole volume");
             inside.maybe("inside", range.inside, segments,
-                "only voxels of one of these segments, of an empty list none", "any");
-            inside.maybe(
-                "outside", range.outside, segments, "only voxels of none of these segments", "any");
+                "only voxels of one of these segments may change; with an empty list, none may",
+                "any");
+            inside.maybe("outside", range.outside, segments,
+                "only voxels that belong to none of these segments may change", "any");
         });
 }
 
@@ -102,30 +104,31 @@ template <class Visitor> void visitEditable(Visitor& visit, std::optional<Editab
 template <class Visitor> void visitView(Visitor& visit, OrthographicView& view)
 {
     using namespace editFields;
-    visit.group("view", "the camera, orthographic", [&](auto& inside) {
-        inside.field("eyeLps", Presence::Required, view.eyeLps, positionLps,
-            "on which side of the target the viewer stands, patient coordinates (LPS); it gives "
-            "the view's direction only, so that from a place inside the volume it is seen from "
-            "outside");
-        inside.field("targetLps", Presence::Required, view.targetLps, positionLps,
-            "the middle of the view plane, patient coordinates (LPS)");
-        inside.field("up", Presence::Required, view.up,
-            Point{Number{"", -1000.0, 1000.0, quantum::perDirection}},
-            "a direction that points upwards in the view, patient coordinates (LPS)");
-        inside.field("heightMm", Presence::Required, view.heightMm,
-            Number{"mm", 1.0 / quantum::perMillimetre, quantum::reachMm, quantum::perMillimetre},
-            "what the view's height shows; decides no voxel");
-        inside.constant(
-            "orthographic", Presence::Optional, true, "perspective views are converted");
-    });
+    visit.group("view", "the camera that looks at the volume, with an orthographic projection",
+        [&](auto& inside) {
+            inside.field("eyeLps", Presence::Required, view.eyeLps, positionLps,
+                "where the viewer stands, in patient coordinates (LPS); only the direction to the "
+                "target counts, so the volume is always seen from outside");
+            inside.field("targetLps", Presence::Required, view.targetLps, positionLps,
+                "the middle of the view plane, in patient coordinates (LPS)");
+            inside.field("up", Presence::Required, view.up,
+                Point{Number{"", -1000.0, 1000.0, quantum::perDirection}},
+                "a direction that points upwards in the view, in patient coordinates (LPS)");
+            inside.field("heightMm", Presence::Required, view.heightMm,
+                Number{
+                    "mm", 1.0 / quantum::perMillimetre, quantum::reachMm, quantum::perMillimetre},
+                "how much of the patient the height of the view shows; no voxel depends on it");
+            inside.constant("orthographic", Presence::Optional, true,
+                "always true, since perspective views are converted");
+        });
 }
 
 /// What clip box and clip planes hid when the cut was made.
 template <class Visitor> void visitHidden(Visitor& visit, ClipHalfSpaces& hidden)
 {
     visit.maybe("hidden", hidden, editFields::ClipHalfSpaceList{},
-        "what is not seen, so that the cut neither starts nor cuts there: where normal · place > "
-        "offset, patient coordinates (LPS)",
+        "what clipping hides, so that the cut neither starts nor cuts there: all places with "
+        "normal · place > offset, in patient coordinates (LPS)",
         "nothing");
 }
 
@@ -133,16 +136,16 @@ template <class Visitor> void visitHidden(Visitor& visit, ClipHalfSpaces& hidden
 template <class Visitor> void visitProtected(Visitor& visit, ProtectedSegments& protectedSegments)
 {
     visit.maybe("spared", protectedSegments, editFields::SegmentList{},
-        "segments that are not carved, those that are protected added when it is carried out; "
-        "not while restoring",
-        "those that are protected");
+        "segments that are not carved; protected ones are added when the edit is carried out; an "
+        "edit that restores has none",
+        "the protected segments");
 }
 
 /// The field with pen pressures, of every edit whose radius may follow them.
 template <class Visitor> void visitPressures(Visitor& visit, PenPressures& pressures)
 {
     visit.maybe("pressures", pressures, editFields::PressureList{},
-        "the share of the radius at each point of the path, as many as points",
+        "for each point of the path, the share of the radius that is used there",
         "the whole radius everywhere");
 }
 
@@ -151,23 +154,23 @@ template <class Visitor> void visitPath(Visitor& visit, BrushPath& path)
 {
     using namespace editFields;
     visit.field("radiusMm", Presence::Required, path.radiusMm, brushRadius,
-        "radius of the ball or disc, half of a side of the square or cube");
+        "the radius of the ball or disc, or half the side of the square or cube");
     visit.field("shape", Presence::Optional, path.shape,
         Choice<BrushPath::Shape, 4>{{"ball", "disc", "square", "cube"}},
         "a ball or a cube, or a disc or a square that lies in one plane and is one voxel thick");
     const Point direction{Number{"", -1000.0, 1000.0, quantum::perDirection}};
     visit.maybe("normalLps", path.normalLps, direction,
-        "of a disc or square: a direction across its plane, which holds the first point; of a "
-        "cube: along one of its sides",
-        "none, of a ball");
+        "for a disc or square, a direction perpendicular to its plane, which holds the first "
+        "point; for a cube, the direction of one of its sides",
+        "a ball needs none");
     visit.maybe("sideLps", path.sideLps, direction,
-        "of a square or cube: a direction along another side; what of it runs along normalLps is "
-        "left out",
-        "none, of a ball or disc");
+        "for a square or cube, a direction along another side; any part of it that runs along "
+        "normalLps is left out",
+        "a ball or disc needs none");
     visit.field("pointsLps", Presence::Required, path.pointsLps, PointList{positionLps},
-        "the path, straight from point to point, patient coordinates (LPS)");
+        "the path, which runs straight from point to point, in patient coordinates (LPS)");
     visit.field("lifts", Presence::Optional, path.lifts, PlaceList{},
-        "points that the path does not run to but begins anew at, counted from 0");
+        "the points, counted from 0, at which the path begins anew instead of running on to them");
     visitPressures(visit, path.pressures);
 }
 

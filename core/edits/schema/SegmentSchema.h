@@ -29,9 +29,10 @@ inline constexpr const char* editMeaning<AddSegment> =
 template <class Visitor> void visitFields(Visitor& visit, AddSegment& edit)
 {
     visitName(visit, edit.name);
-    visit.field("color", Presence::Required, edit.rgb, editFields::Colour{}, "display colour");
+    visit.field("color", Presence::Required, edit.rgb, editFields::Colour{}, "the display colour");
     visit.field("code", Presence::Optional, edit.code, editFields::Code{},
-        "what it is, e.g. [\"SCT\", \"89546000\", \"Skull\"]; [] is \"not coded yet\"");
+        "the code that says what it is, e.g. [\"SCT\", \"89546000\", \"Skull\"]; [] means \"not "
+        "coded yet\"");
 }
 
 template <> inline constexpr const char* editName<ChangeSegment> = "changeSegment";
@@ -42,11 +43,12 @@ inline constexpr const char* editMeaning<ChangeSegment> =
 template <class Visitor> void visitFields(Visitor& visit, ChangeSegment& edit)
 {
     visitSegment(visit, edit.segment);
-    visit.maybe("name", edit.name, editFields::Text{}, "new name");
-    visit.maybe("color", edit.rgb, editFields::Colour{}, "new display colour");
-    visit.maybe("code", edit.code, editFields::Code{}, "what it is; [] takes the code away");
+    visit.maybe("name", edit.name, editFields::Text{}, "the new name");
+    visit.maybe("color", edit.rgb, editFields::Colour{}, "the new display colour");
+    visit.maybe("code", edit.code, editFields::Code{},
+        "the code that says what it is; [] takes the code away");
     visit.maybe("locked", edit.locked, editFields::Flag{},
-        "whether its voxels are kept from every tool and growth");
+        "whether no tool and no growth may change its voxels");
     visit.maybe("protected", edit.uncarvable, editFields::Flag{},
         "whether no sculpting tool carves where it is");
 }
@@ -59,7 +61,7 @@ template <class Visitor> void visitFields(Visitor& visit, MoveSegment& edit)
 {
     visitSegment(visit, edit.segment);
     visit.field("place", Presence::Required, edit.place, editFields::WholeNumber{1, 255},
-        "its new place in the list, 1 is the first");
+        "its new place in the list, where 1 is the first");
 }
 
 template <> inline constexpr const char* editName<RemoveSegment> = "removeSegment";
@@ -86,7 +88,7 @@ template <> inline constexpr const char* editName<CleanSegment> = "cleanSegment"
 template <>
 inline constexpr const char* editMeaning<CleanSegment> =
     "Fills holes of a segment that is not locked, removes islands from it, or gives one to another "
-    "segment. Voxels of others stay theirs. Does nothing where there is none.";
+    "segment. Other segments keep their voxels. Does nothing if there is no such hole or island.";
 template <class Visitor> void visitFields(Visitor& visit, CleanSegment& edit)
 {
     visit.field("segment", Presence::Required, edit.segment, segmentNumber, "which segment");
@@ -98,11 +100,11 @@ template <class Visitor> void visitFields(Visitor& visit, CleanSegment& edit)
         "the largest hole that is filled, or the smallest island that stays",
         "every hole is filled");
     visit.maybe("islandLps", edit.islandLps, positionLps,
-        "a place in the island that keepClicked, removeClicked and giveClicked are about, patient "
+        "for keepClicked, removeClicked and giveClicked, a place in the island, in patient "
         "coordinates (LPS)",
         "the rule is about no single island");
     visit.maybe("to", edit.to, segmentNumber,
-        "of giveClicked: the segment that receives the island; it must not be locked either",
+        "for giveClicked, the segment that receives the island; it must not be locked either",
         "no island is given away");
     visitEditable(visit, edit.editable);
 }
@@ -110,16 +112,16 @@ template <class Visitor> void visitFields(Visitor& visit, CleanSegment& edit)
 template <> inline constexpr const char* editName<CombineSegments> = "combineSegments";
 template <>
 inline constexpr const char* editMeaning<CombineSegments> =
-    "Gives a segment all voxels of another one, or exchanges theirs; neither is locked. Segments "
-    "share no voxel, so there is nothing to copy, subtract or intersect.";
+    "Gives a segment all voxels of another one, or exchanges theirs; neither may be locked. "
+    "Segments share no voxel, so there is nothing to copy, subtract or intersect.";
 template <class Visitor> void visitFields(Visitor& visit, CombineSegments& edit)
 {
     visitSegment(visit, edit.segment);
     visit.field("with", Presence::Required, edit.with, segmentNumber, "the other segment");
     visit.field("how", Presence::Required, edit.how,
         editFields::Choice<CombineSegments::How, 2>{{"merge", "swap"}},
-        "the other's voxels become the segment's, and it stays in the list, empty; or each "
-        "receives those of the other");
+        "merge gives the segment the voxels of the other, which stays in the list, empty; swap "
+        "gives each of them the voxels of the other");
     visitEditable(visit, edit.editable);
 }
 
@@ -135,26 +137,28 @@ template <class Visitor> void visitFields(Visitor& visit, ReshapeSegment& edit)
     visit.field("operation", Presence::Required, edit.operation,
         editFields::Choice<ShapeOperation, 8>{
             {"grow", "shrink", "hollow", "open", "close", "median", "wrap", "gaussian"}},
-        "grow and shrink by a margin; hollow leaves a shell; open removes what no ball within the "
-        "segment holds, close adds what no ball beside it holds; median gives each voxel to the "
-        "side on which more than half of the ball around it lies, gaussian the same with a "
-        "Gaussian; wrap adds holes and all that lies behind openings narrower than the ball");
+        "grow and shrink move the border by a margin; hollow leaves a shell; open removes what no "
+        "ball inside the segment covers, close adds what no ball outside it covers; median gives "
+        "each voxel to the side on which more than half of the ball around it lies, gaussian does "
+        "so with a Gaussian instead of a ball; wrap adds holes and all that lies behind openings "
+        "narrower than the ball");
     visit.field("mm", Presence::Required, edit.mm,
         editFields::Number{"mm", 0.01, 100.0, quantum::perMillimetre},
         "the margin, the thickness of the shell, the radius of the ball, or the standard deviation "
         "of the Gaussian");
     visit.maybe("shell", edit.shell,
         editFields::Choice<ShellPlace, 3>{{"inside", "centred", "outside"}},
-        "of hollow alone: where the shell lies, from the segment's border", "inside");
+        "for hollow only: where the shell lies with respect to the segment's border", "inside");
     visit.maybe("with", edit.with, editFields::SegmentList{},
-        "of gaussian alone: others, not locked either, that are smoothed together with it: each "
-        "voxel that one of them or none has becomes the one's that is most around it, so that no "
-        "gap opens between them",
-        "it alone");
+        "for gaussian only: other segments that are not locked and are smoothed together with it; "
+        "each voxel of theirs, or of none, goes to the one that is most around it, so that no gap "
+        "opens",
+        "the segment alone");
     const auto side = [&](const char* name, std::optional<double>& mm) {
         visit.maybe(name, mm, editFields::Number{"mm", 0.0, 100.0, quantum::perMillimetre},
-            "of grow and shrink alone: the margin on this side of the patient; 0: none there",
-            "as mm");
+            "for grow and shrink only: the margin on this side of the patient; 0 leaves this side "
+            "as it is",
+            "the value of mm");
     };
     side("rightMm", edit.sides.rightMm);
     side("leftMm", edit.sides.leftMm);
@@ -176,11 +180,12 @@ template <class Visitor> void visitFields(Visitor& visit, ThresholdSegment& edit
     visitOnlyValues(visit, edit.lower, edit.upper);
     visit.field("mode", Presence::Optional, edit.mode,
         editFields::Choice<ThresholdSegment::Mode, 3>{{"replace", "add", "subtract"}},
-        "the segment becomes these voxels and loses all others, receives them, or loses them");
+        "replace makes the segment of exactly these voxels; add gives them to it; subtract takes "
+        "them from it");
     visit.field("onlyVisible", Presence::Optional, edit.onlyVisible, editFields::Flag{},
         "whether voxels that are carved away stay as they are");
     visit.maybe("box", edit.box, editFields::CornerPair{positionLps},
-        "two opposite corners: only voxels between them change", "the whole volume");
+        "two opposite corners of a box; only voxels inside it change", "the whole volume");
     visitOverwrite(visit, edit.overwriteUnlocked);
     visitEditable(visit, edit.editable);
 }
@@ -198,27 +203,28 @@ template <class Visitor> void visitFields(Visitor& visit, PaintStroke& edit)
     visitOnlyValues(visit, edit.lower, edit.upper);
     visitOverwrite(visit, edit.overwriteUnlocked);
     visit.field("seeds", Presence::Optional, edit.seeds, editFields::Flag{},
-        "whether what is painted takes part in growth: the next one goes on from there");
+        "whether the painted voxels are seeds, from which the next growth goes on");
     visit.maybe("edgeTolerance", edit.edgeTolerance,
         editFields::Number{"modality units", 0.0, quantum::unbounded, 0.0},
-        "follow edges: only voxels whose values differ by at most this from the one where the "
-        "path begins (the median of the voxels around it), and that are joined to the path by "
-        "such voxels under the brush",
+        "makes the brush follow edges: it takes only voxels whose values differ by at most this "
+        "from the value where the path begins (a median of the voxels around), and that such "
+        "voxels under the brush join to the path",
         "all that is under the brush");
     visitEditable(visit, edit.editable);
     visit.maybe("tool", edit.tool, editFields::Choice<PaintStroke::Tool, 1>{{"nudge"}},
-        "nudge: a disc that pushes the border of the segment in one slice, outwards, or inwards "
-        "with erase; it says so in the history and decides no voxel",
+        "nudge is a disc that pushes the border of the segment in one slice, outwards, or inwards "
+        "with erase; the history names it, but no voxel depends on it",
         "a brush");
     visit.maybe("toleranceByPressure", edit.toleranceByPressure, editFields::Flag{},
-        "whether pressures are shares of edgeTolerance instead of the radius, which is whole then",
+        "whether pressures are shares of edgeTolerance instead of the radius, which then stays "
+        "whole",
         "false");
 }
 
 template <> inline constexpr const char* editName<FillOutline> = "fillOutline";
 template <>
 inline constexpr const char* editMeaning<FillOutline> =
-    "Gives a segment what lies inside a closed outline in one slice, along the grid or oblique and "
+    "Gives a segment what lies inside a closed outline in one slice, which may be oblique and is "
     "one voxel thick, or takes it away there.";
 template <class Visitor> void visitFields(Visitor& visit, FillOutline& edit)
 {
@@ -226,15 +232,16 @@ template <class Visitor> void visitFields(Visitor& visit, FillOutline& edit)
         editFields::Number{"", -1000.0, 1000.0, quantum::perDirection}};
     visitSegment(visit, edit.segment);
     visit.field("originLps", Presence::Required, edit.originLps, positionLps,
-        "a place in the slice, patient coordinates (LPS)");
+        "a place in the slice, in patient coordinates (LPS)");
     visit.field("rightLps", Presence::Required, edit.rightLps, direction,
-        "a direction in the slice, patient coordinates (LPS)");
+        "a direction in the slice, in patient coordinates (LPS)");
     visit.field("upLps", Presence::Required, edit.upLps, direction,
-        "another one; only what is perpendicular to the first counts");
+        "another direction in the slice; only the part of it that is perpendicular to rightLps "
+        "counts");
     visit.field("polygonMm", Presence::Required, edit.polygonMm,
         editFields::Outline{editFields::Number{"mm", -2000.0, 2000.0, quantum::perMillimetre}},
-        "a closed curve in the slice, relative to the origin: right, up; inside is what it winds "
-        "around, and the curve itself");
+        "a closed curve in the slice, as points to the right and up from the origin; inside is "
+        "what it winds around, and the curve itself");
     visit.field("erase", Presence::Optional, edit.erase, editFields::Flag{},
         "whether voxels of the segment are taken away instead");
     visitOnlyValues(visit, edit.lower, edit.upper);
@@ -245,21 +252,21 @@ template <class Visitor> void visitFields(Visitor& visit, FillOutline& edit)
 /// The segment that receives voxels.
 template <class Visitor> void visitTarget(Visitor& visit, SegmentChoice& target)
 {
-    visit.maybe(
-        "segment", target.segment, segmentNumber, "which segment; no name then", "a new one");
+    visit.maybe("segment", target.segment, segmentNumber,
+        "the segment that receives the voxels; name and color are left out then", "a new segment");
     visit.when(!target.segment, [&] {
         visit.field("name", Presence::Required, target.name, editFields::Text{},
-            "of the new segment (no segment given)");
+            "the name of the new segment, if no segment is given");
         visit.field("color", Presence::Required, target.rgb, editFields::Colour{},
-            "of the new segment (no segment given)");
+            "the colour of the new segment, if no segment is given");
     });
 }
 
 template <> inline constexpr const char* editName<LayerToSegment> = "layerToSegment";
 template <>
 inline constexpr const char* editMeaning<LayerToSegment> =
-    "Gives what a sculpt layer has carved (coverage of one half and more) to a segment; does "
-    "nothing where it takes no voxel.";
+    "Gives what a sculpt layer has carved, with a coverage of at least one half, to a segment; "
+    "does nothing if it takes no voxel.";
 template <class Visitor> void visitFields(Visitor& visit, LayerToSegment& edit)
 {
     visitLayer(visit, edit.layer);
@@ -271,8 +278,8 @@ template <class Visitor> void visitFields(Visitor& visit, LayerToSegment& edit)
 template <> inline constexpr const char* editName<SegmentSeen> = "segmentSeen";
 template <>
 inline constexpr const char* editMeaning<SegmentSeen> =
-    "Gives what is seen, from wherever, to a segment: what no layer carves, inside the clip "
-    "region, with values in an interval; does nothing where it takes no voxel.";
+    "Gives a segment all that can be seen from any side: what no layer carves and no clipping "
+    "hides, with values in an interval; does nothing if it takes no voxel.";
 template <class Visitor> void visitFields(Visitor& visit, SegmentSeen& edit)
 {
     visitTarget(visit, edit.target);
@@ -285,33 +292,33 @@ template <class Visitor> void visitFields(Visitor& visit, SegmentSeen& edit)
 template <> inline constexpr const char* editName<ImportMask> = "importMask";
 template <>
 inline constexpr const char* editMeaning<ImportMask> =
-    "Takes in the segments of a mask's file; does nothing where they take no voxel. A row of the "
-    "history holds their voxels and needs the file no more.";
+    "Imports the segments of a mask file; does nothing if they take no voxel. A row of the history "
+    "holds their voxels and no longer needs the file.";
 template <class Visitor> void visitFields(Visitor& visit, ImportMask& edit)
 {
     visit.field("file", Presence::Required, edit.file, editFields::FileName{},
-        "labels in NIfTI, NRRD, .seg.nrrd or MetaImage, a DICOM SEG or RTSTRUCT, or a surface in "
-        "STL, OBJ or PLY");
+        "the file: labels in NIfTI, NRRD, .seg.nrrd or MetaImage, a DICOM SEG or RTSTRUCT, or a "
+        "surface in STL, OBJ or PLY");
     visit.maybe("as", edit.as, editFields::SegmentReference{},
-        "the segment that receives all of it: the number of one that is there, or the name of one "
-        "that is there or else is made",
+        "the segment that receives everything: the number of an existing one, or a name, for which "
+        "a segment is made if there is none",
         "each segment of the file becomes a new one");
     visitOverwrite(visit, edit.overwriteUnlocked);
-    visit.maybe("size", edit.size, editFields::GridSize{}, "of the volume that the voxels are of",
-        "the file is read when the recipe is");
+    visit.maybe("size", edit.size, editFields::GridSize{},
+        "the size of the volume to which the voxels belong",
+        "the file is read together with the recipe");
     visit.maybe("segments", edit.segments, editFields::ImportedSegmentList{},
-        "what the file held, on the volume's grid: voxels are packed runs",
-        "the file is read "
-        "when the recipe is");
+        "what the file held, on the volume's grid, with voxels as packed runs",
+        "the file is read together with the recipe");
     visit.maybe("ahead", edit.ahead, editFields::EntryOrder{},
-        "where segments overlap: which of them, by their places from 1 among those that are taken "
-        "in, go before all others, the first one foremost",
+        "which segments keep the voxels where several overlap, the foremost first; given by their "
+        "places, from 1, among the imported ones",
         "the file's order");
     visit.maybe("planes", edit.planes, editFields::PlaneList{},
-        "the label plane of each of them: those of different planes keep the voxels that they "
-        "share, those of one plane do not",
-        "where a file is read whose segments overlap and 'ahead' says nothing, as few planes as "
-        "they need; else all lie in plane 0");
+        "the label plane of each imported segment: those in different planes keep the voxels that "
+        "they share, those in one plane do not",
+        "as few planes as they need, if segments of the file overlap and 'ahead' says nothing; "
+        "otherwise plane 0 for all");
 }
 
 } // namespace core::editSchema

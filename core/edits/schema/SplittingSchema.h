@@ -20,8 +20,8 @@ template <class Visitor> void visitFields(Visitor& visit, SplitIslands& edit)
         "the smallest island that becomes a segment; smaller ones stay with the largest",
         "every island becomes one");
     visit.maybe("into", edit.into, editFields::SplitPartList{},
-        "the new segments, from the largest island down; islands beyond them stay with the "
-        "largest. A row of the history has it",
+        "the new segments, from the largest island down; further islands stay with the largest; a "
+        "row of the history always has this list",
         "one for each island, named after the segment");
 }
 
@@ -34,14 +34,14 @@ template <class Visitor> void visitFields(Visitor& visit, SplitSegment& edit)
 {
     visitSegment(visit, edit.segment);
     visit.field("placeLps", Presence::Required, edit.placeLps, positionLps,
-        "a place in the plane, patient coordinates (LPS)");
+        "a place in the plane, in patient coordinates (LPS)");
     visit.field("normalLps", Presence::Required, edit.normalLps,
         editFields::Point{editFields::Number{"", -1000.0, 1000.0, quantum::perDirection}},
         "the direction across the plane in which the new segment lies");
-    visit.field(
-        "name", Presence::Required, edit.into.name, editFields::Text{}, "of the new segment");
-    visit.field(
-        "color", Presence::Required, edit.into.rgb, editFields::Colour{}, "of the new segment");
+    visit.field("name", Presence::Required, edit.into.name, editFields::Text{},
+        "the name of the new segment");
+    visit.field("color", Presence::Required, edit.into.rgb, editFields::Colour{},
+        "the colour of the new segment");
     visitEditable(visit, edit.editable);
 }
 

@@ -25,38 +25,39 @@ inline constexpr editFields::WholeNumber surfaceVertices{0, 400'000};
 template <class Visitor> void visitRules(Visitor& visit, SurfaceRules& rules)
 {
     visit.maybe("rules", rules, editFields::WholeNumber{1, newestSurfaceRules},
-        "by which rules; 2: the surface never passes through itself, and sphere and plane hold "
-        "only the sheet under the pen; 3: open and closed contours of a template go together",
-        "1: those of before");
+        "the version of the rules: from 2 on, the surface never passes through itself, and sphere "
+        "and plane move only the sheet under the pen; from 3 on, a template may mix open and "
+        "closed contours",
+        "1, the oldest rules");
 }
 
 template <> inline constexpr const char* editName<LaySurface> = "surface";
 template <>
 inline constexpr const char* editMeaning<LaySurface> =
-    "Lays a surface around what a segment holds, to be refined; the one that was there goes.";
+    "Lays a surface around a segment, so that it can be refined; it replaces the present surface.";
 template <class Visitor> void visitFields(Visitor& visit, LaySurface& edit)
 {
     visitSegment(visit, edit.segment);
     visit.field("vertices", Presence::Optional, edit.vertices, surfaceVertices,
-        "about how many vertices the surface has, from 100; 0: as many as it takes to enclose what "
-        "the segment holds, but for a thousandth of its voxels, or 200000");
+        "about how many vertices the surface has, at least 100; 0 means as many as are needed to "
+        "enclose all but a thousandth of the segment's voxels, up to 200000");
     visitRules(visit, edit.rules);
     visit.maybe("onlyCrossings", edit.onlyCrossings, editFields::Flag{},
-        "whether the surface that is there stays, but for the parts that pass through themselves "
-        "or each other, which are laid anew around the voxels that they enclose",
+        "whether the present surface stays, except for parts that pass through themselves or each "
+        "other, which are laid anew around the voxels that they enclose",
         "all of it is laid anew");
 }
 
 template <> inline constexpr const char* editName<DropSurface> = "dropSurface";
 template <>
 inline constexpr const char* editMeaning<DropSurface> =
-    "Does without a surface; what was not written back goes with it.";
+    "Removes the surface; what was not written back is lost with it.";
 template <class Visitor> void visitFields(Visitor&, DropSurface&) { }
 
 template <> inline constexpr const char* editName<FollowMask> = "followMask";
 template <>
 inline constexpr const char* editMeaning<FollowMask> =
-    "Has the yellow parts of the surface follow the boundary of what the segment holds now.";
+    "Makes the yellow parts of the surface follow the boundary that the segment has now.";
 template <class Visitor> void visitFields(Visitor& visit, FollowMask& edit)
 {
     visitRules(visit, edit.rules);
@@ -66,9 +67,10 @@ template <class Visitor> void visitFields(Visitor& visit, FollowMask& edit)
 template <class Visitor> void visitSurfacePath(Visitor& visit, SurfacePath& path)
 {
     visit.field("radiusMm", Presence::Required, path.radiusMm, brushRadius,
-        "of the ball in which the tool works");
+        "the radius of the ball in which the tool works");
     visit.field("pointsLps", Presence::Required, path.pointsLps, editFields::PointList{positionLps},
-        "the middle of the ball, straight from point to point, patient coordinates (LPS)");
+        "the path of the ball's middle, which runs straight from point to point, in patient "
+        "coordinates (LPS)");
     visitRules(visit, path.rules);
     visitPressures(visit, path.pressures);
 }
@@ -81,7 +83,7 @@ inline constexpr const char* editMeaning<MarkSurface> =
 template <class Visitor> void visitFields(Visitor& visit, MarkSurface& edit)
 {
     visit.field("mark", Presence::Required, edit.mark,
-        editFields::Choice<SurfaceMark, 3>{{"yellow", "green", "red"}}, "what is painted");
+        editFields::Choice<SurfaceMark, 3>{{"yellow", "green", "red"}}, "the mark that is painted");
     visitSurfacePath(visit, edit.path);
 }
 
@@ -92,14 +94,16 @@ inline constexpr const char* editMeaning<ChangeMarks> =
 template <class Visitor> void visitFields(Visitor& visit, ChangeMarks& edit)
 {
     visit.field("mark", Presence::Required, edit.mark,
-        editFields::Choice<SurfaceMark, 3>{{"yellow", "green", "red"}}, "which; not yellow");
+        editFields::Choice<SurfaceMark, 3>{{"yellow", "green", "red"}},
+        "the marks that are changed, which are not yellow");
     visit.field("way", Presence::Required, edit.way,
         editFields::Choice<ChangeMarks::Way, 5>{{"grow", "shrink", "invert", "clear", "accept"}},
-        "they grow or shrink by one ring of vertices, change places with yellow, turn yellow, or, "
-        "of red ones, turn green");
+        "grow and shrink move their border by one ring of vertices; invert exchanges them with "
+        "yellow; clear turns them yellow; accept turns red ones green");
     visit.maybe("nearLps", edit.nearLps, positionLps,
-        "of clear and accept: only the region nearest to it, patient coordinates (LPS)",
-        "all of them");
+        "for clear and accept: a place, in patient coordinates (LPS); only the marked region "
+        "nearest to it changes",
+        "all regions");
 }
 
 template <> inline constexpr const char* editName<SpherePush> = "spherePush";
@@ -115,25 +119,26 @@ template <class Visitor> void visitFields(Visitor& visit, SpherePush& edit)
 template <> inline constexpr const char* editName<PlaneScrape> = "planeScrape";
 template <>
 inline constexpr const char* editMeaning<PlaneScrape> =
-    "Takes down what stands beyond a plane, within the ball around the pen's way.";
+    "Scrapes off what stands out beyond a plane, within the ball that follows the pen.";
 template <class Visitor> void visitFields(Visitor& visit, PlaneScrape& edit)
 {
     visitSurfacePath(visit, edit.path);
     visit.field("normalLps", Presence::Required, edit.normalLps,
         editFields::Point{editFields::Number{"", -1000.0, 1000.0, quantum::perDirection}},
-        "across the plane, outwards; the plane holds the point that the pen is at");
+        "the direction perpendicular to the plane, outwards; the plane passes through the point "
+        "where the pen is");
     visit.maybe("acrossLps", edit.acrossLps,
         editFields::Point{editFields::Number{"", -1000.0, 1000.0, quantum::perDirection}},
-        "the normal of the slice on which the pen is moved; the plane stands across it and turns "
-        "with the pen's way",
+        "the normal of the slice on which the pen moves; the plane stands perpendicular to that "
+        "slice and turns with the pen's path",
         "the plane keeps its normal");
 }
 
 template <> inline constexpr const char* editName<PointDrag> = "pointDrag";
 template <>
 inline constexpr const char* editMeaning<PointDrag> =
-    "Draws the vertex nearest to the first point along, and the surface around it like a rubber "
-    "sheet; the vertex is green afterwards.";
+    "Pulls the vertex nearest to the first point along the path, and the surface around it like a "
+    "rubber sheet; the vertex is green afterwards.";
 template <class Visitor> void visitFields(Visitor& visit, PointDrag& edit)
 {
     visitSurfacePath(visit, edit.path);
@@ -146,7 +151,7 @@ inline constexpr const char* editMeaning<ApplyTemplate> =
 template <class Visitor> void visitFields(Visitor& visit, ApplyTemplate& edit)
 {
     visit.field("contoursLps", Presence::Required, edit.contoursLps,
-        editFields::ContourList{positionLps}, "the contours, patient coordinates (LPS)");
+        editFields::ContourList{positionLps}, "the contours, in patient coordinates (LPS)");
     visitRules(visit, edit.rules);
 }
 
@@ -162,7 +167,7 @@ template <class Visitor> void visitFields(Visitor& visit, SmoothSurface& edit)
 template <> inline constexpr const char* editName<AttractSurface> = "attract";
 template <>
 inline constexpr const char* editMeaning<AttractSurface> =
-    "Draws the red parts of the surface to where values change most.";
+    "Moves the red parts of the surface to where values change most.";
 template <class Visitor> void visitFields(Visitor& visit, AttractSurface& edit)
 {
     visitSurfacePath(visit, edit.path);
@@ -187,7 +192,7 @@ inline constexpr const char* editMeaning<SurfaceBarrier> =
 template <class Visitor> void visitFields(Visitor& visit, SurfaceBarrier& edit)
 {
     visit.field("erase", Presence::Optional, edit.erase, editFields::Flag{},
-        "barriers there are taken away instead: the place is open to growth");
+        "whether barriers there are taken away instead, so that growth may pass");
 }
 
 } // namespace core::editSchema

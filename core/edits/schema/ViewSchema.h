@@ -14,8 +14,8 @@ inline constexpr editFields::ThingNumber measurementNumber{{1, 1000000}, Thing::
 template <class Visitor> void visitProjected(Visitor& visit, std::optional<bool>& projected)
 {
     visit.maybe("projected", projected, editFields::Flag{},
-        "whether it was drawn over a thick slab or a projection, so that lengths are those of the "
-        "projection",
+        "whether it was drawn over a thick slab or a projection, so that its lengths are those of "
+        "the projection",
         "no");
 }
 
@@ -26,10 +26,11 @@ inline constexpr const char* editMeaning<AddBookmark> =
     "added.";
 template <class Visitor> void visitFields(Visitor& visit, AddBookmark& edit)
 {
-    visit.field("name", Presence::Required, edit.name, editFields::Text{}, "shown in the menu");
+    visit.field(
+        "name", Presence::Required, edit.name, editFields::Text{}, "the name that the menu shows");
     visitView(visit, edit.view);
     visit.field("crosshairLps", Presence::Required, edit.crosshairLps, positionLps,
-        "where the slices cross, patient coordinates (LPS)");
+        "where the slices cross, in patient coordinates (LPS)");
 }
 
 template <> inline constexpr const char* editName<RemoveBookmark> = "removeBookmark";
@@ -48,9 +49,9 @@ inline constexpr const char* editMeaning<AddMeasurement> =
 template <class Visitor> void visitFields(Visitor& visit, AddMeasurement& edit)
 {
     visit.field("fromLps", Presence::Required, edit.fromLps, positionLps,
-        "one end, at its true place, patient coordinates (LPS)");
+        "one end, at its true place, in patient coordinates (LPS)");
     visit.field("toLps", Presence::Required, edit.toLps, positionLps,
-        "the other end, at its true place, patient coordinates (LPS)");
+        "the other end, at its true place, in patient coordinates (LPS)");
     visit.maybe("piece", edit.piece, editFields::ThingNumber{{1, 1000000}, Thing::Piece},
         "the piece that it is shown on in 3D", "none");
     visitProjected(visit, edit.projected);
@@ -65,13 +66,13 @@ template <class Visitor> void visitFields(Visitor& visit, Annotate& edit)
 {
     visit.field("kind", Presence::Required, edit.kind,
         editFields::Choice<Measurement::Kind, measurementWords.size()>{measurementWords},
-        "what it is; a distance is kept by addMeasurement");
+        "what is kept; addMeasurement keeps distances");
     visit.field("pointsLps", Presence::Required, edit.pointsLps, editFields::PointList{positionLps},
-        "of an angle one end, the vertex, the other end; of an ellipse the centre and the ends of "
-        "two half axes; of a rectangle a corner and the two beside it; of an outline 3 to 512 "
-        "corners in one plane; of a ball the centre and a point of its surface; of a probe or a "
-        "text the place; of an arrow the tip and the other end; at their true places, patient "
-        "coordinates (LPS)");
+        "for an angle one end, the vertex and the other end; for an ellipse the centre and the "
+        "ends of two half axes; for a rectangle a corner and the two beside it; for an outline 3 "
+        "to 512 corners in one plane; for a ball the centre and a point of its surface; for a "
+        "probe or a text the place; for an arrow the tip and the other end; all at their true "
+        "places, in patient coordinates (LPS)");
     visit.maybe("text", edit.text, editFields::Text{}, "what an arrow or a text says", "nothing");
     visit.maybe("piece", edit.piece, editFields::ThingNumber{{1, 1000000}, Thing::Piece},
         "the piece that it is shown on in 3D", "none");
@@ -87,8 +88,8 @@ template <class Visitor> void visitFields(Visitor& visit, MoveMeasurement& edit)
     visit.field("measurement", Presence::Required, edit.measurement, measurementNumber,
         "which measurement");
     visit.field("pointsLps", Presence::Required, edit.pointsLps, editFields::PointList{positionLps},
-        "as its kind has them; of a distance both ends; at their true places, patient coordinates "
-        "(LPS)");
+        "the points that its kind has, for a distance both ends, at their true places, in patient "
+        "coordinates (LPS)");
 }
 
 template <> inline constexpr const char* editName<RemoveMeasurement> = "removeMeasurement";

@@ -5,6 +5,7 @@
 #include "core/edits/engine/EngineEdits.h"
 #include "core/edits/kinds/AnyEdit.h"
 #include "core/edits/kinds/EditParts.h"
+#include "core/edits/kinds/GrowthKinds.h"
 #include "core/edits/kinds/IsOneOf.h"
 
 #include <utility>
@@ -20,7 +21,7 @@ bool asksForStrokes(const Edit& edit)
 }
 
 /// The segment whose seeds an edit sets or takes away. Only the engine sets seeds, so each kind
-/// that it carries out has to be named.
+/// that it carries out has to be named, and that as one of growth (GrowthKinds.h) or as none.
 struct SegmentOfSeeds {
     using Found = std::optional<int>;
 
@@ -30,13 +31,20 @@ struct SegmentOfSeeds {
         return painted.seeds ? Found(painted.segment) : std::nullopt;
     }
     template <class E>
-    requires isOneOf<E, BarrierStroke, BrushStroke, ChangeInterval, CombineSegments, DrillStroke,
-        FillOutline, GrowFromSeeds, GrowSteps, ImportMask, InvertSegment, LaserStroke,
-        LayerToSegment, MergeLayers, PeelCut, PlugLeak, RemoveLayer, RemoveSegment, ResumeGrowth,
-        ScissorsCut, SegmentScissors, SegmentSeen, SegmentToLayer, ShrinkAt, ShrinkSteps,
-        ThresholdSegment>
+    requires isOneOf<E, BarrierStroke, ChangeInterval, GrowFromSeeds, GrowSteps, PlugLeak,
+        ResumeGrowth, ShrinkAt, ShrinkSteps>
         Found operator()(const E&) const
     {
+        static_assert(isGrowthKind<E>);
+        return std::nullopt;
+    }
+    template <class E>
+    requires isOneOf<E, BrushStroke, CombineSegments, DrillStroke, FillOutline, ImportMask,
+        InvertSegment, LaserStroke, LayerToSegment, MergeLayers, PeelCut, RemoveLayer,
+        RemoveSegment, ScissorsCut, SegmentScissors, SegmentSeen, SegmentToLayer, ThresholdSegment>
+        Found operator()(const E&) const
+    {
+        static_assert(!isGrowthKind<E>);
         return std::nullopt;
     }
     template <class E>

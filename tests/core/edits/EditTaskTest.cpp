@@ -3,6 +3,7 @@
 #include "core/edits/EditJson.h"
 #include "core/edits/document/DocumentEdits.h"
 #include "core/edits/kinds/AnyEdit.h"
+#include "core/edits/kinds/GrowthKinds.h"
 #include "core/edits/kinds/SurfaceEdit.h"
 #include "core/engine/EngineEdit.h"
 #include "tests/support/program/TestProgram.h"
@@ -22,6 +23,7 @@ template <class E> void checkKind()
     const QByteArray name = editName(edit).toUtf8();
     QVERIFY2((effects.task == EditTask::Engine) == hasEngineEdit<E>, name.constData());
     QVERIFY2((effects.task == EditTask::Surface) == isSurfaceKind<E>, name.constData());
+    QVERIFY2(!effects.movesGeneration || isGrowthKind<E>, name.constData());
     if (effects.onlyDocument)
         QVERIFY2(effects.changes && effects.task != EditTask::Engine, name.constData());
     if (effects.task == EditTask::Document)

@@ -11,6 +11,7 @@
 #include "ui/dialogs/study/StudyBlock.h"
 #include "ui/texts/ClauseText.h"
 #include "ui/texts/ReportTexts.h"
+#include "ui/widgets/NumberField.h"
 #include "ui/workspace/Workspace.h"
 
 #include <QDoubleSpinBox>
@@ -108,7 +109,7 @@ void CarvedExportDialog::build()
     (obstacle.isEmpty() ? m_series : m_nifti)->setChecked(true);
 
     m_fillLabel = new QLabel(tr("Where nothing is left"), this);
-    m_fill = new QDoubleSpinBox(this);
+    m_fill = new NumberField(this);
     m_fill->setObjectName(QStringLiteral("carvedFill"));
     m_fill->setRange(-1e6, 1e6);
     m_fill->setDecimals(volume.encoding.rescaleSlope == 1.0 ? 0 : 3);

@@ -2,6 +2,7 @@
 #include "ui/dialogs/export/DeidentifyBox.h"
 
 #include "ui/base/Theme.h"
+#include "ui/widgets/NumberField.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -42,7 +43,7 @@ DeidentifyBox::DeidentifyBox(QWidget* parent)
     , m_wanted(new QCheckBox(tr("Take the patient out (de-identify)"), this))
     , m_details(new QWidget(this))
     , m_dates(new QComboBox(this))
-    , m_days(new QSpinBox(this))
+    , m_days(new WholeNumberField(this))
     , m_device(new QCheckBox(tr("Keep the scanner"), this))
     , m_descriptions(new QCheckBox(tr("Keep names and descriptions, cleaned"), this))
     , m_linked(new QCheckBox(tr("Same new numbers as in my earlier exports"), this))

@@ -6,6 +6,7 @@
 #include "ui/dialogs/segment/SegmentWorkRow.h"
 #include "ui/menus/EditableButton.h"
 #include "ui/menus/SegmentMenus.h"
+#include "ui/widgets/NumberField.h"
 #include "ui/workspace/SegmentActions.h"
 #include "ui/workspace/Workspace.h"
 
@@ -131,7 +132,7 @@ QString settingOf(const Reshaping& reshaping)
 ReshapeDialog::ReshapeDialog(Workspace& workspace, QWidget* parent)
     : SegmentDialog(workspace, tr("Reshape a segment"), QStringLiteral("reshape"), parent)
     , m_operation(new QComboBox(this))
-    , m_mm(new QDoubleSpinBox(this))
+    , m_mm(new NumberField(this))
     , m_bySides(new QCheckBox(tr("not the same on all sides"), this))
     , m_hint(new QLabel(this))
     , m_work(new SegmentWorkRow(workspace, QStringLiteral("Reshape"), tr("Apply"), this))
@@ -204,7 +205,7 @@ QWidget* ReshapeDialog::sideFields()
         tr("Right"), tr("Left"), tr("Anterior"), tr("Posterior"), tr("Inferior"), tr("Superior")};
     constexpr double mostMm = 100.0;
     for (int side = 0; side < int(names.size()); ++side) {
-        auto* mm = new QDoubleSpinBox(sides);
+        auto* mm = new NumberField(sides);
         mm->setObjectName(QStringLiteral("reshapeSide%1").arg(side));
         mm->setAccessibleName(names[side]);
         mm->setRange(0.0, mostMm);

@@ -6,6 +6,7 @@
 #include "ui/base/NumberText.h"
 #include "ui/base/Theme.h"
 #include "ui/menus/SegmentMenus.h"
+#include "ui/widgets/NumberField.h"
 #include "ui/workspace/SegmentActions.h"
 #include "ui/workspace/Workspace.h"
 
@@ -21,7 +22,7 @@ namespace ui {
 
 SplitIslandsDialog::SplitIslandsDialog(Workspace& workspace, QWidget* parent)
     : LabelLookDialog(workspace, tr("Split islands into segments"), QStringLiteral("split"), parent)
-    , m_mm3(new QDoubleSpinBox(this))
+    , m_mm3(new NumberField(this))
     , m_result(new QLabel(this))
     , m_apply(new QPushButton(tr("Split"), this))
 {

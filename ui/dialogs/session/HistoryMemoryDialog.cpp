@@ -3,12 +3,12 @@
 
 #include "ui/base/Theme.h"
 #include "ui/settings/HistoryMemory.h"
+#include "ui/widgets/NumberField.h"
 #include "ui/workspace/Workspace.h"
 
 #include <QDialogButtonBox>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QSpinBox>
 #include <QVBoxLayout>
 
 namespace ui {
@@ -16,7 +16,7 @@ namespace ui {
 HistoryMemoryDialog::HistoryMemoryDialog(Workspace& workspace, QWidget* parent)
     : QDialog(parent)
     , m_workspace(workspace)
-    , m_mebibytes(new QSpinBox(this))
+    , m_mebibytes(new WholeNumberField(this))
 {
     setWindowTitle(tr("Memory for history"));
     auto* layout = new QVBoxLayout(this);

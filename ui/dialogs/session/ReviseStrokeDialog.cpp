@@ -6,6 +6,7 @@
 #include "core/edits/schema/HistorySchema.h"
 #include "core/edits/sculpt/SculptEdits.h"
 #include "core/history/StandingStrokes.h"
+#include "ui/widgets/NumberField.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -61,7 +62,7 @@ void ReviseStrokeDialog::addField(
     if (!drawn)
         return;
     const bool share = kind.edit == &core::ReviseStroke::factor;
-    auto* box = new QDoubleSpinBox(this);
+    auto* box = new NumberField(this);
     box->setObjectName(QLatin1String(kind.name));
     box->setDecimals(share ? 0 : 1);
     box->setSingleStep(share ? 10.0 : 0.5);

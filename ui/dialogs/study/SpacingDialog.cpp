@@ -4,6 +4,7 @@
 #include "core/repair/SeriesRepair.h"
 #include "ui/base/TabOrder.h"
 #include "ui/base/Theme.h"
+#include "ui/widgets/NumberField.h"
 
 #include <QDialogButtonBox>
 #include <QDoubleSpinBox>
@@ -33,9 +34,9 @@ QLabel* smallText(const QString& text, QWidget* parent)
 
 /// Trailing zeros say nothing of a length; and what stands there gives way to what is typed, also
 /// after a click: no digit goes in between the letters of "not said".
-class LengthField : public QDoubleSpinBox {
+class LengthField : public NumberField {
 public:
-    using QDoubleSpinBox::QDoubleSpinBox;
+    using NumberField::NumberField;
     [[nodiscard]] QString textFromValue(double value) const override
     {
         return locale().toString(value, 'g', 10);
@@ -44,7 +45,7 @@ public:
 protected:
     void focusInEvent(QFocusEvent* event) override
     {
-        QDoubleSpinBox::focusInEvent(event);
+        NumberField::focusInEvent(event);
         QTimer::singleShot(0, this, &QDoubleSpinBox::selectAll);
     }
 };

@@ -6,6 +6,7 @@
 #include "ui/base/Theme.h"
 #include "ui/panels/growth/GrowthButtons.h"
 #include "ui/tools/contour/ContourTool.h"
+#include "ui/widgets/NumberField.h"
 #include "ui/widgets/StepSlider.h"
 #include "ui/widgets/ValueField.h"
 #include "ui/workspace/Workspace.h"
@@ -146,7 +147,7 @@ void ContourPanel::buildRule(QFormLayout& form)
         this, "contourGradient", tr("The gradient of an edge that counts half, per millimetre"));
     m_gradient->setRange(0.001, ContourTool::maximumGradient);
     form.addRow(tr("Edge from"), m_gradient);
-    m_generations = new QSpinBox(this);
+    m_generations = new WholeNumberField(this);
     m_generations->setObjectName(QStringLiteral("contourGenerations"));
     m_generations->setFixedHeight(theme::controlHeight);
     m_generations->setKeyboardTracking(false);

@@ -1,45 +1,56 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/panels/growth/GenerationText.h"
 
-#include "core/edits/kinds/EditKinds.h"
-#include "core/edits/kinds/growth/ChangeInterval.h"
-#include "core/edits/kinds/growth/ShrinkSteps.h"
+#include "core/edits/kinds/GrowthKinds.h"
+#include "core/edits/kinds/IsOneOf.h"
 #include "core/session/EditSession.h"
 #include "ui/base/NumberText.h"
 
 #include <QObject>
 
+#include <optional>
+
 namespace ui {
 
 namespace {
 
-QString whatItDid(const core::GrowSteps&)
+// What steps of a growth did, or none: of these only the generation is told.
+
+std::optional<QString> whatItDid(const core::GrowSteps&)
 {
     return QObject::tr("Generation %1 · added %2");
 }
 
-QString whatItDid(const core::ShrinkSteps&)
+std::optional<QString> whatItDid(const core::ShrinkSteps&)
 {
     return QObject::tr("Generation %1 · taken back %2");
 }
 
-QString whatItDid(const core::ChangeInterval&)
+std::optional<QString> whatItDid(const core::ChangeInterval&)
 {
     return QObject::tr("Generation %1 · changed by %2");
+}
+
+template <class E>
+requires core::isOneOf<E, core::SeedStroke, core::BarrierStroke, core::ResumeGrowth, core::ShrinkAt,
+    core::PlugLeak, core::GrowFromSeeds>
+    std::optional<QString> whatItDid(const E&)
+{
+    return std::nullopt;
 }
 
 } // namespace
 
 QString generationText(std::uint32_t generation, const core::HistoryRow* row, double voxelMm3)
 {
-    using Telling = core::EditKinds<core::GrowSteps, core::ShrinkSteps, core::ChangeInterval>;
     QString text = QObject::tr("Generation %1").arg(countText(generation));
     const auto tell = [&](const auto& known) {
-        text = whatItDid(known).arg(
-            countText(generation), millilitreText(row->statistics.voxelsChanged, voxelMm3));
+        if (const std::optional<QString> did = whatItDid(known))
+            text = did->arg(
+                countText(generation), millilitreText(row->statistics.voxelsChanged, voxelMm3));
     };
     if (row)
-        core::visitAmong(tell, row->edit, Telling());
+        core::visitAmong(tell, row->edit, core::GrowthKinds());
     return text;
 }
 

@@ -11,6 +11,7 @@
 #include "ui/panels/growth/PlainLimits.h"
 #include "ui/settings/SeedValues.h"
 #include "ui/widgets/FoldButton.h"
+#include "ui/widgets/NumberField.h"
 #include "ui/widgets/RangeSlider.h"
 #include "ui/workspace/Workspace.h"
 
@@ -141,7 +142,7 @@ void GrowCriteriaSection::build()
 void GrowCriteriaSection::addRow(GrowSettings::Limit GrowSettings::*limit, const char* name,
     const QString& text, const QString& tip)
 {
-    Row row{.limit = limit, .on = new QCheckBox(text, m_body), .value = new QDoubleSpinBox(m_body)};
+    Row row{.limit = limit, .on = new QCheckBox(text, m_body), .value = new NumberField(m_body)};
     row.on->setObjectName(QLatin1String(name));
     row.on->setToolTip(tip);
     row.value->setObjectName(QLatin1String(name) + QStringLiteral("Value"));

@@ -7,6 +7,7 @@
 #include "core/session/StepFindings.h"
 #include "ui/base/NumberText.h"
 #include "ui/base/Theme.h"
+#include "ui/widgets/NumberField.h"
 #include "ui/workspace/Workspace.h"
 
 #include <QCheckBox>
@@ -41,8 +42,8 @@ LeakSection::LeakSection(Workspace& workspace, QWidget* parent)
     : QWidget(parent)
     , m_workspace(workspace)
     , m_guard(new QCheckBox(tr("stop at leaks"), this))
-    , m_factor(new QDoubleSpinBox(this))
-    , m_area(new QDoubleSpinBox(this))
+    , m_factor(new NumberField(this))
+    , m_area(new NumberField(this))
     , m_barriers(new QCheckBox(tr("show barriers"), this))
     , m_offer(new QWidget(this))
     , m_text(new QLabel(m_offer))

@@ -5,6 +5,7 @@
 #include "ui/base/SmallLabel.h"
 #include "ui/base/Theme.h"
 #include "ui/settings/GrowPresets.h"
+#include "ui/widgets/NumberField.h"
 #include "ui/workspace/Workspace.h"
 
 #include <QCheckBox>
@@ -95,7 +96,7 @@ void PlainLimits::build()
     m_necks->setAccessibleName(necksName());
     m_necks->setToolTip(necksTip);
     m_necks->setFont(theme::smallFont());
-    m_width = new QDoubleSpinBox(this);
+    m_width = new NumberField(this);
     m_width->setObjectName(QStringLiteral("growNecksValue"));
     m_width->setAccessibleName(necksName());
     m_width->setToolTip(necksTip);

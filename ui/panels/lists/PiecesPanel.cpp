@@ -8,6 +8,7 @@
 #include "ui/settings/TransferPresets.h"
 #include "ui/views/VolumeView.h"
 #include "ui/widgets/ColorButton.h"
+#include "ui/widgets/NumberField.h"
 #include "ui/workspace/LayerActions.h"
 #include "ui/workspace/Pieces.h"
 #include "ui/workspace/Workspace.h"
@@ -37,7 +38,7 @@ constexpr int mostPieceRows = 5;
 
 QDoubleSpinBox* numberBox(QWidget* parent, double reach, int decimals, const QString& name)
 {
-    auto* box = new QDoubleSpinBox(parent);
+    auto* box = new NumberField(parent);
     box->setRange(-reach, reach);
     box->setDecimals(decimals);
     box->setKeyboardTracking(false);

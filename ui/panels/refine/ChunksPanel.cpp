@@ -8,6 +8,7 @@
 #include "ui/base/Theme.h"
 #include "ui/panels/refine/LikelySection.h"
 #include "ui/texts/ProgressTexts.h"
+#include "ui/widgets/NumberField.h"
 #include "ui/workspace/Chunks.h"
 #include "ui/workspace/Workspace.h"
 
@@ -78,7 +79,7 @@ void ChunksPanel::buildDividing()
     layout()->addWidget(m_whose);
     auto* row = new QHBoxLayout;
     row->setSpacing(theme::smallPadding);
-    m_margin = new QDoubleSpinBox(this);
+    m_margin = new NumberField(this);
     m_margin->setObjectName(QStringLiteral("chunksMargin"));
     m_margin->setAccessibleName(tr("Margin"));
     m_margin->setRange(0.0, 200.0);

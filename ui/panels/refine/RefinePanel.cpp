@@ -10,6 +10,7 @@
 #include "ui/base/SmallLabel.h"
 #include "ui/base/Theme.h"
 #include "ui/panels/refine/DoubtsSection.h"
+#include "ui/widgets/NumberField.h"
 #include "ui/workspace/Refinement.h"
 #include "ui/workspace/Workspace.h"
 
@@ -23,7 +24,6 @@
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QSlider>
-#include <QSpinBox>
 #include <QStackedWidget>
 #include <QVBoxLayout>
 
@@ -85,7 +85,7 @@ QWidget* RefinePanel::buildLaying()
     layout->addWidget(m_whose);
     auto* row = new QHBoxLayout;
     row->setSpacing(theme::smallPadding);
-    m_vertices = new QSpinBox(page);
+    m_vertices = new WholeNumberField(page);
     m_vertices->setObjectName(QStringLiteral("surfaceVertices"));
     m_vertices->setAccessibleName(tr("Vertices"));
     m_vertices->setRange(fewestVertices - vertexStep, core::mostVertices);

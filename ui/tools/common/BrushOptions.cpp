@@ -7,6 +7,7 @@
 #include "ui/tools/common/PaintLimits.h"
 #include "ui/tools/common/PenPressure.h"
 #include "ui/tools/common/SeedOptions.h"
+#include "ui/widgets/NumberField.h"
 
 #include <QComboBox>
 #include <QCoreApplication>
@@ -40,7 +41,7 @@ BrushOptions::BrushOptions(Workspace& workspace, Workspace::Brush brush, QWidget
     : QWidget(parent)
     , m_workspace(workspace)
     , m_brush(brush)
-    , m_radius(new QDoubleSpinBox(this))
+    , m_radius(new NumberField(this))
     , m_shape(new QComboBox(this))
     , m_pressure(pressureButton(this))
 {

@@ -3,6 +3,7 @@
 
 #include "ui/base/StudyTexts.h"
 #include "ui/base/Theme.h"
+#include "ui/widgets/NumberField.h"
 
 #include <QCheckBox>
 #include <QDoubleSpinBox>
@@ -64,7 +65,7 @@ EdgeOptions::EdgeOptions(Workspace& workspace, QWidget* parent)
         tr("Only what is joined to the pen under the brush and differs by no more "
            "than this from the value where the stroke begins. In 3D it does "
            "nothing."));
-    m_tolerance = new QDoubleSpinBox(content);
+    m_tolerance = new NumberField(content);
     m_tolerance->setObjectName(QStringLiteral("brushEdgeTolerance"));
     m_tolerance->setFixedHeight(theme::controlHeight);
     m_tolerance->setKeyboardTracking(false);

@@ -5,6 +5,7 @@
 #include "ui/menus/EditableButton.h"
 #include "ui/tools/common/SeedOptions.h"
 #include "ui/tools/contour/ContourTool.h"
+#include "ui/widgets/NumberField.h"
 #include "ui/workspace/Workspace.h"
 
 #include <QCheckBox>
@@ -20,7 +21,7 @@ ContourOptions::ContourOptions(Workspace& workspace, ContourTool& tool, QWidget*
     , m_workspace(workspace)
     , m_tool(tool)
     , m_start(new QComboBox(this))
-    , m_bubble(new QDoubleSpinBox(this))
+    , m_bubble(new NumberField(this))
     , m_overwrite(new QCheckBox(tr("over others"), this))
 {
     m_start->setObjectName(QStringLiteral("contourStart"));

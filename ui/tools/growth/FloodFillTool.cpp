@@ -9,6 +9,7 @@
 #include "ui/menus/EditableButton.h"
 #include "ui/tools/aim/CursorLabel.h"
 #include "ui/tools/common/SeedOptions.h"
+#include "ui/widgets/NumberField.h"
 #include "ui/workspace/SegmentActions.h"
 #include "ui/workspace/Workspace.h"
 
@@ -43,7 +44,7 @@ struct FloodOptions {
 
 FloodOptions floodOptions(QWidget* parent)
 {
-    FloodOptions options{new QComboBox(parent), new QDoubleSpinBox(parent),
+    FloodOptions options{new QComboBox(parent), new NumberField(parent),
         new QCheckBox(FloodFillTool::tr("corners"), parent),
         new QCheckBox(FloodFillTool::tr("over others"), parent)};
     options.reach->setObjectName(QStringLiteral("floodReach"));

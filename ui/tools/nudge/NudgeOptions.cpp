@@ -6,6 +6,7 @@
 #include "ui/tools/common/PaintLimits.h"
 #include "ui/tools/common/SeedOptions.h"
 #include "ui/tools/nudge/NudgeTool.h"
+#include "ui/widgets/NumberField.h"
 
 #include <QCheckBox>
 #include <QDoubleSpinBox>
@@ -18,7 +19,7 @@ namespace ui {
 NudgeOptions::NudgeOptions(Workspace& workspace, NudgeTool& tool, QWidget* parent)
     : QWidget(parent)
     , m_tool(tool)
-    , m_radius(new QDoubleSpinBox(this))
+    , m_radius(new NumberField(this))
     , m_fits(new QCheckBox(tr("fit to border"), this))
 {
     m_radius->setObjectName(QStringLiteral("nudgeRadius"));

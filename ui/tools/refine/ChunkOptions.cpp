@@ -2,6 +2,7 @@
 #include "ui/tools/refine/ChunkOptions.h"
 
 #include "ui/base/Theme.h"
+#include "ui/widgets/NumberField.h"
 #include "ui/workspace/Chunks.h"
 #include "ui/workspace/Workspace.h"
 
@@ -16,7 +17,7 @@ namespace ui {
 ChunkOptions::ChunkOptions(Workspace& workspace, QWidget* parent)
     : QWidget(parent)
     , m_workspace(workspace)
-    , m_count(new QSpinBox(this))
+    , m_count(new WholeNumberField(this))
     , m_bodies(new QComboBox(this))
 {
     auto* layout = new QHBoxLayout(this);

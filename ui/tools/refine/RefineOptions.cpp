@@ -4,6 +4,7 @@
 #include "ui/base/Theme.h"
 #include "ui/tools/common/PenPressure.h"
 #include "ui/tools/refine/RefineTool.h"
+#include "ui/widgets/NumberField.h"
 #include "ui/workspace/Refinement.h"
 
 #include <QButtonGroup>
@@ -39,7 +40,7 @@ RefineOptions::RefineOptions(Workspace& workspace, QWidget* parent)
     , m_workspace(workspace)
     , m_modes(new QButtonGroup(this))
     , m_mark(new QComboBox(this))
-    , m_radius(new QDoubleSpinBox(this))
+    , m_radius(new NumberField(this))
     , m_pressure(pressureButton(this))
 {
     auto* layout = new QHBoxLayout(this);

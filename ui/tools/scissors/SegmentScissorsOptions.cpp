@@ -5,6 +5,7 @@
 #include "ui/tools/common/PaintLimits.h"
 #include "ui/tools/common/SeedOptions.h"
 #include "ui/tools/scissors/SegmentScissorsTool.h"
+#include "ui/widgets/NumberField.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -28,7 +29,7 @@ SegmentScissorsOptions::SegmentScissorsOptions(
     , m_seeds(new SeedOptions(workspace, {}, this))
     , m_does(new QComboBox(this))
     , m_shape(new QComboBox(this))
-    , m_depth(new QDoubleSpinBox(this))
+    , m_depth(new NumberField(this))
     , m_allShown(new QCheckBox(tr("all shown"), this))
 {
     nameChoices();

@@ -9,6 +9,7 @@
 #include "ui/tools/common/PenMenu.h"
 #include "ui/tools/sculpt/ToolMaskPresetMenu.h"
 #include "ui/widgets/FittingLabel.h"
+#include "ui/widgets/NumberField.h"
 #include "ui/workspace/Workspace.h"
 
 #include <QCheckBox>
@@ -26,7 +27,7 @@ namespace {
 
 QDoubleSpinBox* millimetreBox(QWidget* parent, double minimum, double maximum, const QString& name)
 {
-    auto* box = new QDoubleSpinBox(parent);
+    auto* box = new NumberField(parent);
     box->setObjectName(name);
     box->setRange(minimum, maximum);
     box->setDecimals(1);
@@ -69,8 +70,8 @@ DrillOptions::DrillOptions(Workspace& workspace, Of tool, QWidget* parent)
     , m_shape(new QComboBox(this))
     , m_outline(new QToolButton(this))
     , m_radius(millimetreBox(this, minimumRadiusMm, maximumRadiusMm, QStringLiteral("drillRadius")))
-    , m_height(new QDoubleSpinBox(this))
-    , m_turn(new QDoubleSpinBox(this))
+    , m_height(new NumberField(this))
+    , m_turn(new NumberField(this))
     , m_softness(millimetreBox(this, 0.0, maximumSoftnessMm, QStringLiteral("drillSoftness")))
     , m_mode(new QComboBox(this))
     , m_depth(millimetreBox(this, minimumDepthMm, maximumDepthMm, QStringLiteral("drillDepth")))

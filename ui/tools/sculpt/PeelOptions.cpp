@@ -3,6 +3,7 @@
 
 #include "ui/base/Theme.h"
 #include "ui/tools/sculpt/PeelTool.h"
+#include "ui/widgets/NumberField.h"
 
 #include <QCheckBox>
 #include <QDoubleSpinBox>
@@ -27,10 +28,10 @@ PeelOptions::PeelOptions(PeelTool& tool, QWidget* parent)
     : QWidget(parent)
     , m_tool(tool)
     , m_slider(new QSlider(Qt::Horizontal, this))
-    , m_depth(new QDoubleSpinBox(this))
+    , m_depth(new NumberField(this))
     , m_keep(new QPushButton(tr("Keep"), this))
     , m_through(new QCheckBox(tr("through gaps"), this))
-    , m_jump(new QDoubleSpinBox(this))
+    , m_jump(new NumberField(this))
 {
     m_slider->setObjectName(QStringLiteral("peelSlider"));
     m_slider->setRange(

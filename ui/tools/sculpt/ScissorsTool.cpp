@@ -5,6 +5,7 @@
 #include "ui/base/DisplayJson.h"
 #include "ui/base/NumberText.h"
 #include "ui/base/Theme.h"
+#include "ui/widgets/NumberField.h"
 #include "ui/workspace/Workspace.h"
 
 #include <QCheckBox>
@@ -41,7 +42,7 @@ QWidget* ScissorsTool::createOptions(QWidget* parent)
     auto* options = new QWidget(parent);
     auto* limited = new QCheckBox(tr("No deeper than"), options);
     limited->setObjectName(QStringLiteral("scissorsLimited"));
-    auto* depth = new QDoubleSpinBox(options);
+    auto* depth = new NumberField(options);
     depth->setObjectName(QStringLiteral("scissorsDepth"));
     depth->setRange(minimumDepthMm, maximumDepthMm);
     depth->setDecimals(1);
