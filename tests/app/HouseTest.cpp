@@ -385,10 +385,10 @@ QStringList brokenRules(const QString& file, const QString& text)
     static const QRegularExpression spinBox(
         QStringLiteral("\\b(?:new|public)\\s+Q(?:Double)?SpinBox\\b"));
     if (inFolder(file, {QStringLiteral("ui"), QStringLiteral("app")})
-        && file != QLatin1String("ui/widgets/NumberField.h")
+        && file != QLatin1String("ui/widgets/fields/NumberField.h")
         && spinBox.match(QString(text).remove(comment)).hasMatch())
         broken << QStringLiteral("%1 has a field that writes no true minus sign: "
-                                 "ui/widgets/NumberField does")
+                                 "ui/widgets/fields/NumberField does")
                       .arg(file);
     static const QRegularExpression testClass(
         QStringLiteral("^BURIN_(?:WINDOW_|PLAIN_)?TEST(?:_RUN)?\\((\\w)(\\w*)"),
@@ -676,7 +676,7 @@ void HouseTest::ruleBites_data()
     row("ui/A.cpp", "m_days = new QSpinBox(this);", false);
     row("ui/A.cpp", "class LengthField : public QDoubleSpinBox {", false);
     row("ui/A.cpp", "auto* box = findChild<QDoubleSpinBox*>();\n// new QSpinBox", true);
-    row("ui/widgets/NumberField.h", "class NumberField : public QDoubleSpinBox {", true);
+    row("ui/widgets/fields/NumberField.h", "class NumberField : public QDoubleSpinBox {", true);
     row("ui/A.cpp", "A::~A()\n{\n    if (m_b) {\n        m_b = {};\n    }\n    Q_EMIT ended();\n}",
         false);
     row("ui/A.cpp", "A::~A()\n{\n    stop();\n}\n\nvoid A::end()\n{\n    Q_EMIT ended();\n}", true);

@@ -2,7 +2,7 @@
 #include "ui/menus/EditableSection.h"
 
 #include "ui/base/Theme.h"
-#include "ui/widgets/ValueField.h"
+#include "ui/widgets/fields/ValueField.h"
 
 #include <QCheckBox>
 #include <QComboBox>

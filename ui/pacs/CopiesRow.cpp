@@ -3,7 +3,7 @@
 
 #include "ui/base/Theme.h"
 #include "ui/pacs/PacsCache.h"
-#include "ui/widgets/NumberField.h"
+#include "ui/widgets/fields/NumberField.h"
 
 #include <QHBoxLayout>
 #include <QLabel>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/pacs/SourcesDialog.h"
 #include "ui/base/TabOrder.h"
-#include "ui/widgets/NumberField.h"
 #include "ui/widgets/StateLine.h"
+#include "ui/widgets/fields/NumberField.h"
 
 #include "ui/base/ErrorText.h"
 #include "ui/base/Icons.h"

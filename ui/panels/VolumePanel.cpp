@@ -4,7 +4,7 @@
 #include "ui/base/Theme.h"
 #include "ui/frame/TransferFunctionEditor.h"
 #include "ui/settings/TransferPresets.h"
-#include "ui/widgets/NumberField.h"
+#include "ui/widgets/fields/NumberField.h"
 #include "ui/workspace/InitialDisplay.h"
 #include "ui/workspace/Workspace.h"
 

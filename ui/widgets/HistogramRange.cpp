@@ -4,7 +4,7 @@
 #include "ui/base/NumberText.h"
 #include "ui/base/Theme.h"
 #include "ui/widgets/HistogramRangePlot.h"
-#include "ui/widgets/NumberField.h"
+#include "ui/widgets/fields/NumberField.h"
 
 #include <QDoubleSpinBox>
 #include <QGridLayout>

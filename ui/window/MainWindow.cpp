@@ -23,7 +23,7 @@
 #include "ui/settings/RecentStudies.h"
 #include "ui/tasks/MaskImporter.h"
 #include "ui/views/ViewGrid.h"
-#include "ui/widgets/FieldManners.h"
+#include "ui/widgets/fields/FieldManners.h"
 #include "ui/window/BookmarkMenu.h"
 #include "ui/window/OptionBar.h"
 #include "ui/window/PlaneActions.h"

@@ -239,7 +239,7 @@ QString FilesWrittenUiTest::kindOf(
     const QString dialogs = m_home.path(QStringLiteral("config/QtProject.conf"));
     if (path == dialogs || path == dialogs + QStringLiteral(".lock")
         || (event.what == "unnamed" && path == m_home.path(QStringLiteral("config")))
-        || (event.what == "link" && event.more == dialogs)
+        || (event.what == "link" && event.more.startsWith(dialogs))
         || (event.what == "rename" && event.more == dialogs))
         return QStringLiteral("which folders Qt's dialogs showed");
     // Qt writes settings into a file without a name, and then gives it one.

@@ -11,7 +11,7 @@
 #include "ui/dialogs/study/StudyBlock.h"
 #include "ui/texts/ClauseText.h"
 #include "ui/texts/ReportTexts.h"
-#include "ui/widgets/NumberField.h"
+#include "ui/widgets/fields/NumberField.h"
 #include "ui/workspace/Workspace.h"
 
 #include <QDoubleSpinBox>

@@ -2,7 +2,7 @@
 #include "ui/dialogs/export/DeidentifyBox.h"
 
 #include "ui/base/Theme.h"
-#include "ui/widgets/NumberField.h"
+#include "ui/widgets/fields/NumberField.h"
 
 #include <QCheckBox>
 #include <QComboBox>

@@ -6,7 +6,7 @@
 #include "ui/dialogs/segment/SegmentWorkRow.h"
 #include "ui/menus/EditableButton.h"
 #include "ui/menus/SegmentMenus.h"
-#include "ui/widgets/NumberField.h"
+#include "ui/widgets/fields/NumberField.h"
 #include "ui/workspace/SegmentActions.h"
 #include "ui/workspace/Workspace.h"
 

@@ -6,7 +6,7 @@
 #include "ui/base/NumberText.h"
 #include "ui/base/Theme.h"
 #include "ui/menus/SegmentMenus.h"
-#include "ui/widgets/NumberField.h"
+#include "ui/widgets/fields/NumberField.h"
 #include "ui/workspace/SegmentActions.h"
 #include "ui/workspace/Workspace.h"
 

@@ -3,7 +3,7 @@
 
 #include "ui/base/Theme.h"
 #include "ui/settings/HistoryMemory.h"
-#include "ui/widgets/NumberField.h"
+#include "ui/widgets/fields/NumberField.h"
 #include "ui/workspace/Workspace.h"
 
 #include <QDialogButtonBox>

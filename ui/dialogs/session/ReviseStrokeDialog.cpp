@@ -6,7 +6,7 @@
 #include "core/edits/schema/HistorySchema.h"
 #include "core/edits/sculpt/SculptEdits.h"
 #include "core/history/StandingStrokes.h"
-#include "ui/widgets/NumberField.h"
+#include "ui/widgets/fields/NumberField.h"
 
 #include <QCheckBox>
 #include <QComboBox>

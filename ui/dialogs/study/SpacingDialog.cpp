@@ -4,7 +4,7 @@
 #include "core/repair/SeriesRepair.h"
 #include "ui/base/TabOrder.h"
 #include "ui/base/Theme.h"
-#include "ui/widgets/NumberField.h"
+#include "ui/widgets/fields/NumberField.h"
 
 #include <QDialogButtonBox>
 #include <QDoubleSpinBox>

@@ -6,9 +6,9 @@
 #include "ui/base/Theme.h"
 #include "ui/panels/growth/GrowthButtons.h"
 #include "ui/tools/contour/ContourTool.h"
-#include "ui/widgets/NumberField.h"
 #include "ui/widgets/StepSlider.h"
-#include "ui/widgets/ValueField.h"
+#include "ui/widgets/fields/NumberField.h"
+#include "ui/widgets/fields/ValueField.h"
 #include "ui/workspace/Workspace.h"
 
 #include <QCheckBox>

@@ -11,8 +11,8 @@
 #include "ui/panels/growth/PlainLimits.h"
 #include "ui/settings/SeedValues.h"
 #include "ui/widgets/FoldButton.h"
-#include "ui/widgets/NumberField.h"
 #include "ui/widgets/RangeSlider.h"
+#include "ui/widgets/fields/NumberField.h"
 #include "ui/workspace/Workspace.h"
 
 #include <QCheckBox>

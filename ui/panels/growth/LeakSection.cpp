@@ -7,7 +7,7 @@
 #include "core/session/StepFindings.h"
 #include "ui/base/NumberText.h"
 #include "ui/base/Theme.h"
-#include "ui/widgets/NumberField.h"
+#include "ui/widgets/fields/NumberField.h"
 #include "ui/workspace/Workspace.h"
 
 #include <QCheckBox>

@@ -5,7 +5,7 @@
 #include "ui/base/SmallLabel.h"
 #include "ui/base/Theme.h"
 #include "ui/settings/GrowPresets.h"
-#include "ui/widgets/NumberField.h"
+#include "ui/widgets/fields/NumberField.h"
 #include "ui/workspace/Workspace.h"
 
 #include <QCheckBox>

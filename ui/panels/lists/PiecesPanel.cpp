@@ -8,7 +8,7 @@
 #include "ui/settings/TransferPresets.h"
 #include "ui/views/VolumeView.h"
 #include "ui/widgets/ColorButton.h"
-#include "ui/widgets/NumberField.h"
+#include "ui/widgets/fields/NumberField.h"
 #include "ui/workspace/LayerActions.h"
 #include "ui/workspace/Pieces.h"
 #include "ui/workspace/Workspace.h"

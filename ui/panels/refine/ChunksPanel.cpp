@@ -8,7 +8,7 @@
 #include "ui/base/Theme.h"
 #include "ui/panels/refine/LikelySection.h"
 #include "ui/texts/ProgressTexts.h"
-#include "ui/widgets/NumberField.h"
+#include "ui/widgets/fields/NumberField.h"
 #include "ui/workspace/Chunks.h"
 #include "ui/workspace/Workspace.h"
 

@@ -10,7 +10,7 @@
 #include "ui/base/SmallLabel.h"
 #include "ui/base/Theme.h"
 #include "ui/panels/refine/DoubtsSection.h"
-#include "ui/widgets/NumberField.h"
+#include "ui/widgets/fields/NumberField.h"
 #include "ui/workspace/Refinement.h"
 #include "ui/workspace/Workspace.h"
 

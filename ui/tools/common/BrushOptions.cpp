@@ -7,7 +7,7 @@
 #include "ui/tools/common/PaintLimits.h"
 #include "ui/tools/common/PenPressure.h"
 #include "ui/tools/common/SeedOptions.h"
-#include "ui/widgets/NumberField.h"
+#include "ui/widgets/fields/NumberField.h"
 
 #include <QComboBox>
 #include <QCoreApplication>

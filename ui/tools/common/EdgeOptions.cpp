@@ -3,7 +3,7 @@
 
 #include "ui/base/StudyTexts.h"
 #include "ui/base/Theme.h"
-#include "ui/widgets/NumberField.h"
+#include "ui/widgets/fields/NumberField.h"
 
 #include <QCheckBox>
 #include <QDoubleSpinBox>

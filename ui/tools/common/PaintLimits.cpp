@@ -4,7 +4,7 @@
 #include "ui/base/StudyTexts.h"
 #include "ui/base/Theme.h"
 #include "ui/menus/EditableSection.h"
-#include "ui/widgets/ValueField.h"
+#include "ui/widgets/fields/ValueField.h"
 
 #include <QCheckBox>
 #include <QDoubleSpinBox>

@@ -5,7 +5,7 @@
 #include "ui/menus/EditableButton.h"
 #include "ui/tools/common/SeedOptions.h"
 #include "ui/tools/contour/ContourTool.h"
-#include "ui/widgets/NumberField.h"
+#include "ui/widgets/fields/NumberField.h"
 #include "ui/workspace/Workspace.h"
 
 #include <QCheckBox>

@@ -9,7 +9,7 @@
 #include "ui/menus/EditableButton.h"
 #include "ui/tools/aim/CursorLabel.h"
 #include "ui/tools/common/SeedOptions.h"
-#include "ui/widgets/NumberField.h"
+#include "ui/widgets/fields/NumberField.h"
 #include "ui/workspace/SegmentActions.h"
 #include "ui/workspace/Workspace.h"
 

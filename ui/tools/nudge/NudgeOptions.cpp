@@ -6,7 +6,7 @@
 #include "ui/tools/common/PaintLimits.h"
 #include "ui/tools/common/SeedOptions.h"
 #include "ui/tools/nudge/NudgeTool.h"
-#include "ui/widgets/NumberField.h"
+#include "ui/widgets/fields/NumberField.h"
 
 #include <QCheckBox>
 #include <QDoubleSpinBox>

@@ -2,7 +2,7 @@
 #include "ui/tools/refine/ChunkOptions.h"
 
 #include "ui/base/Theme.h"
-#include "ui/widgets/NumberField.h"
+#include "ui/widgets/fields/NumberField.h"
 #include "ui/workspace/Chunks.h"
 #include "ui/workspace/Workspace.h"
 

@@ -4,7 +4,7 @@
 #include "ui/base/Theme.h"
 #include "ui/tools/common/PenPressure.h"
 #include "ui/tools/refine/RefineTool.h"
-#include "ui/widgets/NumberField.h"
+#include "ui/widgets/fields/NumberField.h"
 #include "ui/workspace/Refinement.h"
 
 #include <QButtonGroup>

@@ -5,7 +5,7 @@
 #include "ui/tools/common/PaintLimits.h"
 #include "ui/tools/common/SeedOptions.h"
 #include "ui/tools/scissors/SegmentScissorsTool.h"
-#include "ui/widgets/NumberField.h"
+#include "ui/widgets/fields/NumberField.h"
 
 #include <QCheckBox>
 #include <QComboBox>

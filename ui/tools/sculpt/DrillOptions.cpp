@@ -9,7 +9,7 @@
 #include "ui/tools/common/PenMenu.h"
 #include "ui/tools/sculpt/ToolMaskPresetMenu.h"
 #include "ui/widgets/FittingLabel.h"
-#include "ui/widgets/NumberField.h"
+#include "ui/widgets/fields/NumberField.h"
 #include "ui/workspace/Workspace.h"
 
 #include <QCheckBox>

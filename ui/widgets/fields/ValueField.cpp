@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ui/widgets/ValueField.h"
+#include "ui/widgets/fields/ValueField.h"
 
 #include "ui/base/Theme.h"
-#include "ui/widgets/NumberField.h"
+#include "ui/widgets/fields/NumberField.h"
 
 #include <QDoubleSpinBox>
 

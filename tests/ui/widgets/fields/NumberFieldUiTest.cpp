@@ -2,7 +2,7 @@
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/program/TestProgram.h"
 #include "ui/base/NumberText.h"
-#include "ui/widgets/NumberField.h"
+#include "ui/widgets/fields/NumberField.h"
 
 #include <QApplication>
 #include <QClipboard>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/program/TestProgram.h"
-#include "ui/widgets/FieldManners.h"
+#include "ui/widgets/fields/FieldManners.h"
 
 #include <QAction>
 #include <QComboBox>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ui/widgets/NumberField.h"
+#include "ui/widgets/fields/NumberField.h"
 
 #include "ui/base/NumberText.h"
 

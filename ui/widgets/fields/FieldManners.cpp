@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ui/widgets/FieldManners.h"
+#include "ui/widgets/fields/FieldManners.h"
 
 #include <QAbstractSlider>
 #include <QAbstractSpinBox>
