@@ -14,7 +14,7 @@ namespace ui {
 
 namespace {
 
-constexpr double handleRadius = 6.0;
+constexpr double knobRadius = 6.0;
 constexpr double captionHeight = 20.0;
 constexpr double tickHeight = 8.0;
 constexpr double leastTickDistance = 4.0; ///< closer ones run into a bar
@@ -84,7 +84,7 @@ void StepSlider::paintEvent(QPaintEvent*)
     }
     painter.setPen(hasFocus() ? QPen(theme::accent, 2.0) : QPen(theme::panel, 2.0));
     painter.setBrush(theme::text);
-    painter.drawEllipse(QPointF(now, y), handleRadius, handleRadius);
+    painter.drawEllipse(QPointF(now, y), knobRadius, knobRadius);
 }
 
 void StepSlider::mousePressEvent(QMouseEvent* event)
