@@ -94,6 +94,8 @@ private Q_SLOTS:
         workspace().setActiveTool(nullptr);
         edit(test::paintAt(1, {middle - glm::dvec3(7.0, 0.0, 0.0)}, 3.0));
         QTRY_VERIFY(strip().next() == Step::Compare);
+        QVERIFY(test::waitUntilDrawn(window(), workspace()));
+        test::look(window().grab(), "mending-strip.png");
 
         click("mendingCompare");
         QTRY_VERIFY_WITH_TIMEOUT(strip().next() == Step::Export, patience);
