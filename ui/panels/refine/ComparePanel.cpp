@@ -64,7 +64,9 @@ ComparePanel::ComparePanel(Workspace& workspace, QWidget* parent)
     m_what->setProperty("role", QStringLiteral("secondary"));
     m_what->setWordWrap(true);
     layout->addWidget(m_what);
-    auto* grid = new QGridLayout;
+    m_figures = new QWidget(this);
+    auto* grid = new QGridLayout(m_figures);
+    grid->setContentsMargins(0, 0, 0, 0);
     grid->setHorizontalSpacing(8);
     grid->setVerticalSpacing(4);
     grid->setColumnStretch(1, 1);
@@ -83,15 +85,15 @@ ComparePanel::ComparePanel(Workspace& workspace, QWidget* parent)
             tr("So far 95 % of either surface are from the other one at most (HD95)")},
         Row{"compareMean", tr("Mean distance"), tr("Of both surfaces from one another")}};
     for (std::size_t i = 0; i < rows.size(); ++i) {
-        QLabel* name = smallLabel(rows[i].text, this);
+        QLabel* name = smallLabel(rows[i].text, m_figures);
         name->setToolTip(rows[i].tip);
-        m_values[i] = smallLabel({}, this);
+        m_values[i] = smallLabel({}, m_figures);
         m_values[i]->setObjectName(QLatin1String(rows[i].name));
         m_values[i]->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
         grid->addWidget(name, int(i), 0);
         grid->addWidget(m_values[i], int(i), 1);
     }
-    layout->addLayout(grid);
+    layout->addWidget(m_figures);
 
     connect(m_open, &QPushButton::clicked, this, &ComparePanel::ask);
     connect(m_imported, &QPushButton::clicked, &m_comparison, &LiveComparison::takeImported);
@@ -160,6 +162,8 @@ void ComparePanel::show()
     m_reference->addItems(m_comparison.references());
     m_reference->setCurrentIndex(m_comparison.chosen());
     m_reference->setEnabled(m_reference->count() > 1);
+    m_reference->setVisible(m_reference->count() > 0);
+    m_figures->setVisible(m_comparison.chosen() >= 0);
     m_reference->setToolTip(m_comparison.path());
     allow();
     m_what->setText(whatIsCompared());

@@ -43,6 +43,7 @@ private:
     QPushButton* m_imported = nullptr;
     QComboBox* m_reference = nullptr;
     QLabel* m_what = nullptr;
+    QWidget* m_figures = nullptr; ///< hidden until there is a reference
     std::array<QLabel*, 6> m_values{}; ///< added, taken, relative volume error, Dice, 95 %, mean
 };
 

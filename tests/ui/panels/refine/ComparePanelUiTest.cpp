@@ -11,6 +11,7 @@
 #include "tests/support/scenes/PlainEdits.h"
 #include "ui/panels/refine/ComparePanel.h"
 
+#include <QComboBox>
 #include <QFile>
 #include <QLabel>
 #include <QLocale>
@@ -122,8 +123,13 @@ private Q_SLOTS:
         CompareFixture fixture;
         auto* imported = fixture.panel.findChild<QPushButton*>(QStringLiteral("compareImported"));
         QVERIFY(imported->isEnabled());
+        // What has nothing to say does not stand there.
+        const auto* added = fixture.panel.findChild<QLabel*>(QStringLiteral("compareAdded"));
+        const auto* list = fixture.panel.findChild<QComboBox*>(QStringLiteral("compareReference"));
+        QVERIFY(!added->isVisibleTo(&fixture.panel) && !list->isVisibleTo(&fixture.panel));
         imported->click();
         QTRY_VERIFY(fixture.upToDate());
+        QVERIFY(added->isVisibleTo(&fixture.panel) && list->isVisibleTo(&fixture.panel));
         QVERIFY(fixture.panel.comparison().isImported());
         QCOMPARE(fixture.outcome().dice, 1.0);
         QCOMPARE(fixture.panel.comparison().references(), QStringList{QStringLiteral("Ball")});
