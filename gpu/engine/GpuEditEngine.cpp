@@ -97,6 +97,8 @@ void GpuEditEngine::lose(const core::Error& why)
         qUtf8Printable(why.arguments.join(QStringLiteral(": "))));
     close();
     m_lost = core::Error{core::ErrorCode::EngineLost, why.arguments};
+    if (why.code == core::ErrorCode::OutOfMemory)
+        m_lost->arguments = {core::Clause::saying("not enough memory: %1", why.arguments.value(0))};
     if (why.code != core::ErrorCode::ContextLost)
         return;
     m_idleWork.stop();

@@ -246,7 +246,10 @@ Result<void> SessionDatabase::beginWriting()
     if (!run(QStringLiteral("PRAGMA journal_mode=") + journal)
         || !run(QStringLiteral("PRAGMA synchronous=FULL")))
         return failed();
-    return {};
+    // The file says from now on that its last writes are in the one beside it, which SQLite makes
+    // at the first access only: until then a program that is killed would leave a session that
+    // seems to lack something.
+    return m_connection.number("user_version") < 0 ? failed() : Result<void>();
 }
 
 bool SessionDatabase::run(const QString& sql, const QVariantList& values)

@@ -132,6 +132,20 @@ private Q_SLOTS:
         QCOMPARE(int(head[18]), 1); // rollback journal, not WAL
     }
 
+    /// The file of an open session says that more is beside it: that must be there, too, before
+    /// the first step, or a session whose program is killed by then seems to lack something.
+    void whatIsBesideAnOpenSessionIsThereFromTheStart()
+    {
+        const QString beside = m_path + QStringLiteral("-wal");
+        Opened opened;
+        opened.session = *EditSession::create(opened.engine, test::smallStudy(), {.file = m_path});
+        QVERIFY(QFile::exists(beside));
+        opened.session.reset();
+        QVERIFY(!QFile::exists(beside));
+        QVERIFY(openSession(opened, m_path));
+        QVERIFY(QFile::exists(beside));
+    }
+
     void nothingIsLostInACrash()
     {
         reference::ReferenceEngine engine;
