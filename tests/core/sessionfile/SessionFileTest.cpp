@@ -5,6 +5,7 @@
 #include "core/session/SessionKeyframes.h"
 #include "core/session/SessionStorage.h"
 #include "core/sessionfile/HistoryListing.h"
+#include "core/sessionfile/records/SessionDatabase.h"
 #include "core/study/StudyLoader.h"
 #include "tests/reference/ReferenceEngine.h"
 #include "tests/support/faults/FailingLog.h"
@@ -137,13 +138,12 @@ private Q_SLOTS:
     void whatIsBesideAnOpenSessionIsThereFromTheStart()
     {
         const QString beside = m_path + QStringLiteral("-wal");
-        Opened opened;
-        opened.session = *EditSession::create(opened.engine, test::smallStudy(), {.file = m_path});
-        QVERIFY(QFile::exists(beside));
-        opened.session.reset();
+        auto database = SessionDatabase::create(m_path);
+        QVERIFY(database && QFile::exists(beside));
+        database->reset();
         QVERIFY(!QFile::exists(beside));
-        QVERIFY(openSession(opened, m_path));
-        QVERIFY(QFile::exists(beside));
+        database = SessionDatabase::open(m_path, false);
+        QVERIFY(database && QFile::exists(beside));
     }
 
     void nothingIsLostInACrash()
