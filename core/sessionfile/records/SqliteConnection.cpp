@@ -45,6 +45,9 @@ bool hardenHandle(sqlite3* handle)
     if (!handle)
         return false;
     sqlite3_db_config(handle, SQLITE_DBCONFIG_DEFENSIVE, 1, nullptr);
+    // Whoever cannot leave WAL in order, for want of memory or of a disk, leaves the file of last
+    // writes where it is: closing alone would take it away, and the session would still ask for it.
+    sqlite3_db_config(handle, SQLITE_DBCONFIG_NO_CKPT_ON_CLOSE, 1, nullptr);
     sqlite3_db_config(handle, SQLITE_DBCONFIG_ENABLE_TRIGGER, 0, nullptr);
     sqlite3_db_config(handle, SQLITE_DBCONFIG_ENABLE_VIEW, 0, nullptr);
     sqlite3_limit(handle, SQLITE_LIMIT_LENGTH, mostBytes);
