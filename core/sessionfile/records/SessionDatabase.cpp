@@ -63,7 +63,8 @@ void SessionDatabase::leaveWal()
     }
 }
 
-Result<std::unique_ptr<SessionDatabase>> SessionDatabase::create(const QString& path)
+Result<std::unique_ptr<SessionDatabase>> SessionDatabase::create(
+    const QString& path, const std::function<bool(SessionDatabase&)>& begin)
 {
     std::unique_ptr<SessionDatabase> database(new SessionDatabase(path));
     Result<SessionUse> use = SessionUse::begin(path);
@@ -75,9 +76,10 @@ Result<std::unique_ptr<SessionDatabase>> SessionDatabase::create(const QString& 
     if (database->m_connection.isForReading())
         return failure(ErrorCode::FileUnwritable, path, notForWriting);
     // The tables are made in rollback mode, so that the file alone is a session from the start.
-    const bool made = database->transaction([&database] {
+    const bool made = database->transaction([&database, &begin] {
         return createSessionTables(database->m_connection)
-            && database->run(QStringLiteral("PRAGMA application_id=%1").arg(applicationId));
+            && database->run(QStringLiteral("PRAGMA application_id=%1").arg(applicationId))
+            && begin(*database);
     });
     if (!made)
         return database->failed();

@@ -24,8 +24,12 @@ class SessionDatabase {
 public:
     static constexpr int applicationId = 0x4275726E; // "Burn"
 
+    /// Makes the tables, and in the same transaction calls @p begin, which writes what the file
+    /// holds from the start: a program that is killed leaves an empty file, or one that holds it.
+    /// @param begin false: it could not be written, see reason()
     /// @pre the file exists and is empty
-    static Result<std::unique_ptr<SessionDatabase>> create(const QString& path);
+    static Result<std::unique_ptr<SessionDatabase>> create(
+        const QString& path, const std::function<bool(SessionDatabase&)>& begin);
     /// @param readOnly neither the file nor its folder is changed; a file that is in use or was not
     /// closed is read from a private copy. A file that is cut off can only be read.
     static Result<std::unique_ptr<SessionDatabase>> open(const QString& path, bool readOnly);

@@ -116,7 +116,9 @@ Result<void> writeImages(const QString& path, const LoadedVolume& study, const P
     const Result<KeptHeaders> headers = headersOf(volume, progress);
     if (!headers)
         return tl::unexpected(headers.error());
-    const Result<std::unique_ptr<SessionDatabase>> made = SessionDatabase::create(path);
+    // The source is written last: without it the file is no session, whatever pieces are there.
+    const Result<std::unique_ptr<SessionDatabase>> made =
+        SessionDatabase::create(path, [](SessionDatabase&) { return true; });
     if (!made)
         return tl::unexpected(made.error());
     SessionDatabase& database = **made;

@@ -56,16 +56,16 @@ SessionTables::SessionTables(QString path)
 
 Result<void> SessionTables::create(const SessionSource& source)
 {
-    Result<std::unique_ptr<SessionDatabase>> made = SessionDatabase::create(m_path);
+    const QString json = compact(source.toJson());
+    const auto begin = [&json](SessionDatabase& database) {
+        return database.run(QStringLiteral("INSERT INTO source (id, json) VALUES (1, ?)"), {json});
+    };
+    Result<std::unique_ptr<SessionDatabase>> made = SessionDatabase::create(m_path, begin);
     if (!made)
         return tl::unexpected(made.error());
     m_database = *std::move(made);
-    const QString json = compact(source.toJson());
     m_chains = {firstChain(json)};
-    return write([&] {
-        return m_database->run(
-            QStringLiteral("INSERT INTO source (id, json) VALUES (1, ?)"), {json});
-    });
+    return {};
 }
 
 Result<SessionContents> SessionTables::open(SessionAccess access)
