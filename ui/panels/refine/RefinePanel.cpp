@@ -24,7 +24,6 @@
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QSlider>
-#include <QStackedWidget>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -49,14 +48,15 @@ QString areaText(double areaMm2)
 RefinePanel::RefinePanel(Workspace& workspace, QWidget* parent)
     : Panel(parent)
     , m_workspace(workspace)
-    , m_pages(new QStackedWidget(this))
 {
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(
         theme::padding, theme::smallPadding, theme::padding, theme::smallPadding);
-    layout->addWidget(m_pages);
-    m_pages->addWidget(buildLaying());
-    m_pages->addWidget(buildRefining());
+    // Not as pages of a stack, which is always as tall as the tallest.
+    m_laying = buildLaying();
+    m_refining = buildRefining();
+    layout->addWidget(m_laying);
+    layout->addWidget(m_refining);
     m_abort = new QPushButton(tr("Abort"), this);
     m_abort->setObjectName(QStringLiteral("abortSurface"));
     m_abort->setToolTip(tr("Nothing changes"));
@@ -76,15 +76,13 @@ RefinePanel::RefinePanel(Workspace& workspace, QWidget* parent)
 
 QWidget* RefinePanel::buildLaying()
 {
-    auto* page = new QWidget(m_pages);
+    auto* page = new QWidget(this);
     auto* layout = new QVBoxLayout(page);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(theme::smallPadding);
     m_whose = smallText({}, page);
     m_whose->setProperty("role", QStringLiteral("secondary"));
     layout->addWidget(m_whose);
-    auto* row = new QHBoxLayout;
-    row->setSpacing(theme::smallPadding);
     m_vertices = new WholeNumberField(page);
     m_vertices->setObjectName(QStringLiteral("surfaceVertices"));
     m_vertices->setAccessibleName(tr("Vertices"));
@@ -98,10 +96,8 @@ QWidget* RefinePanel::buildLaying()
                               "what the segment holds, but for a thousandth"));
     m_lay = new QPushButton(tr("Lay surface"), page);
     m_lay->setObjectName(QStringLiteral("laySurface"));
-    row->addWidget(m_vertices, 1);
-    row->addWidget(m_lay);
-    layout->addLayout(row);
-    layout->addStretch(1);
+    layout->addWidget(m_vertices);
+    layout->addWidget(m_lay);
     connect(m_lay, &QPushButton::clicked, this, [this] {
         const int asked = m_vertices->value();
         m_workspace.refinement().lay(asked < fewestVertices ? 0 : asked);
@@ -111,7 +107,7 @@ QWidget* RefinePanel::buildLaying()
 
 QWidget* RefinePanel::buildRefining()
 {
-    auto* page = new QWidget(m_pages);
+    auto* page = new QWidget(this);
     auto* layout = new QVBoxLayout(page);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(theme::smallPadding);
@@ -258,7 +254,8 @@ void RefinePanel::show()
     const Refinement& refinement = m_workspace.refinement();
     const core::EditSession* session = m_workspace.session();
     const std::optional<core::RefinedSurface> surface = refinement.surface();
-    m_pages->setCurrentIndex(surface ? 1 : 0);
+    m_laying->setVisible(!surface);
+    m_refining->setVisible(surface.has_value());
     if (session && !session->idle())
         m_watching.start();
     const core::Segment* segment = session

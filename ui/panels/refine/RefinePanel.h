@@ -13,7 +13,6 @@ class QListWidget;
 class QPushButton;
 class QSlider;
 class QSpinBox;
-class QStackedWidget;
 
 namespace ui {
 
@@ -46,8 +45,9 @@ private:
     void askWhereToSave();
 
     Workspace& m_workspace;
-    QStackedWidget* m_pages = nullptr;
-    QLabel* m_whose = nullptr; ///< on the page for making a surface
+    QWidget* m_laying = nullptr; ///< shown while there is no surface
+    QWidget* m_refining = nullptr; ///< shown while there is one
+    QLabel* m_whose = nullptr;
     QSpinBox* m_vertices = nullptr;
     QPushButton* m_lay = nullptr;
     QLabel* m_state = nullptr;

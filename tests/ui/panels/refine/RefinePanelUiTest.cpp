@@ -5,12 +5,15 @@
 #include "tests/support/fixtures/WorkspaceFixture.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/PlainEdits.h"
+#include "ui/frame/PanelSection.h"
 #include "ui/panels/refine/RefinePanel.h"
 #include "ui/workspace/Refinement.h"
 
 #include <QFileInfo>
 #include <QLabel>
+#include <QLineEdit>
 #include <QPushButton>
+#include <QSpinBox>
 #include <QTemporaryDir>
 #include <QtTest>
 
@@ -42,6 +45,28 @@ class RefinePanelUiTest : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
+    /// In the narrowest column: what lies a surface alone, with its words in full.
+    void beforeASurfaceNothingIsEmptyOrCutOff()
+    {
+        PanelFixture fixture;
+        QWidget& panel = fixture.panel;
+        panel.setFixedWidth(ui::PanelSection::leastWidth);
+        panel.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&panel));
+        const auto& fineness = *panel.findChild<QSpinBox*>(QStringLiteral("surfaceVertices"));
+        const auto& typed = *fineness.findChild<QLineEdit*>();
+        QVERIFY(typed.width() > typed.fontMetrics().horizontalAdvance(fineness.specialValueText()));
+        const QPushButton& lay = fixture.button("laySurface");
+        QVERIFY(lay.isVisible() && lay.width() >= lay.sizeHint().width());
+        QVERIFY(!fixture.button("saveSurface").isVisible());
+        const int before = panel.sizeHint().height();
+        fixture.apply(
+            core::LaySurface{.segment = 1, .vertices = 800, .rules = core::newestSurfaceRules});
+        QVERIFY(!lay.isVisible());
+        QVERIFY(fixture.button("saveSurface").isVisible());
+        QVERIFY2(2 * before < panel.sizeHint().height(), qPrintable(QString::number(before)));
+    }
+
     void layingIsAborted()
     {
         PanelFixture fixture;
