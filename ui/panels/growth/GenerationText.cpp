@@ -14,14 +14,16 @@ namespace ui {
 
 namespace {
 
-// What steps of a growth did, or none: of these only the generation is told.
+// What a step of a growth did, or none: of these only the generation is told.
 
 std::optional<QString> whatItDid(const core::GrowSteps&)
 {
     return QObject::tr("Generation %1 · added %2");
 }
 
-std::optional<QString> whatItDid(const core::ShrinkSteps&)
+template <class E>
+requires core::isOneOf<E, core::ShrinkSteps, core::ShrinkAt, core::PlugLeak> std::optional<QString>
+whatItDid(const E&)
 {
     return QObject::tr("Generation %1 · taken back %2");
 }
@@ -32,8 +34,8 @@ std::optional<QString> whatItDid(const core::ChangeInterval&)
 }
 
 template <class E>
-requires core::isOneOf<E, core::SeedStroke, core::BarrierStroke, core::ResumeGrowth, core::ShrinkAt,
-    core::PlugLeak, core::GrowFromSeeds>
+requires core::isOneOf<E, core::SeedStroke, core::BarrierStroke, core::ResumeGrowth,
+    core::GrowFromSeeds>
     std::optional<QString> whatItDid(const E&)
 {
     return std::nullopt;

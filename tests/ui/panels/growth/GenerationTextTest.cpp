@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/panels/growth/GenerationText.h"
+
+#include "core/edits/kinds/GrowthKinds.h"
+#include "tests/support/program/TestProgram.h"
+
+#include <QtTest>
+
+namespace generationTextTest {
+
+/// The line under the generation bar, for each kind of row that a growth consists of.
+class GenerationTextTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void whatTheLastStepDidIsTold_data()
+    {
+        QTest::addColumn<core::Edit>("edit");
+        QTest::addColumn<QString>("text");
+        const QString added = QStringLiteral("Generation 12 · added 3.40 mL");
+        const QString takenBack = QStringLiteral("Generation 12 · taken back 3.40 mL");
+        const QString changed = QStringLiteral("Generation 12 · changed by 3.40 mL");
+        const QString neither = QStringLiteral("Generation 12");
+        QTest::newRow("grow") << core::Edit(core::GrowSteps()) << added;
+        QTest::newRow("shrink") << core::Edit(core::ShrinkSteps()) << takenBack;
+        QTest::newRow("shrink here") << core::Edit(core::ShrinkAt()) << takenBack;
+        QTest::newRow("plug") << core::Edit(core::PlugLeak()) << takenBack;
+        QTest::newRow("interval") << core::Edit(core::ChangeInterval()) << changed;
+        QTest::newRow("seeds") << core::Edit(core::SeedStroke()) << neither;
+        QTest::newRow("barrier") << core::Edit(core::BarrierStroke()) << neither;
+    }
+    void whatTheLastStepDidIsTold()
+    {
+        QFETCH(core::Edit, edit);
+        QFETCH(QString, text);
+        core::HistoryRow row;
+        row.edit = edit;
+        row.statistics.voxelsChanged = 1700;
+        constexpr double voxelMm3 = 2.0;
+        QCOMPARE(ui::generationText(12, &row, voxelMm3), text);
+    }
+
+    void withoutAStepTheGenerationIsTold()
+    {
+        QCOMPARE(ui::generationText(123, nullptr, 1.0), QStringLiteral("Generation 123"));
+    }
+};
+
+BURIN_TEST(GenerationTextTest)
+
+} // namespace generationTextTest
+
+#include "GenerationTextTest.moc"
