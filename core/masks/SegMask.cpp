@@ -14,6 +14,44 @@ namespace {
 
 using Place = LatticeMap::Place;
 
+/// A segment's voxels of the volume, and its pixels in the file.
+struct SegmentVoxels {
+    VoxelRuns voxels;
+    std::uint64_t pixels = 0;
+};
+
+/// The segments of a label map by their numbers, in one pass: there may be hundreds.
+std::map<int, SegmentVoxels> labelMapVoxels(
+    const SegFile& seg, const SegmentPlanes& planes, const LatticeMap& map, const glm::ivec3& size)
+{
+    std::vector<std::map<int, VoxelRuns>> slices(std::size_t(size.z));
+    forEachVoxelIn(planes, map, size,
+        [&](int k, std::uint64_t voxel, const PlaneFrames& plane, const Place& place) {
+            planes.forEachPixel(plane, place, [&](int number) {
+                if (number == 0)
+                    return;
+                VoxelRuns& runs = slices[std::size_t(k)][number];
+                // Frames that repeat a plane may say so twice.
+                if (runs.end() <= voxel)
+                    runs.append(voxel, 1);
+            });
+        });
+    std::map<int, SegmentVoxels> segments;
+    for (const auto& slice : slices) {
+        for (const auto& [number, runs] : slice)
+            segments[number].voxels.append(runs);
+    }
+    for (std::size_t frame = 0; frame < seg.frames.size(); ++frame) {
+        for (int row = 0; row < seg.rows; ++row) {
+            for (int column = 0; column < seg.columns; ++column) {
+                if (const int number = seg.value(frame, column, row))
+                    ++segments[number].pixels;
+            }
+        }
+    }
+    return segments;
+}
+
 VoxelRuns voxelsOf(const SegmentPlanes& planes, const LatticeMap& map, const glm::ivec3& size)
 {
     std::vector<VoxelRuns> slices(std::size_t(size.z));
@@ -64,6 +102,12 @@ Result<MaskOnVolume> readSegMask(
     if (seg->type == SegFile::Type::Fractional)
         mask.notes.push_back({.code = MaskNote::Code::Fractional});
     MaskFit fit{.oneToOne = true};
+    std::map<int, SegmentVoxels> labelled;
+    if (seg->type == SegFile::Type::LabelMap) {
+        progress.report(ProgressStep::PlacingMask, 0, int(seg->segments.size()));
+        labelled =
+            labelMapVoxels(*seg, SegmentPlanes(*seg, 0, toLattice), map, volume.geometry.size);
+    }
     std::uint64_t taken = 0;
     int without = 0;
     for (std::size_t i = 0; i < seg->segments.size(); ++i) {
@@ -75,10 +119,15 @@ Result<MaskOnVolume> readSegMask(
         VoxelRuns voxels;
         // Number 0 is what a label map calls its background.
         if (!planes.empty() && segment.number != 0) {
-            fit.labelled += planes.pixelCount();
             fit.oneToOne =
                 fit.oneToOne && lattice.onSlices && planes.areUnder(map, volume.geometry.size.z);
-            voxels = voxelsOf(planes, map, volume.geometry.size);
+            if (seg->type == SegFile::Type::LabelMap) {
+                voxels = labelled[segment.number].voxels;
+                fit.labelled += labelled[segment.number].pixels;
+            } else {
+                voxels = voxelsOf(planes, map, volume.geometry.size);
+                fit.labelled += planes.pixelCount();
+            }
         }
         taken += voxels.voxelCount();
         if (voxels.empty()) {

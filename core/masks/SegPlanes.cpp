@@ -132,7 +132,6 @@ Result<PlacedFrames> placedFrames(
 
 SegmentPlanes::SegmentPlanes(const SegFile& seg, int number, const glm::dmat4& toLattice)
     : m_seg(seg)
-    , m_number(number)
 {
     std::map<std::int64_t, std::vector<std::size_t>> byHeight;
     m_places.resize(seg.frames.size());

@@ -50,7 +50,7 @@ struct PlacedFrames {
 [[nodiscard]] Result<PlacedFrames> placedFrames(
     const SegFile& seg, const VolumeGeometry& geometry, const QString& path);
 
-/// The frames of one segment, sorted by height.
+/// The frames of one segment, sorted by height; of a label map they are all frames.
 class SegmentPlanes {
 public:
     SegmentPlanes(const SegFile& seg, int number, const glm::dmat4& toLattice);
@@ -74,13 +74,21 @@ public:
         const PlaneFrames& plane, const LatticeMap::Place& place) const
     {
         std::uint8_t most = 0;
+        forEachPixel(plane, place, [&](int value) {
+            most = std::max(
+                most, ProbabilityMap::byteOf(double(value) / std::max(1, m_seg.fullPixel)));
+        });
+        return most;
+    }
+    /// Calls @p visit(value) for the pixel of each frame of a plane that covers a place in it.
+    template <class Visit>
+    void forEachPixel(
+        const PlaneFrames& plane, const LatticeMap::Place& place, const Visit& visit) const
+    {
         for (const std::size_t frame : plane.frames) {
             if (const std::optional<glm::ivec2> pixel = pixelAt(frame, place))
-                most = std::max(most,
-                    ProbabilityMap::byteOf(double(m_seg.value(frame, pixel->x, pixel->y))
-                        / std::max(1, m_seg.fullPixel)));
+                visit(m_seg.value(frame, pixel->x, pixel->y));
         }
-        return most;
     }
     [[nodiscard]] std::uint64_t pixelCount() const;
     /// Whether the voxels of every slice coincide with pixels of the frames in its plane.
@@ -100,19 +108,10 @@ private:
     [[nodiscard]] bool isIn(std::size_t frame, int column, int row) const
     {
         const int value = m_seg.value(frame, column, row);
-        switch (m_seg.type) {
-        case SegFile::Type::Binary:
-            break;
-        case SegFile::Type::Fractional:
-            return 2 * value >= m_seg.fullPixel;
-        case SegFile::Type::LabelMap:
-            return value == m_number;
-        }
-        return value != 0;
+        return m_seg.type == SegFile::Type::Fractional ? 2 * value >= m_seg.fullPixel : value != 0;
     }
 
     const SegFile& m_seg;
-    int m_number;
     /// For each frame, where its first pixel lies on the lattice.
     std::vector<LatticeMap::Place> m_places;
     std::vector<PlaneFrames> m_planes;

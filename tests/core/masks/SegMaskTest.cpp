@@ -261,16 +261,27 @@ private Q_SLOTS:
         QCOMPARE(elsewhere, (std::set<int>{0, 38}));
     }
 
-    /// One frame a slice, its pixels numbers of segments.
+    void labelMaps_data()
+    {
+        QTest::addColumn<bool>("repeated");
+        QTest::newRow("a number in one frame of a plane") << false;
+        QTest::newRow("all numbers in each of them") << true;
+    }
+    /// Pixels are numbers of segments; every plane has two frames.
     void labelMaps()
     {
+        QFETCH(bool, repeated);
         const Exported on(evenSeries());
-        on.change([](DcmDataset& set) {
-            // Both segments' frames stay: pixels of either bear their own segment's number.
+        on.change([repeated](DcmDataset& set) {
             const std::size_t frame = 12 * 9;
-            std::vector<Uint8> pixels = pixelsOf(set, frame * std::size_t(framesOf(set)));
+            const int frames = framesOf(set);
+            std::vector<Uint8> pixels = pixelsOf(set, frame * std::size_t(frames));
             for (std::size_t i = 0; i < pixels.size(); ++i)
                 pixels[i] = Uint8(pixels[i] * segmentOf(set, int(i / frame)));
+            // The first half are the frames of segment 1, the others lie where these do.
+            const std::size_t half = pixels.size() / 2;
+            for (std::size_t i = 0; repeated && i < half; ++i)
+                pixels[i] = pixels[half + i] = std::max(pixels[i], pixels[half + i]);
             set.putAndInsertString(DCM_SOPClassUID, "1.2.840.10008.5.1.4.1.1.66.7");
             setEightBits(set, "LABELMAP", pixels);
         });
