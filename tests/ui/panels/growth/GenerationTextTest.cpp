@@ -1,7 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/panels/growth/GenerationText.h"
 
-#include "core/edits/kinds/GrowthKinds.h"
+#include "core/edits/kinds/growth/BarrierStroke.h"
+#include "core/edits/kinds/growth/ChangeInterval.h"
+#include "core/edits/kinds/growth/GrowSteps.h"
+#include "core/edits/kinds/growth/PlugLeak.h"
+#include "core/edits/kinds/growth/SeedStroke.h"
+#include "core/edits/kinds/growth/ShrinkAt.h"
+#include "core/edits/kinds/growth/ShrinkSteps.h"
 #include "tests/support/program/TestProgram.h"
 
 #include <QtTest>
