@@ -2,6 +2,7 @@
 #include "core/dicom/objects/SegReader.h"
 
 #include "core/dicom/base/DicomFile.h"
+#include "core/dicom/objects/SegPixels.h"
 #include "core/dicom/source/PatientAndPlane.h"
 
 #include <QFileInfo>
@@ -75,24 +76,6 @@ Result<void> setType(SegFile& seg, const ItemReader& reader, const QString& path
         Clause::saying("of type %1 with %2 bits a pixel", type, seg.bitsPerPixel));
 }
 
-Result<std::vector<std::uint8_t>> bitsIn(
-    const DicomFile& file, const QString& path, std::uint64_t needed)
-{
-    if (!file.hasPixels())
-        return failure(ErrorCode::FileTruncated, path, Clause::saying("no pixel data"));
-    const DicomFile::Bytes pixels = file.pixels();
-    if (pixels.size() < needed)
-        return failure(ErrorCode::FileTruncated, path,
-            Clause::saying(
-                "%1 bytes of pixel data where the frames need %2", pixels.size(), needed));
-    std::vector<std::uint8_t> bits(pixels.begin(), pixels.end());
-    // Bits are numbered in a byte stream; words are brought back to it, low byte first.
-    for (std::size_t i = 0; file.isBigEndian() && file.pixelsAreWords() && i + 1 < bits.size();
-         i += 2)
-        std::swap(bits[i], bits[i + 1]);
-    return bits;
-}
-
 } // namespace
 
 bool SegFile::pixel(std::size_t frame, int column, int row) const
@@ -125,8 +108,6 @@ Result<SegFile> readSeg(const QString& path)
     SegFile seg;
     if (const Result<void> typed = setType(seg, reader, path); !typed)
         return tl::unexpected<Error>(typed.error());
-    if (file->isEncapsulated())
-        return failure(ErrorCode::UnsupportedFormat, path, QStringLiteral("compressed"));
 
     seg.patient = readHeaderPatient(dataset);
     dataset.convertToUTF8();
@@ -176,9 +157,7 @@ Result<SegFile> readSeg(const QString& path)
         if (isNumber && std::isfinite(distance) && distance > 0.0)
             seg.planeDistance = distance;
     }
-    const std::uint64_t bitCount = std::uint64_t(frameCount) * std::uint64_t(seg.rows)
-        * std::uint64_t(seg.columns) * std::uint64_t(seg.bitsPerPixel);
-    auto bits = bitsIn(*file, path, (bitCount + 7) / 8);
+    auto bits = segPixels(*file, path, seg);
     if (!bits)
         return tl::unexpected(bits.error());
     seg.bits = std::move(*bits);

@@ -64,9 +64,9 @@ struct SegFile {
 };
 
 /// Reads a DICOM SEG without dcmseg, which reads and writes bits incorrectly. Cost: the file is
-/// read once. Any thread. Errors: FileNotFound, FileUnreadable, FileTruncated (less pixel data than
-/// frames), UnsupportedFormat (not a SEG, of another type than the three, or compressed),
-/// InvalidGeometry (a frame without a position).
+/// read once. Any thread outside a parallelFor(). Errors: FileNotFound, FileUnreadable,
+/// UnsupportedFormat (not a SEG, or of another type than the three), InvalidGeometry (a frame
+/// without a position), and those of segPixels().
 Result<SegFile> readSeg(const QString& path);
 
 } // namespace core

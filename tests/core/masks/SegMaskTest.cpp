@@ -10,7 +10,10 @@
 #include <QTest>
 
 #include <dcmtk/config/osconfig.h>
+#include <dcmtk/dcmdata/dcrleerg.h>
 #include <dcmtk/dcmdata/dctk.h>
+#include <dcmtk/dcmjpeg/djencode.h>
+#include <dcmtk/dcmjpls/djencode.h>
 
 #include <functional>
 #include <random>
@@ -67,13 +70,15 @@ struct Exported {
         if (!written)
             qFatal("%s", qPrintable(written.error().arguments.join(QStringLiteral(" | "))));
     }
-    void change(const std::function<void(DcmDataset&)>& how) const
+    void change(const std::function<void(DcmDataset&)>& how,
+        E_TransferSyntax syntax = EXS_LittleEndianExplicit) const
     {
         DcmFileFormat format;
         format.loadFile(qPrintable(file));
         format.loadAllDataIntoMemory();
         how(*format.getDataset());
-        if (format.saveFile(qPrintable(file), EXS_LittleEndianExplicit).bad())
+        if (format.getDataset()->chooseRepresentation(syntax, nullptr).bad()
+            || format.saveFile(qPrintable(file), syntax).bad())
             qFatal("cannot be saved");
     }
     [[nodiscard]] core::Result<core::MaskOnVolume> read() const
@@ -125,16 +130,39 @@ std::vector<Uint8> pixelsOf(DcmDataset& set, std::size_t count)
     return pixels;
 }
 
-void setEightBits(DcmDataset& set, const char* type, std::vector<Uint8> pixels)
+/// @param pixels a byte each, stored in 8 or 16 bits
+void setPixels(DcmDataset& set, const char* type, std::vector<Uint8> pixels, int bits = 8)
 {
     set.putAndInsertString(DCM_SegmentationType, type);
-    set.putAndInsertUint16(DCM_BitsAllocated, 8);
-    set.putAndInsertUint16(DCM_BitsStored, 8);
-    set.putAndInsertUint16(DCM_HighBit, 7);
+    set.putAndInsertUint16(DCM_BitsAllocated, Uint16(bits));
+    set.putAndInsertUint16(DCM_BitsStored, Uint16(bits));
+    set.putAndInsertUint16(DCM_HighBit, Uint16(bits - 1));
+    delete set.remove(DCM_PixelData);
+    if (bits == 16) {
+        const std::vector<Uint16> wide(pixels.begin(), pixels.end());
+        set.putAndInsertUint16Array(DCM_PixelData, wide.data(), wide.size());
+        return;
+    }
     if (pixels.size() % 2 != 0)
         pixels.push_back(0);
-    delete set.remove(DCM_PixelData);
     set.putAndInsertUint8Array(DCM_PixelData, pixels.data(), pixels.size());
+}
+
+/// Both segments' frames stay: pixels of either bear their own segment's number.
+/// @param repeated the frames of a plane bear the numbers of both
+void makeLabelMap(DcmDataset& set, int bits, bool repeated = false)
+{
+    const std::size_t frame = 12 * 9;
+    const int frames = framesOf(set);
+    std::vector<Uint8> pixels = pixelsOf(set, frame * std::size_t(frames));
+    for (std::size_t i = 0; i < pixels.size(); ++i)
+        pixels[i] = Uint8(pixels[i] * segmentOf(set, int(i / frame)));
+    // The first half are the frames of segment 1; the others lie where these do.
+    const std::size_t half = pixels.size() / 2;
+    for (std::size_t i = 0; repeated && i < half; ++i)
+        pixels[i] = pixels[half + i] = std::max(pixels[i], pixels[half + i]);
+    set.putAndInsertString(DCM_SOPClassUID, "1.2.840.10008.5.1.4.1.1.66.7");
+    setPixels(set, "LABELMAP", pixels, bits);
 }
 
 } // namespace
@@ -216,7 +244,7 @@ private Q_SLOTS:
                 pixels[i] = pixels[i] ? (i % 2 ? 50 : 99) : (i % 2 ? 49 : 0);
             set.putAndInsertUint16(DCM_MaximumFractionalValue, 100);
             set.putAndInsertString(DCM_SegmentationFractionalType, "OCCUPANCY");
-            setEightBits(set, "FRACTIONAL", pixels);
+            setPixels(set, "FRACTIONAL", pixels);
         });
         const auto mask = on.read();
         QVERIFY(mask);
@@ -239,7 +267,7 @@ private Q_SLOTS:
                 pixels[i] = pixels[i] ? 80 : 15;
             set.putAndInsertUint16(DCM_MaximumFractionalValue, 100);
             set.putAndInsertString(DCM_SegmentationFractionalType, "PROBABILITY");
-            setEightBits(set, "FRACTIONAL", pixels);
+            setPixels(set, "FRACTIONAL", pixels);
         });
         const QString other = why(QStringLiteral("Kidney"));
         QVERIFY2(other.contains(QLatin1String("Part 1, Part 2")), qPrintable(other));
@@ -267,28 +295,61 @@ private Q_SLOTS:
         QTest::newRow("a number in one frame of a plane") << false;
         QTest::newRow("all numbers in each of them") << true;
     }
-    /// Pixels are numbers of segments; every plane has two frames.
+    /// Pixels are numbers of segments.
     void labelMaps()
     {
         QFETCH(bool, repeated);
         const Exported on(evenSeries());
-        on.change([repeated](DcmDataset& set) {
-            const std::size_t frame = 12 * 9;
-            const int frames = framesOf(set);
-            std::vector<Uint8> pixels = pixelsOf(set, frame * std::size_t(frames));
-            for (std::size_t i = 0; i < pixels.size(); ++i)
-                pixels[i] = Uint8(pixels[i] * segmentOf(set, int(i / frame)));
-            // The first half are the frames of segment 1, the others lie where these do.
-            const std::size_t half = pixels.size() / 2;
-            for (std::size_t i = 0; repeated && i < half; ++i)
-                pixels[i] = pixels[half + i] = std::max(pixels[i], pixels[half + i]);
-            set.putAndInsertString(DCM_SOPClassUID, "1.2.840.10008.5.1.4.1.1.66.7");
-            setEightBits(set, "LABELMAP", pixels);
-        });
+        on.change([repeated](DcmDataset& set) { makeLabelMap(set, 8, repeated); });
         const auto mask = on.read();
         QVERIFY2(mask, qPrintable(mask ? QString() : mask.error().arguments.join(u' ')));
         QVERIFY(mask->notes.empty());
         QCOMPARE(numbersOf(*mask, on.volume), on.labels);
+    }
+
+    void compressedFrames_data()
+    {
+        QTest::addColumn<int>("syntax");
+        QTest::addColumn<int>("bits");
+        QTest::newRow("RLE, 8 bits") << int(EXS_RLELossless) << 8;
+        QTest::newRow("RLE, 16 bits") << int(EXS_RLELossless) << 16;
+        QTest::newRow("JPEG lossless") << int(EXS_JPEGProcess14SV1) << 8;
+        QTest::newRow("JPEG-LS, 8 bits") << int(EXS_JPEGLSLossless) << 8;
+        QTest::newRow("JPEG-LS, 16 bits") << int(EXS_JPEGLSLossless) << 16;
+    }
+    /// As writers of label maps make them, which need not be opened elsewhere first.
+    void compressedFrames()
+    {
+        QFETCH(int, syntax);
+        QFETCH(int, bits);
+        DcmRLEEncoderRegistration::registerCodecs();
+        DJEncoderRegistration::registerCodecs();
+        DJLSEncoderRegistration::registerCodecs();
+        const Exported on(evenSeries());
+        on.change([&](DcmDataset& set) { makeLabelMap(set, bits); }, E_TransferSyntax(syntax));
+        const auto mask = on.read();
+        QVERIFY2(mask, qPrintable(mask ? QString() : mask.error().arguments.join(u' ')));
+        QVERIFY(mask->notes.empty());
+        QCOMPARE(numbersOf(*mask, on.volume), on.labels);
+
+        // Cut within the last frame, it is refused as a whole.
+        QFile file(on.file);
+        QVERIFY(file.resize(file.size() - 40));
+        const auto cut = on.read();
+        QVERIFY(!cut);
+        QCOMPARE(cut.error().arguments.value(0), on.file);
+    }
+
+    void whatCompressionChangedIsRefused()
+    {
+        DJEncoderRegistration::registerCodecs();
+        const Exported on(evenSeries());
+        on.change([](DcmDataset& set) { makeLabelMap(set, 8); }, EXS_JPEGProcess1);
+        const auto mask = on.read();
+        QVERIFY(!mask);
+        QCOMPARE(mask.error().code, core::ErrorCode::UnsupportedFormat);
+        QVERIFY2(mask.error().arguments.value(1).contains(QLatin1String("changes them")),
+            qPrintable(mask.error().arguments.value(1)));
     }
 
     /// Onto slices twice as far apart and shifted: those in between are left out, with a word.
