@@ -49,13 +49,7 @@ public:
         m_leftMm = std::max(0.0, leftMm - strideMm());
         if (mesh.hasVertex(m_dragged) && m_parts[m_dragged].last == mesh.position(m_dragged))
             return;
-        // The structure changed there: the vertex that is nearest now takes its part.
-        m_dragged = nearestVertex(mesh, m_from + m_shift,
-            [&](VertexId id) { return mesh.mark(id) != SurfaceMark::Green; });
-        if (m_dragged == noId)
-            return;
-        grow(mesh);
-        m_parts[m_dragged] = {.start = m_from, .last = mesh.position(m_dragged), .weight = 1.0};
+        takeNearest(mesh);
     }
 
     std::optional<Grip> gripOf(
@@ -146,12 +140,28 @@ private:
         }
     }
 
+    /// Where the structure changed at the dragged vertex, the one that is nearest now takes its
+    /// part.
+    void takeNearest(const SimplexMesh& mesh)
+    {
+        m_dragged = nearestVertex(mesh, m_from + m_shift,
+            [&](VertexId id) { return mesh.mark(id) != SurfaceMark::Green; });
+        if (m_dragged == noId)
+            return;
+        grow(mesh);
+        m_parts[m_dragged] = {.start = m_from, .last = mesh.position(m_dragged), .weight = 1.0};
+    }
+
     /// Whoever presses harder takes along more around the point: what the surface had there before
     /// it was dragged.
     void widen(const SimplexMesh& mesh, double pressure)
     {
         m_pressure = pressure;
         m_isWidened = true;
+        if (!mesh.hasVertex(m_dragged))
+            takeNearest(mesh);
+        if (m_dragged == noId)
+            return;
         grow(mesh);
         const double radiusMm = m_tool.radiusMm * pressure;
         const auto nearOf = [&](VertexId id) {

@@ -89,6 +89,7 @@ private Q_SLOTS:
     void aScrapedWayIsLevel();
     void aDraggedVertexIsWhereItWasPut();
     void aDraggedVertexCanBeDraggedAgain();
+    void oneThatIsGoneIsDraggedHarder();
     void smoothingEvensAndKeepsTheVolume();
     void edgesAttract();
     void edgesAttractThroughNoise();
@@ -267,6 +268,25 @@ void SurfaceStrokeTest::aDraggedVertexIsWhereItWasPut()
         QVERIFY(moved > 50);
         if (far < 5.0)
             QVERIFY(worst < edgeMm(before));
+    }
+}
+
+/// Restructuring may take the dragged vertex away between two samples of the pen, of which the
+/// second presses harder.
+void SurfaceStrokeTest::oneThatIsGoneIsDraggedHarder()
+{
+    for (int i = 0; i < 40; ++i) {
+        core::SimplexMesh mesh = redBall(3);
+        auto random = test::Random(unsigned(i));
+        const glm::dvec3 from =
+            mesh.position(core::VertexId(test::randomInt(random, 0, int(mesh.vertexCount()) - 1)));
+        std::vector<core::SurfaceSample> samples;
+        for (int k = 0; k < 12; ++k)
+            samples.push_back({.placeLps = from * (k % 2 == 0 ? 1.0 : 0.4 + 0.03 * k),
+                .pressure = 0.3 + 0.05 * k});
+        stroke(mesh, core::DragTool{.radiusMm = 6.0}, samples,
+            {.areaMm2 = 4.0 * core::meanFaceAreaMm2(mesh)});
+        QCOMPARE(test::eulerCharacteristics(mesh), std::vector<int>{2});
     }
 }
 
