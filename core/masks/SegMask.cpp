@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/masks/MaskParts.h"
+#include "core/masks/SegLattice.h"
 #include "core/masks/SegPlanes.h"
 
 #include <algorithm>

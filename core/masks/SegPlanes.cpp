@@ -1,43 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/masks/SegPlanes.h"
 
+#include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstring>
 #include <map>
 
 namespace core {
 
 namespace {
-
-double heightMm(const FrameLattice& lattice, const glm::dvec3& lps)
-{
-    return glm::dot(lattice.normal, lps - glm::dvec3(lattice.world[3]));
-}
-
-/// The smallest step between heights that are not the same; 0: there is none.
-double smallestStep(std::vector<double> heights)
-{
-    constexpr double sameMm = 1e-3;
-    std::sort(heights.begin(), heights.end());
-    double smallest = 0.0;
-    for (std::size_t i = 1; i < heights.size(); ++i) {
-        const double step = heights[i] - heights[i - 1];
-        if (step > sameMm && (smallest == 0.0 || step < smallest))
-            smallest = step;
-    }
-    return smallest;
-}
-
-std::vector<double> sliceHeights(const FrameLattice& lattice, const VolumeGeometry& geometry)
-{
-    std::vector<double> heights;
-    for (int k = 0; k < geometry.size.z; ++k) {
-        const glm::dvec3 first = geometry.slicePositions.empty()
-            ? geometry.toWorld({0.0, 0.0, double(k)})
-            : geometry.slicePositions[std::size_t(k)];
-        heights.push_back(heightMm(lattice, first));
-    }
-    return heights;
-}
 
 /// As in LatticeMap. What is too far away, or not a number, is put where that still has room.
 std::int64_t fixedPlace(double place)
@@ -47,87 +19,81 @@ std::int64_t fixedPlace(double place)
     return std::llround(held * double(LatticeMap::one));
 }
 
-bool isAcross(const FrameLattice& lattice, const VolumeGeometry& geometry)
+/// @param pixel in the frame, row by row
+void noteOccupied(OccupiedPixels& occupied, std::uint64_t pixel, int columns)
 {
-    constexpr double mostMm = 0.01;
-    for (int axis = 0; axis < 2; ++axis) {
-        const double rise = glm::dot(lattice.normal, glm::dvec3(geometry.indexToWorld[axis]));
-        if (std::abs(rise) * geometry.size[axis] > mostMm)
-            return false;
-    }
-    return true;
+    const glm::ivec2 at(int(pixel % std::uint64_t(columns)), int(pixel / std::uint64_t(columns)));
+    occupied.first = glm::min(occupied.first, at);
+    occupied.last = glm::max(occupied.last, at);
 }
 
-/// A file may contain only frames that are not empty, so the distances between frames do not tell
-/// how thick a plane is. If all frames coincide with slices of the volume, each belongs to its
-/// slice and to no other.
-Result<FrameLattice> latticeOf(
-    const SegFile& seg, const VolumeGeometry& geometry, const QString& path)
+OccupiedPixels occupiedBits(const SegFile& seg, std::size_t frame)
 {
-    const HeaderPlane& first = seg.frames.front().plane;
-    FrameLattice lattice;
-    lattice.normal = glm::cross(first.rowDirection, first.columnDirection);
-    const double length = glm::length(lattice.normal);
-    if (!(length > 0.5) || !(first.rowSpacing > 0.0) || !(first.columnSpacing > 0.0))
-        return failure(ErrorCode::InvalidGeometry, path,
-            Clause::saying("orientation or spacing of its first frame"));
-    lattice.normal /= length;
-    lattice.world = glm::dmat4(glm::dvec4(first.rowDirection * first.columnSpacing, 0.0),
-        glm::dvec4(first.columnDirection * first.rowSpacing, 0.0), glm::dvec4(lattice.normal, 0.0),
-        glm::dvec4(first.position, 1.0));
-    std::vector<double> planes;
-    for (std::size_t i = 0; i < seg.frames.size(); ++i) {
-        const HeaderPlane& plane = seg.frames[i].plane;
-        constexpr double alike = 1e-3;
-        const bool same = glm::distance(plane.rowDirection, first.rowDirection) < alike
-            && glm::distance(plane.columnDirection, first.columnDirection) < alike
-            && std::abs(plane.rowSpacing - first.rowSpacing) < alike * first.rowSpacing
-            && std::abs(plane.columnSpacing - first.columnSpacing) < alike * first.columnSpacing;
-        if (!same)
-            return failure(ErrorCode::UnsupportedFormat, path,
-                Clause::saying(
-                    "frame %1 has another orientation or spacing than the first", i + 1));
-        planes.push_back(heightMm(lattice, plane.position));
+    OccupiedPixels occupied;
+    const std::uint64_t pixels = std::uint64_t(seg.rows) * std::uint64_t(seg.columns);
+    const std::uint64_t begin = frame * pixels;
+    const std::uint64_t end = begin + pixels;
+    for (std::uint64_t byte = begin / 8; byte * 8 < end; ++byte) {
+        // Most of a frame is empty.
+        std::uint64_t word = 0;
+        if (byte + sizeof(word) <= seg.bits.size()) {
+            std::memcpy(&word, seg.bits.data() + byte, sizeof(word));
+            if (word == 0) {
+                byte += sizeof(word) - 1;
+                continue;
+            }
+        }
+        for (unsigned rest = seg.bits[byte]; rest != 0; rest &= rest - 1) {
+            const std::uint64_t bit = byte * 8 + std::uint64_t(std::countr_zero(rest));
+            if (bit >= begin && bit < end)
+                noteOccupied(occupied, bit - begin, seg.columns);
+        }
     }
-    const std::vector<double> slices = sliceHeights(lattice, geometry);
-    // Sorting needs numbers, and sums of great ones may be none.
-    const auto isNumber = [](double height) { return std::isfinite(height); };
-    if (!std::all_of(planes.begin(), planes.end(), isNumber)
-        || !std::all_of(slices.begin(), slices.end(), isNumber))
-        return failure(ErrorCode::UnsupportedFormat, path,
-            Clause::saying("its pixels are out of all proportion to the study's"));
-    const double step = smallestStep(slices);
-    const double mostMm = std::max(0.01, 0.01 * step);
-    lattice.onSlices =
-        isAcross(lattice, geometry) && std::all_of(planes.begin(), planes.end(), [&](double plane) {
-            return std::any_of(slices.begin(), slices.end(),
-                [&](double slice) { return std::abs(slice - plane) <= mostMm; });
-        });
-    const double apart = smallestStep(planes);
-    const double spacing = geometry.spacingMm().z;
-    const double own = seg.planeDistance > 0.0 ? seg.planeDistance : apart;
-    if (lattice.onSlices)
-        lattice.planeMm = step > 0.0 ? step : spacing;
-    else
-        lattice.planeMm = own > 0.0 ? own : spacing;
-    return lattice;
+    return occupied;
+}
+
+OccupiedPixels occupiedPixels(const SegFile& seg, std::size_t frame)
+{
+    if (seg.bitsPerPixel == 1)
+        return occupiedBits(seg, frame);
+    OccupiedPixels occupied;
+    // One look at a label map tells of all its segments; it is not for each of them.
+    if (seg.type == SegFile::Type::LabelMap)
+        return {.first = {0, 0}, .last = {seg.columns - 1, seg.rows - 1}};
+    for (int row = 0; row < seg.rows; ++row) {
+        for (int column = 0; column < seg.columns; ++column) {
+            if (seg.value(frame, column, row) != 0)
+                noteOccupied(occupied,
+                    std::uint64_t(row) * std::uint64_t(seg.columns) + std::uint64_t(column),
+                    seg.columns);
+        }
+    }
+    return occupied;
 }
 
 } // namespace
 
-Result<PlacedFrames> placedFrames(
-    const SegFile& seg, const VolumeGeometry& geometry, const QString& path)
+std::array<int, 2> occupiedPart(const PlaneFrames& plane, const LatticeMap::Place& start,
+    const LatticeMap::Place& step, int length)
 {
-    const Result<FrameLattice> lattice = latticeOf(seg, geometry, path);
-    if (!lattice)
-        return tl::unexpected(lattice.error());
-    const glm::dmat4 toLattice = lattice->toLattice();
-    PlacedFrames frames{
-        .lattice = *lattice, .toLattice = toLattice, .map = LatticeMap(geometry, toLattice)};
-    if (!frames.map.isSound())
-        return failure(ErrorCode::UnsupportedFormat, path,
-            Clause::saying("its pixels are out of all proportion to the study's"));
-    return frames;
+    std::int64_t first = 0;
+    std::int64_t last = length - 1;
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+        if (plane.low[axis] > plane.high[axis])
+            return {0, 0};
+        const std::int64_t toLow = plane.low[axis] - start[axis];
+        const std::int64_t toHigh = plane.high[axis] - start[axis];
+        if (step[axis] == 0 && (toLow > 0 || toHigh < 0))
+            return {0, 0};
+        if (step[axis] == 0)
+            continue;
+        // Division rounds towards 0, so that a voxel too many may be left, and none too few.
+        const std::int64_t one = toLow / step[axis];
+        const std::int64_t other = toHigh / step[axis];
+        first = std::max(first, std::min(one, other) - 1);
+        last = std::min(last, std::max(one, other) + 1);
+    }
+    return first <= last ? std::array<int, 2>{int(first), int(last) + 1} : std::array<int, 2>{0, 0};
 }
 
 SegmentPlanes::SegmentPlanes(const SegFile& seg, int number, const glm::dmat4& toLattice)
@@ -135,16 +101,41 @@ SegmentPlanes::SegmentPlanes(const SegFile& seg, int number, const glm::dmat4& t
 {
     std::map<std::int64_t, std::vector<std::size_t>> byHeight;
     m_places.resize(seg.frames.size());
+    m_occupied.resize(seg.frames.size());
     for (std::size_t i = 0; i < seg.frames.size(); ++i) {
         if (seg.type != SegFile::Type::LabelMap && seg.frames[i].segment != number)
             continue;
         const glm::dvec3 at(toLattice * glm::dvec4(seg.frames[i].plane.position, 1.0));
         for (int axis = 0; axis < 3; ++axis)
             m_places[i][std::size_t(axis)] = fixedPlace(at[axis]);
+        m_occupied[i] = occupiedPixels(seg, i);
         byHeight[m_places[i][2]].push_back(i);
     }
-    for (auto& [height, frames] : byHeight)
-        m_planes.push_back({height, std::move(frames)});
+    for (auto& [height, frames] : byHeight) {
+        PlaneFrames plane{.height = height, .frames = std::move(frames)};
+        bound(plane);
+        m_planes.push_back(std::move(plane));
+    }
+}
+
+void SegmentPlanes::bound(PlaneFrames& plane) const
+{
+    plane.low.fill(std::numeric_limits<std::int64_t>::max());
+    plane.high.fill(std::numeric_limits<std::int64_t>::min());
+    for (const std::size_t frame : plane.frames) {
+        const OccupiedPixels& occupied = m_occupied[frame];
+        for (int axis = 0; axis < 2; ++axis) {
+            if (occupied.last[axis] < 0)
+                continue;
+            // A whole pixel around, since the nearest to a place is less than that away.
+            const auto at = std::size_t(axis);
+            const std::int64_t origin = m_places[frame][at];
+            plane.low[at] =
+                std::min(plane.low[at], origin + (occupied.first[axis] - 1) * LatticeMap::one);
+            plane.high[at] =
+                std::max(plane.high[at], origin + (occupied.last[axis] + 1) * LatticeMap::one);
+        }
+    }
 }
 
 const PlaneFrames* SegmentPlanes::at(std::int64_t height) const
@@ -167,8 +158,9 @@ std::uint64_t SegmentPlanes::pixelCount() const
     std::uint64_t count = 0;
     for (const PlaneFrames& plane : m_planes) {
         for (const std::size_t frame : plane.frames) {
-            for (int row = 0; row < m_seg.rows; ++row) {
-                for (int column = 0; column < m_seg.columns; ++column)
+            const OccupiedPixels& occupied = m_occupied[frame];
+            for (int row = occupied.first.y; row <= occupied.last.y; ++row) {
+                for (int column = occupied.first.x; column <= occupied.last.x; ++column)
                     count += isIn(frame, column, row) ? 1 : 0;
             }
         }

@@ -9,46 +9,32 @@
 #include <glm/glm.hpp>
 
 #include <algorithm>
+#include <array>
+#include <limits>
 #include <optional>
 #include <vector>
 
 namespace core {
 
-// Where the frames of a DICOM SEG (PS3.3 A.51) lie on the grid of a volume. Used by SegMask.cpp.
+// What the frames of a segment of a DICOM SEG (PS3.3 A.51) hold, on the lattice that they span
+// (SegLattice.h). Used by SegMask.cpp.
 
 /// Frames at the same position along their normal; several if a file repeats a plane.
 struct PlaneFrames {
     /// Position along the normal as in LatticeMap, in planes of the lattice.
     std::int64_t height = 0;
     std::vector<std::size_t> frames;
+    /// Columns and rows on the lattice, as in LatticeMap, beyond which no pixel of these frames is
+    /// other than 0.
+    std::array<std::int64_t, 2> low{};
+    std::array<std::int64_t, 2> high{};
 };
 
-/// The lattice that the frames span: columns and rows of the first frame, and its normal.
-struct FrameLattice {
-    glm::dvec3 normal{0.0};
-    glm::dmat4 world{1.0}; ///< lattice to world (LPS mm), where one step along the normal is 1 mm
-    double planeMm = 1.0; ///< thickness of a plane; it reaches half of this to either side
-    bool onSlices = false; ///< whether every plane coincides with a slice of the volume
-
-    [[nodiscard]] glm::dmat4 toLattice() const
-    {
-        glm::dmat4 matrix = world;
-        matrix[2] *= planeMm;
-        return glm::inverse(matrix);
-    }
+/// The columns and rows of a frame that hold all of its pixels that are not 0.
+struct OccupiedPixels {
+    glm::ivec2 first{std::numeric_limits<int>::max()};
+    glm::ivec2 last{-1}; ///< before `first`: all are 0
 };
-
-/// The lattice of the frames, and how a volume's voxels map onto it.
-struct PlacedFrames {
-    FrameLattice lattice;
-    glm::dmat4 toLattice;
-    LatticeMap map;
-};
-/// Places the frames on a volume. Errors: InvalidGeometry (of the first frame), UnsupportedFormat
-/// (frames of several orientations or spacings, or out of all proportion to the volume). All name
-/// the file.
-[[nodiscard]] Result<PlacedFrames> placedFrames(
-    const SegFile& seg, const VolumeGeometry& geometry, const QString& path);
 
 /// The frames of one segment, sorted by height; of a label map they are all frames.
 class SegmentPlanes {
@@ -111,14 +97,23 @@ private:
         return m_seg.type == SegFile::Type::Fractional ? 2 * value >= m_seg.fullPixel : value != 0;
     }
 
+    void bound(PlaneFrames& plane) const;
+
     const SegFile& m_seg;
-    /// For each frame, where its first pixel lies on the lattice.
+    /// For each frame of the segment, where its first pixel lies on the lattice, and what it holds.
     std::vector<LatticeMap::Place> m_places;
+    std::vector<OccupiedPixels> m_occupied;
     std::vector<PlaneFrames> m_planes;
 };
 
+/// The voxels of a row that may lie where a plane's frames hold something, as the first and the one
+/// behind the last. @param start of the row, on the lattice @param length of it
+[[nodiscard]] std::array<int, 2> occupiedPart(const PlaneFrames& plane,
+    const LatticeMap::Place& start, const LatticeMap::Place& step, int length);
+
 /// Calls @p visit(slice, index of the voxel in memory, plane, place on the lattice) for every voxel
-/// of the volume that lies in one of the segment's planes. Slices are distributed to all cores.
+/// of the volume that lies in one of the segment's planes, but for some where its frames are 0.
+/// Slices are distributed to all cores.
 template <class Visit>
 void forEachVoxelIn(
     const SegmentPlanes& planes, const LatticeMap& map, const glm::ivec3& size, const Visit& visit)
@@ -133,7 +128,12 @@ void forEachVoxelIn(
             const bool whole = begin == planes.at(place[2] + map.step()[2] * (size.x - 1));
             if (whole && !begin && map.step()[2] == 0)
                 continue;
-            for (int i = 0; i < size.x; ++i) {
+            const std::array<int, 2> part = whole && begin
+                ? occupiedPart(*begin, place, map.step(), size.x)
+                : std::array<int, 2>{0, size.x};
+            for (std::size_t axis = 0; axis < 3; ++axis)
+                place[axis] += part[0] * map.step()[axis];
+            for (int i = part[0]; i < part[1]; ++i) {
                 if (const PlaneFrames* plane = whole && begin ? begin : planes.at(place[2]))
                     visit(k, row + std::uint64_t(i), *plane, place);
                 for (std::size_t axis = 0; axis < 3; ++axis)

@@ -27,14 +27,16 @@ using core::MaskNote;
 using Labels = std::vector<std::uint8_t>;
 
 /// Slices without labels at both ends and in the middle.
-Labels gappedLabels(const glm::ivec3& size, unsigned seed)
+/// @param oneIn so many voxels has a label
+Labels gappedLabels(const glm::ivec3& size, unsigned seed, unsigned oneIn)
 {
     std::mt19937 random(seed);
     const std::size_t slice = std::size_t(size.x) * std::size_t(size.y);
     Labels labels(slice * std::size_t(size.z), 0);
     for (int k = 1; k < size.z; k += 2) {
         for (std::size_t i = 0; i < slice; ++i)
-            labels[std::size_t(k) * slice + i] = std::uint8_t(random() % 3);
+            labels[std::size_t(k) * slice + i] =
+                random() % oneIn == 0 ? std::uint8_t(random() % 3) : std::uint8_t(0);
     }
     return labels;
 }
@@ -51,9 +53,9 @@ Labels numbersOf(const core::MaskOnVolume& mask, const core::Volume& volume)
 }
 
 struct Exported {
-    Exported(const test::SmallSeries& series, bool multiFrame = false)
+    Exported(const test::SmallSeries& series, bool multiFrame = false, unsigned oneIn = 1)
         : volume(multiFrame ? series.writeMultiFrame(images) : series.write(images))
-        , labels(gappedLabels(series.size, 11))
+        , labels(gappedLabels(series.size, 11, oneIn))
     {
         std::vector<core::Segment> segments;
         for (int label = 1; label < 3; ++label) {
@@ -176,7 +178,7 @@ private Q_SLOTS:
         QTest::addColumn<int>("which");
         int which = 0;
         for (const char* name :
-            {"axial", "oblique", "tilted", "uneven", "two slices", "multi-frame"})
+            {"axial", "oblique", "tilted", "uneven", "two slices", "multi-frame", "sparse"})
             QTest::newRow(name) << which++;
     }
     void everyStackComesBack()
@@ -198,7 +200,7 @@ private Q_SLOTS:
             series.size.z = 2;
             series.positions = {{0, 0, 0}, {0, 0, 3}};
         }
-        const Exported on(series, which == 5);
+        const Exported on(series, which == 5, which == 6 ? 30 : 1);
         const auto mask = on.read();
         QVERIFY2(mask, qPrintable(mask ? QString() : mask.error().arguments.join(u' ')));
         QVERIFY(mask->notes.empty());
