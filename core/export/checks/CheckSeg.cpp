@@ -8,7 +8,9 @@
 #include <QHash>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
 #include <set>
 
 namespace core {
@@ -100,25 +102,37 @@ Clause differenceOfPixels(
     return wrong == 0 ? Clause() : Clause::saying("%1 voxels are not as drawn", wrong);
 }
 
+/// The numbers that a label map gives to the segments of a label plane.
+struct PlaneNumbers {
+    const LabelPlaneView* plane = nullptr;
+    std::array<int, 256> ofLabel{}; ///< 0: no segment that was written
+};
+
 /// Compares one frame of a label map with the labels of all segments.
 Clause differenceOfMap(const SegFile& seg, std::size_t frame, const ExportExpectation& expected,
     std::size_t sliceOffset)
 {
-    std::vector<Expected> segments;
-    for (const Segment& segment : expected.segments) {
-        segments.emplace_back(expected, segment);
-        if (!segments.back().fits(expected.volume.geometry.voxelCount()))
+    std::map<std::uint8_t, PlaneNumbers> planes;
+    for (std::size_t s = 0; s < expected.segments.size(); ++s) {
+        const Segment& segment = expected.segments[s];
+        if (!Expected(expected, segment).fits(expected.volume.geometry.voxelCount()))
             return Clause::saying("labels to compare with are missing");
+        PlaneNumbers& numbers = planes[segment.plane];
+        numbers.plane = planeOf(expected, segment);
+        numbers.ofLabel[segment.label] = int(s) + 1;
     }
     std::size_t wrong = 0;
     std::size_t i = sliceOffset;
     for (int row = 0; row < seg.rows; ++row) {
         for (int column = 0; column < seg.columns; ++column, ++i) {
-            const int number = seg.value(frame, column, row);
-            bool right = number <= int(segments.size());
-            for (std::size_t s = 0; s < segments.size(); ++s)
-                right = right && (segments[s].at(i) != 0) == (number == int(s) + 1);
-            wrong += right ? 0U : 1U;
+            int wanted = 0;
+            bool isAlone = true;
+            for (const auto& [plane, numbers] : planes) {
+                const int number = numbers.ofLabel[numbers.plane->labels[i]];
+                isAlone = isAlone && (number == 0 || wanted == 0);
+                wanted = std::max(wanted, number);
+            }
+            wrong += isAlone && seg.value(frame, column, row) == wanted ? 0U : 1U;
         }
     }
     return wrong == 0 ? Clause() : Clause::saying("%1 voxels are not as drawn", wrong);
