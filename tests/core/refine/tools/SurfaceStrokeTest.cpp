@@ -89,6 +89,7 @@ private Q_SLOTS:
     void aScrapedWayIsLevel();
     void aDraggedVertexIsWhereItWasPut();
     void aDraggedVertexCanBeDraggedAgain();
+    void oneThatIsGoneIsDraggedHarder_data();
     void oneThatIsGoneIsDraggedHarder();
     void smoothingEvensAndKeepsTheVolume();
     void edgesAttract();
@@ -271,10 +272,20 @@ void SurfaceStrokeTest::aDraggedVertexIsWhereItWasPut()
     }
 }
 
+void SurfaceStrokeTest::oneThatIsGoneIsDraggedHarder_data()
+{
+    QTest::addColumn<bool>("isGuarded");
+    QTest::newRow("of any surface") << false;
+    QTest::newRow("that may not cross itself") << true;
+}
+
 /// Restructuring may take the dragged vertex away between two samples of the pen, of which the
 /// second presses harder.
 void SurfaceStrokeTest::oneThatIsGoneIsDraggedHarder()
 {
+    QFETCH(bool, isGuarded);
+    core::VolumeGeometry geometry{.size = glm::ivec3(60), .slicePositions = {}};
+    geometry.indexToWorld[3] = glm::dvec4(-30, -30, -30, 1);
     for (int i = 0; i < 40; ++i) {
         core::SimplexMesh mesh = redBall(3);
         auto random = test::Random(unsigned(i));
@@ -285,8 +296,11 @@ void SurfaceStrokeTest::oneThatIsGoneIsDraggedHarder()
             samples.push_back({.placeLps = from * (k % 2 == 0 ? 1.0 : 0.4 + 0.03 * k),
                 .pressure = 0.3 + 0.05 * k});
         stroke(mesh, core::DragTool{.radiusMm = 6.0}, samples,
-            {.areaMm2 = 4.0 * core::meanFaceAreaMm2(mesh)});
+            {.areaMm2 = 4.0 * core::meanFaceAreaMm2(mesh),
+                .apartOn = isGuarded ? &geometry : nullptr});
         QCOMPARE(test::eulerCharacteristics(mesh), std::vector<int>{2});
+        if (isGuarded)
+            QCOMPARE(core::selfIntersections(mesh, geometry).size(), std::size_t(0));
     }
 }
 
