@@ -63,10 +63,10 @@ Result<Bits> decodedBits(
 {
     if (seg.bitsPerPixel == 1)
         return failure(ErrorCode::UnsupportedFormat, path,
-            Clause::saying("its pixels of one bit are compressed"));
+            Clause::saying("its pixels of one bit each are compressed"));
     if (!isExact(file.transferSyntaxUid()))
         return failure(ErrorCode::UnsupportedFormat, path,
-            Clause::saying("its pixels are compressed in a way that changes them"));
+            Clause::saying("its pixels are compressed in a way that may change them"));
     const ImageHeader header = headerOf(file, path, seg);
     if (const Clause reason = undecodableReason(header); !reason.isEmpty())
         return failure(ErrorCode::UnsupportedFormat, path, reason);

@@ -3,8 +3,10 @@
 
 #include "core/edits/kinds/growth/BarrierStroke.h"
 #include "core/edits/kinds/growth/ChangeInterval.h"
+#include "core/edits/kinds/growth/GrowFromSeeds.h"
 #include "core/edits/kinds/growth/GrowSteps.h"
 #include "core/edits/kinds/growth/PlugLeak.h"
+#include "core/edits/kinds/growth/ResumeGrowth.h"
 #include "core/edits/kinds/growth/SeedStroke.h"
 #include "core/edits/kinds/growth/ShrinkAt.h"
 #include "core/edits/kinds/growth/ShrinkSteps.h"
@@ -33,6 +35,8 @@ private Q_SLOTS:
         QTest::newRow("plug") << core::Edit(core::PlugLeak()) << takenBack;
         QTest::newRow("interval") << core::Edit(core::ChangeInterval()) << changed;
         QTest::newRow("seeds") << core::Edit(core::SeedStroke()) << neither;
+        QTest::newRow("resume") << core::Edit(core::ResumeGrowth()) << neither;
+        QTest::newRow("grow from seeds") << core::Edit(core::GrowFromSeeds()) << neither;
         QTest::newRow("barrier") << core::Edit(core::BarrierStroke()) << neither;
     }
     void whatTheLastStepDidIsTold()

@@ -45,7 +45,8 @@ class RefinePanelUiTest : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    /// In the narrowest column: what lies a surface alone, with its words in full.
+    /// In the narrowest column, only the controls for making a surface are shown, with all their
+    /// words.
     void beforeASurfaceNothingIsEmptyOrCutOff()
     {
         PanelFixture fixture;
