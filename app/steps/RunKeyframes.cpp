@@ -2,6 +2,9 @@
 #include "app/steps/RunKeyframes.h"
 
 #include "app/steps/SteadySession.h"
+#include "core/edits/kinds/growth/BarrierStroke.h"
+#include "core/edits/kinds/parts/GrowthPlane.h"
+#include "core/history/MovedGrowth.h"
 #include "core/session/SessionKeyframes.h"
 #include "gpu/engine/GpuEngine.h"
 #include "gpu/frame/FrameSource.h"
@@ -18,6 +21,16 @@ constexpr gpu::ViewId view = 0;
 constexpr QSize size = ui::KeyframeRule::pictureSize;
 /// A picture is no truth: the work does not hang on it.
 constexpr std::chrono::seconds longest{30};
+
+/// The label plane of the growth that the last step was about.
+std::uint8_t growthPlaneOfLast(const core::History& history)
+{
+    if (history.position() == 0)
+        return 0;
+    const core::Edit& edit = history.row(history.position()).edit;
+    const auto* barrier = edit.as<core::BarrierStroke>();
+    return barrier ? core::growthPlaneOf(barrier->plane) : core::toldGrowthPlane(edit, history);
+}
 
 } // namespace
 
@@ -73,6 +86,8 @@ void RunKeyframes::keep()
     const core::Volume& volume = document.volumes.front();
     ui::Camera camera = ui::openingCamera(volume.geometry);
     camera.heightMm = ui::fittingHeightMm(camera, volume.geometry, size);
+    gpu::SegmentDisplay segments = ui::segmentDisplay(document);
+    segments.growthPlane = growthPlaneOfLast(session.history());
     gpu::VolumeScene scene = ui::volumeScene(camera, ui::initialVolumeDisplay(volume));
     for (const core::Piece& piece : document.pieces)
         scene.pieces.push_back(ui::scenePiece(piece, document));
@@ -85,7 +100,7 @@ void RunKeyframes::keep()
     m_frames.request({.view = view,
         .sizePixels = {size.width(), size.height()},
         .scene = scene,
-        .segments = ui::segmentDisplay(document),
+        .segments = segments,
         .single = true});
     std::shared_ptr<const std::vector<std::uint8_t>> picture;
     {

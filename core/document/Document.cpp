@@ -175,6 +175,22 @@ const Growth* Document::growth(int plane) const
     return found == growths.end() ? nullptr : &*found;
 }
 
+std::uint32_t Document::generation(int plane) const
+{
+    const Growth* known = growth(plane);
+    return known ? known->generation : 0;
+}
+
+void Document::place(const Growth& growth)
+{
+    const auto at = std::lower_bound(growths.begin(), growths.end(), growth,
+        [](const Growth& a, const Growth& b) { return a.plane < b.plane; });
+    if (at != growths.end() && at->plane == growth.plane)
+        *at = growth;
+    else
+        growths.insert(at, growth);
+}
+
 QJsonObject Document::hashedState() const
 {
     QJsonArray segmentList;
@@ -206,6 +222,9 @@ QJsonObject Document::hashedState() const
     }
     QJsonArray growthList;
     for (const Growth& growth : growths) {
+        // A further plane without a growth is as one in which nothing has grown yet.
+        if (growth.plane != 0 && growth.generation == 0)
+            continue;
         growthList.append(QJsonObject{
             {QStringLiteral("generation"), qint64(growth.generation)},
             {QStringLiteral("plane"), int(growth.plane)},

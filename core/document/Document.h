@@ -108,7 +108,7 @@ struct Document {
     std::vector<Volume> volumes;
     std::vector<Segment> segments;
     std::vector<SculptLayer> layers; ///< in the order of their list, which has no effect
-    std::vector<Growth> growths;
+    std::vector<Growth> growths; ///< by plane; that of plane 0 is always among them
     std::vector<CameraBookmark> bookmarks;
     std::vector<Piece> pieces; ///< by id; the order has no effect
     std::vector<Measurement> measurements; ///< by id
@@ -153,6 +153,10 @@ struct Document {
     [[nodiscard]] int lastChunksGiven() const;
     /// The growth of a label plane; null if nothing has grown in it.
     [[nodiscard]] const Growth* growth(int plane) const;
+    /// The generation of the growth of a plane; 0 if nothing has grown in it.
+    [[nodiscard]] std::uint32_t generation(int plane) const;
+    /// Notes the generation of a growth.
+    void place(const Growth& growth);
     /// The part of the document that the state hash covers, in one canonical form: keys sorted, no
     /// display state (core/session/README.md).
     [[nodiscard]] QJsonObject hashedState() const;

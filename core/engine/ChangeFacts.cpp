@@ -69,6 +69,7 @@ struct Sums {
 
     void addWords(const BrickChange& change)
     {
+        std::uint32_t& greatest = facts.greatestGenerations[change.key.plane];
         const std::uint8_t* before = bytesOf(change.before, Field::SeedWords);
         const std::uint8_t* after = bytesOf(change.after, Field::SeedWords);
         for (std::size_t i = 0; i < voxelsPerBrick; ++i) {
@@ -77,7 +78,7 @@ struct Sums {
             if (!seedWord::isMember(word))
                 continue;
             const std::uint32_t generation = seedWord::generation(word);
-            facts.greatestGeneration = std::max(facts.greatestGeneration, generation);
+            greatest = std::max(greatest, generation);
             if (seedWord::isSeed(word))
                 seedGenerations.insert(generation);
         }
@@ -90,8 +91,10 @@ struct Sums {
         facts.seedWordsChanged += other.facts.seedWordsChanged;
         facts.labelsLost += other.facts.labelsLost;
         facts.labelsGrown += other.facts.labelsGrown;
-        facts.greatestGeneration =
-            std::max(facts.greatestGeneration, other.facts.greatestGeneration);
+        for (const auto& [plane, generation] : other.facts.greatestGenerations) {
+            std::uint32_t& greatest = facts.greatestGenerations[plane];
+            greatest = std::max(greatest, generation);
+        }
         seedGenerations.merge(other.seedGenerations);
         for (const auto& [plane, flow] : other.flows) {
             std::array<Flow, 256>& sum = flows[plane];
@@ -153,6 +156,12 @@ LabelFlow ChangeFacts::flow(std::uint8_t plane, int label) const
             return known;
     }
     return {.plane = plane, .label = std::uint8_t(label)};
+}
+
+std::uint32_t ChangeFacts::greatestGeneration(std::uint8_t plane) const
+{
+    const auto known = greatestGenerations.find(plane);
+    return known == greatestGenerations.end() ? 0 : known->second;
 }
 
 bool ChangeFacts::admittedSeedsAt(std::uint32_t generation) const

@@ -4,6 +4,7 @@
 #include "core/brick/BrickGrid.h"
 
 #include <cstdint>
+#include <map>
 #include <vector>
 
 namespace core {
@@ -36,13 +37,15 @@ struct ChangeFacts {
     /// All other voxels whose label changed.
     std::int64_t labelsGrown = 0;
 
-    /// The greatest generation of the members in the changed bricks of seed words.
-    std::uint32_t greatestGeneration = 0;
+    /// The greatest generation of the members in the changed bricks of seed words, by plane.
+    std::map<std::uint8_t, std::uint32_t> greatestGenerations;
     /// Generations of the members in such bricks that began as seeds; ascending, each once.
     std::vector<std::uint32_t> seedGenerations;
 
     /// Zeros where the label neither gained nor lost a voxel.
     [[nodiscard]] LabelFlow flow(std::uint8_t plane, int label) const;
+    /// 0 where no brick of the plane's seed words changed, or none of those has a member.
+    [[nodiscard]] std::uint32_t greatestGeneration(std::uint8_t plane) const;
     [[nodiscard]] bool admittedSeedsAt(std::uint32_t generation) const;
     [[nodiscard]] bool empty() const { return bricksOfAllFields == 0; }
 };

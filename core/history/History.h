@@ -29,7 +29,9 @@ struct HistoryRow {
     Edit edit; ///< quantised; what replay applies
     EditStatistics statistics;
     RowOrigin origin;
-    std::uint32_t growthGeneration = 0; ///< the counter of plane 0 after this row
+    /// The generation after this row, of the growth in the label plane whose growth it moved
+    /// (MovedGrowth.h); of that in plane 0 if it moved none.
+    std::uint32_t growthGeneration = 0;
     /// size of the compressed difference; 0 while it is still being made
     std::size_t deltaBytes = 0;
     QByteArray stateHash; ///< hex, of the state after this row; empty while it is being computed

@@ -182,8 +182,7 @@ GpuEditEngine::Outcome GpuEditEngine::carryOut(const core::CompareGrowth& comman
     if (!plane)
         return refusal("transaction", core::Clause::saying("no growth is open"));
     ComparedGrowth compared = m_transaction->compareGrowth();
-    if (*plane == 0)
-        m_growthMarks.show(*m_fields, std::move(compared.bricks), command.keep);
+    m_growthMarks.show(*m_fields, std::move(compared.bricks), command.keep);
     core::EngineResult result;
     result.growthComparison = compared.counts;
     return result;

@@ -65,6 +65,7 @@ core::Result<void> GpuEditEngine::openVolume(
             m_fields = std::make_unique<VoxelFields>(m_fieldPrograms, m_textures);
             m_fields->setShownLabels(m_shownLabels, m_translucentLabels);
             m_fields->setPieces(m_shownPieces);
+            m_fields->showGrowth(m_growthPlane);
             m_fields->showAtTolerance(m_atTolerance);
             requireNoError();
         } catch (const std::exception&) {
@@ -120,6 +121,13 @@ void GpuEditEngine::showPieces(const std::vector<PieceSource>& sources)
     m_shownPieces = sources;
     if (m_fields)
         m_fields->setPieces(sources);
+}
+
+void GpuEditEngine::showGrowth(std::uint8_t plane)
+{
+    m_growthPlane = plane;
+    if (m_fields)
+        m_fields->showGrowth(plane);
 }
 
 void GpuEditEngine::showAtTolerance(const std::optional<ToleranceDisplay>& shown)
@@ -333,7 +341,8 @@ GpuEditEngine::Outcome GpuEditEngine::carryOut(const core::BeginEdit& command)
         return refusal("transaction", core::Clause::saying("another edit is open"));
     hideTolerance();
     m_cutPreviewer.forget();
-    m_growthMarks.begin(std::holds_alternative<core::GrowBurst>(command.edit));
+    const auto* growth = std::get_if<core::GrowBurst>(&command.edit);
+    m_growthMarks.begin(growth ? std::optional(growth->plane) : std::nullopt);
     m_editMilliseconds = 0.0;
     auto transaction = EditTransaction::begin(m_programs, *m_fields, command.edit);
     if (!transaction)
@@ -372,19 +381,21 @@ GpuEditEngine::Outcome GpuEditEngine::carryOut(const core::EndEdit& command)
         m_transaction->rollBack(result);
     requireNoError();
     result.statistics.milliseconds = m_editMilliseconds;
+    const std::optional<std::uint8_t> growing = m_transaction->growingPlane();
     m_transaction.reset();
-    endMarks(command.ending, result.changes);
+    endMarks(command.ending, growing, result.changes);
     return result;
 }
 
 /// The edit is worth more than its marks: where there is no memory for them there are none.
-void GpuEditEngine::endMarks(core::Ending ending, std::span<const core::BrickChange> changes)
+void GpuEditEngine::endMarks(core::Ending ending, std::optional<std::uint8_t> growing,
+    std::span<const core::BrickChange> changes)
 {
     try {
         if (ending == core::Ending::Rollback)
             m_growthMarks.restore(*m_fields);
-        else if (m_growthMarks.keeps())
-            m_growthMarks.keep(*m_fields, compareGrowth(*m_fields, 0, changes).bricks);
+        else if (growing && m_growthMarks.keeps())
+            m_growthMarks.keep(*m_fields, compareGrowth(*m_fields, *growing, changes).bricks);
         else
             m_growthMarks.forget();
         requireNoError();

@@ -41,6 +41,7 @@ public:
     bool work() override; ///< throws nothing
     void showSegments(const std::bitset<256>& labels, const std::bitset<256>& translucent) override;
     void showPieces(const std::vector<PieceSource>& sources) override;
+    void showGrowth(std::uint8_t plane) override;
     void showAtTolerance(const std::optional<ToleranceDisplay>& shown) override;
     void warmUp() override;
     void expectEditableRanges() override;
@@ -102,7 +103,8 @@ private:
     Outcome put(const core::LabelGuard& guard, const std::vector<core::BrickImage>& now,
         std::vector<core::BrickImage> images);
     /// Marks what the edit that has ended leaves to be shown.
-    void endMarks(core::Ending ending, std::span<const core::BrickChange> changes);
+    void endMarks(core::Ending ending, std::optional<std::uint8_t> growing,
+        std::span<const core::BrickChange> changes);
     /// Stops showing the tolerance field, because what it was computed from is about to change.
     void hideTolerance();
 
@@ -123,6 +125,7 @@ private:
     std::bitset<256> m_shownLabels;
     std::bitset<256> m_translucentLabels;
     std::vector<PieceSource> m_shownPieces;
+    std::uint8_t m_growthPlane = 0; ///< whose growth pictures show
     std::optional<ToleranceDisplay> m_atTolerance;
     std::unique_ptr<ToleranceKernel> m_trace;
     std::size_t m_tracedAtOnce = leastTraced; ///< bricks

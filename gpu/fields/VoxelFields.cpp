@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "gpu/fields/VoxelFields.h"
 
+#include <iterator>
+
 namespace gpu {
 
 VoxelFields::VoxelFields(FieldPrograms& programs, VolumeTextures& shared)
@@ -16,13 +18,13 @@ VoxelFields::VoxelFields(FieldPrograms& programs, VolumeTextures& shared)
     // What a session begins with (core::initialDocument).
     coverage(1).reserve();
     seedWords(0).reserve();
-    m_shared.setSeedWords(&seedWords(0));
+    shareGrowth();
     m_shared.setBarriers(&m_barriers);
 }
 
 VoxelFields::~VoxelFields()
 {
-    m_shared.setSeedWords(nullptr);
+    m_shared.setGrowth(0, nullptr, {});
     m_shared.setBarriers(nullptr);
     m_shared.setTolerances(nullptr, 0);
     m_shared.setFurtherPlanes({}, nullptr);
@@ -40,10 +42,45 @@ BrickField& VoxelFields::coverage(std::uint8_t layer)
 BrickField& VoxelFields::seedWords(std::uint8_t plane)
 {
     BrickField& field = m_seedWords[plane];
-    if (!field.created())
+    if (!field.created()) {
         field = BrickField(
             {.label = "seed words", .format = GL_R32UI, .emptyVoxel = 0xFFFFFFFFu, .grid = m_grid});
+        if (plane == m_growthPlane)
+            shareGrowth();
+    }
     return field;
+}
+
+std::optional<std::size_t> VoxelFields::placeOf(std::uint8_t plane) const
+{
+    if (plane == 0)
+        return 0;
+    const auto known = m_furtherPlanes.find(plane);
+    if (known == m_furtherPlanes.end())
+        return std::nullopt;
+    return std::size_t(std::distance(m_furtherPlanes.begin(), known)) + 1;
+}
+
+void VoxelFields::shareGrowth()
+{
+    const auto words = m_seedWords.find(m_growthPlane);
+    const bool has = words != m_seedWords.end() && words->second.created();
+    m_shared.setGrowth(m_growthPlane, has ? &words->second : nullptr, placeOf(m_growthPlane));
+}
+
+void VoxelFields::showGrowth(std::uint8_t plane)
+{
+    if (plane == m_growthPlane)
+        return;
+    const std::optional<int> tolerance = shownTolerance();
+    m_growthPlane = plane;
+    shareGrowth();
+    shareTolerances();
+    noteTolerance(tolerance);
+    const auto words = m_seedWords.find(plane);
+    m_barriers.noteAll(
+        words == m_seedWords.end() ? std::vector<std::uint32_t>() : words->second.heldBricks());
+    m_shared.markDirty(VolumeField::Barriers, {glm::ivec3(0), m_grid.volumeSize});
 }
 
 BrickField& VoxelFields::overwritten(std::uint8_t plane)
@@ -95,6 +132,7 @@ void VoxelFields::sharePlanes()
             further.push_back(&texture);
     }
     m_shared.setFurtherPlanes(std::move(further), &m_seenLabels->texture());
+    shareGrowth();
     if (m_shownLabels.any())
         m_staleSegmentation.insert(m_labelledBricks.begin(), m_labelledBricks.end());
 }
@@ -275,7 +313,7 @@ void VoxelFields::setShownLabels(const std::bitset<256>& shown, const std::bitse
 
 void VoxelFields::updateBarriers()
 {
-    const core::VoxelBox changed = m_barriers.update(seedWords(0));
+    const core::VoxelBox changed = m_barriers.update(seedWords(m_growthPlane));
     if (!changed.empty())
         m_shared.markDirty(VolumeField::BarrierBricks, changed);
 }
@@ -296,9 +334,10 @@ void VoxelFields::updateSegmentation(std::size_t maxBricks)
     if (tolerance)
         m_radiationKernel.updateFromLabels(planes,
             {.tolerances = m_tolerance.tolerances,
-                .seedWords = seedWords(0),
+                .seedWords = seedWords(m_growthPlane),
                 .label = m_tolerance.rule.label,
-                .tolerance = *tolerance},
+                .tolerance = *tolerance,
+                .place = *placeOf(m_growthPlane)},
             m_shownLabels, m_segmentation, regions);
     else
         m_radiationKernel.updateFromLabels(planes, m_shownLabels, m_segmentation, regions);
@@ -310,7 +349,7 @@ void VoxelFields::deriveAnew()
     const std::vector<std::uint32_t> labelled(m_labelledBricks.begin(), m_labelledBricks.end());
     for (const std::uint32_t brick : withNeighbours(labelled))
         m_staleSegmentation.insert(brick);
-    if (const auto words = m_seedWords.find(0); words != m_seedWords.end())
+    if (const auto words = m_seedWords.find(m_growthPlane); words != m_seedWords.end())
         m_barriers.noteAll(words->second.heldBricks());
     m_arrangeAnew = m_arrangeAnew || !m_stalePieces.empty();
 }

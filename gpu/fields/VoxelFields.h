@@ -84,6 +84,9 @@ public:
     /// Updates at most @p maxBricks bricks that are out of date.
     void updateSegmentation(std::size_t maxBricks);
 
+    /// Sets the label plane whose growth pictures show: barriers, the generations that warn, and a
+    /// segment at a tolerance.
+    void showGrowth(std::uint8_t plane);
     /// The list of bricks in which pictures look for barriers is updated between edits, too.
     [[nodiscard]] bool barriersStale() const { return m_barriers.stale(); }
     void updateBarriers();
@@ -113,6 +116,10 @@ public:
 private:
     /// Tells VolumeTextures which label planes are in use.
     void sharePlanes();
+    /// Tells it whose growth is shown.
+    void shareGrowth();
+    /// The place of a plane among those in use; none: it is not.
+    [[nodiscard]] std::optional<std::size_t> placeOf(std::uint8_t plane) const;
     [[nodiscard]] core::VoxelBox boxOf(std::span<const std::uint32_t> bricks) const;
     [[nodiscard]] std::vector<core::VoxelBox> boxesOf(std::span<const std::uint32_t> bricks) const;
     /// The regions whose radiation depends on changed boxes.
@@ -129,6 +136,8 @@ private:
     /// The tolerance at which pictures show the field's segment; none if they show it as it is.
     [[nodiscard]] std::optional<int> shownTolerance() const;
     void noteTolerance(std::optional<int> before);
+    /// Tells VolumeTextures whether there is a tolerance field to show.
+    void shareTolerances();
 
     core::BrickGrid m_grid;
     VolumeTextures& m_shared;
@@ -142,7 +151,8 @@ private:
     std::map<std::uint8_t, Texture3D> m_furtherPlanes;
     std::optional<ShownLabels> m_seenLabels; ///< exists while there are several label planes
     SpreadField m_spread;
-    BarrierBricks m_barriers; ///< of plane 0
+    std::uint8_t m_growthPlane = 0; ///< whose growth is shown
+    BarrierBricks m_barriers; ///< of that plane
     ToleranceField m_tolerance;
     std::optional<ToleranceDisplay> m_atTolerance;
     std::bitset<256> m_mutedLayers;

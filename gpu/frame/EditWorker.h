@@ -41,6 +41,9 @@ public:
     /// like the segmentation map.
     virtual void showPieces(const std::vector<PieceSource>& sources) = 0;
 
+    /// Sets the label plane whose growth pictures show; the first one at first.
+    virtual void showGrowth(std::uint8_t plane) = 0;
+
     /// Sets how VolumeTextures::segmentation() shows a segment while a valid tolerance field of it
     /// exists.
     virtual void showAtTolerance(const std::optional<ToleranceDisplay>& shown) = 0;

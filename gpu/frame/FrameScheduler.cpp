@@ -167,6 +167,10 @@ void FrameScheduler::begin(ViewProgress& view, FrameRequest request)
         m_translucent = translucent;
         m_edits.showSegments(shown, translucent);
     }
+    if (request.segments.growthPlane != m_growthPlane) {
+        m_growthPlane = request.segments.growthPlane;
+        m_edits.showGrowth(m_growthPlane);
+    }
     if (request.segments.atTolerance != m_atTolerance) {
         m_atTolerance = request.segments.atTolerance;
         m_edits.showAtTolerance(m_atTolerance);

@@ -101,6 +101,7 @@ private:
     std::bitset<256> m_translucent;
     int m_bodiless = 0; ///< VolumeScene::bodiless of the last request of a 3D view
     std::vector<PieceSource> m_shownPieces;
+    std::uint8_t m_growthPlane = 0;
     std::optional<ToleranceDisplay> m_atTolerance;
     std::map<ViewId, ViewProgress> m_views;
     TileCosts m_costs;

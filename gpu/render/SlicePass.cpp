@@ -137,7 +137,7 @@ Program& SlicePass::prepareForm(unsigned form, VolumeTextures& volume, const Sli
     if (words) {
         variant += (volume.touched(VolumeField::Barriers) && segments.showBarriers ? barriers : 0)
             + (palette.warns() ? warned : 0);
-        if (tolerances) {
+        if (tolerances && volume.growthPlace()) {
             variant |= labeled | atTolerance;
             tolerances->bindUnit(13);
         }
@@ -168,6 +168,11 @@ Program& SlicePass::prepareForm(unsigned form, VolumeTextures& volume, const Sli
     if (chunks)
         chunks->bind(program, *scene.chunks,
             (form & OnPlane) != 0 ? ChunkTextures::Drawn::Bodies : ChunkTextures::Drawn::Areas);
+    if ((variant & labeled) != 0 && planes.size() > 1) {
+        constexpr unsigned none = 255;
+        const std::optional<std::size_t> place = volume.growthPlace();
+        program.set("growthPlace", place ? unsigned(*place) : none);
+    }
     if ((variant & atTolerance) != 0)
         program.set("toleranceLabel", unsigned(segments.atTolerance->label))
             .set("tolerance", unsigned(segments.atTolerance->tolerance));

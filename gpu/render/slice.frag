@@ -61,6 +61,11 @@ uniform bool showCarved;
 uniform bool carvedAsHole;
 uniform float fillOpacity;
 uniform float outlineWidth; // pixels
+#if LABEL_PLANES > 1
+uniform uint growthPlace; // which of these planes is the one whose growth is shown
+#else
+const uint growthPlace = 0u;
+#endif
 
 /* Output */
 layout(location = 0) out vec4 colour;
@@ -108,14 +113,31 @@ bool isBarrier(ivec3 voxel)
 }
 #endif
 
-uint labelAt(ivec3 voxel)
+/// What a plane shows. @param place of the plane among those that there are
+uint labelIn(usampler3D plane, uint place, ivec3 voxel)
 {
-    const uint held = texelFetch(labels, voxel, 0).r;
+    const uint held = texelFetch(plane, voxel, 0).r;
 #if AT_TOLERANCE
-    return labelAtTolerance(held, voxel);
+    return place == growthPlace ? labelAtTolerance(held, voxel) : held;
 #else
     return held;
 #endif
+}
+
+uint labelAt(ivec3 voxel)
+{
+    return labelIn(labels, 0u, voxel);
+}
+
+/// The colour of a label in a plane, which may warn of what a growth reached late.
+vec4 entryOf(uint label, uint place, ivec3 voxel)
+{
+    vec4 entry = texelFetch(palette, ivec2(int(label), 0), 0);
+#if WARNED
+    if (place == growthPlace && warns(voxel))
+        entry.rgb = texelFetch(palette, ivec2(0), 0).rgb;
+#endif
+    return entry;
 }
 
 #if CHUNKS
@@ -191,18 +213,20 @@ vec2 around(int i)
 /// What a further plane shows at a pixel: a fill or, if the pixel is at a border, a line.
 struct FurtherSegment {
     vec4 own; // colour, opacity
+    uint label;
     bool edge;
 };
 
-FurtherSegment furtherSegment(usampler3D plane, vec3 index, vec2 pixel)
+FurtherSegment furtherSegment(usampler3D plane, uint place, vec3 index, vec2 pixel)
 {
-    const uint label = texelFetch(plane, nearestVoxel(index), 0).r;
+    const uint label = labelIn(plane, place, nearestVoxel(index));
     FurtherSegment seen;
-    seen.own = texelFetch(palette, ivec2(int(label), 0), 0);
+    seen.label = label;
+    seen.own = entryOf(label, place, nearestVoxel(index));
     seen.edge = false;
     for (int i = 0; i < 8; ++i) {
         const vec3 there = indexAt(pixel + around(i) * outlineWidth);
-        seen.edge = seen.edge || texelFetch(plane, nearestVoxel(there), 0).r != label;
+        seen.edge = seen.edge || labelIn(plane, place, nearestVoxel(there)) != label;
     }
 #if PLANE
     const bool isMask = label != 0u && label == maskLabel;
@@ -267,17 +291,13 @@ void main()
 
 #if LABELED
     const uint label = labelAt(voxel);
-    const vec4 entry = texelFetch(palette, ivec2(int(label), 0), 0);
+    const vec4 entry = entryOf(label, 0u, voxel);
     bool edge = false;
     for (int i = 0; i < 8; ++i) {
         const vec3 there = indexAt(pixel + around(i) * outlineWidth);
         edge = edge || labelAt(nearestVoxel(there)) != label;
     }
-#if WARNED
-    vec3 own = warns(voxel) ? texelFetch(palette, ivec2(0), 0).rgb : entry.rgb;
-#else
     vec3 own = entry.rgb;
-#endif
 #if PLANE
     // The mask from which the surface came is reddish, so that the surface's line stands out
     // (seed B, figure 8).
@@ -287,12 +307,12 @@ void main()
 #endif
 #if LABEL_PLANES > 1
     // Fills of higher planes over those of lower ones, and all lines over all fills.
-    const FurtherSegment segment1 = furtherSegment(labels1, index, pixel);
+    const FurtherSegment segment1 = furtherSegment(labels1, 1u, index, pixel);
 #if LABEL_PLANES > 2
-    const FurtherSegment segment2 = furtherSegment(labels2, index, pixel);
+    const FurtherSegment segment2 = furtherSegment(labels2, 2u, index, pixel);
 #endif
 #if LABEL_PLANES > 3
-    const FurtherSegment segment3 = furtherSegment(labels3, index, pixel);
+    const FurtherSegment segment3 = furtherSegment(labels3, 3u, index, pixel);
 #endif
     result = mix(result, own, edge ? 0.0 : entry.a * fillOpacity);
     result = withFill(result, segment1);
@@ -326,9 +346,20 @@ void main()
         border = border || previewMarkAt(nearestVoxel(there)) != mark;
     }
 #if LABELED
-    const vec3 marksOwn = entry.rgb;
+    uint marksLabel = label;
+#if LABEL_PLANES > 1
+    marksLabel = growthPlace == 1u ? segment1.label : marksLabel;
+#endif
+#if LABEL_PLANES > 2
+    marksLabel = growthPlace == 2u ? segment2.label : marksLabel;
+#endif
+#if LABEL_PLANES > 3
+    marksLabel = growthPlace == 3u ? segment3.label : marksLabel;
+#endif
+    const vec4 marked = texelFetch(palette, ivec2(int(marksLabel), 0), 0);
+    const vec3 marksOwn = marked.rgb;
     const float markShown
-        = mark == growthReached || mark == growthReinstated ? entry.a : 1.0;
+        = mark == growthReached || mark == growthReinstated ? marked.a : 1.0;
 #else
     const vec3 marksOwn = vec3(1.0);
     const float markShown = 1.0;

@@ -41,7 +41,9 @@ struct SegmentDisplay {
     /// segment are seen tissue and opaque segments, but not others that are translucent.
     std::array<std::uint8_t, 256> transparencyPercent{};
     bool voxelTrue = false; ///< bodies in the 3D view are their voxels, not smoothed
-    /// Members of later generations of the growth are drawn in `warningRgb`; by default none are.
+    /// The label plane whose growth is shown: its barriers, and its members of later generations.
+    std::uint8_t growthPlane = 0;
+    /// Members of later generations of that growth are drawn in `warningRgb`; by default none are.
     std::uint32_t warnAfterGeneration = 0xFFFFFFFFu;
     std::uint32_t warningRgb = 0xF0B04A;
     float fillOpacity = 0.35f; ///< of slices

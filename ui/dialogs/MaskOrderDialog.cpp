@@ -77,8 +77,9 @@ MaskOrderDialog::MaskOrderDialog(
     m_flatten->setChecked(!fits);
     auto* kept = new QLabel(
         fits ? tr(
-            "The segments lie in %1 label planes. Segments beyond the first plane can be edited, "
-            "measured and exported, but they cannot grow. Label maps cannot hold overlaps.")
+            "The segments lie in %1 label planes. Each is edited, grown, measured and exported for "
+            "itself. Segments beyond the first plane cannot be protected from sculpting, and label "
+            "maps cannot hold overlaps.")
                    .arg(m_read->planesNeeded())
              : tr("They would need %1 label planes; there are at most %2.")
                    .arg(m_read->planesNeeded())

@@ -74,8 +74,9 @@ void SeedBand::ask()
     m_waiting = true;
     const core::CodeInterval interval{.low = volume->encoding.lowestCodeAtLeast(settings.lower),
         .high = volume->encoding.highestCodeAtMost(settings.upper)};
-    session->questions().seedSums(interval,
-        core::seedStrokes(session->history(), session->document(), 0),
+    const std::uint8_t plane = m_workspace.growthPlane();
+    session->questions().seedSums(plane, interval,
+        core::seedStrokes(session->history(), session->document(), plane),
         [band = QPointer<SeedBand>(this), session, interval](
             const core::Result<std::vector<core::ProbedSeeds>>& seeds) {
             if (!band || band->m_workspace.session() != session)

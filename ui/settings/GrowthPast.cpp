@@ -7,15 +7,16 @@
 
 namespace ui {
 
-const GrowthPast::Known& GrowthPast::of(const core::EditSession& session)
+const GrowthPast::Known& GrowthPast::of(const core::EditSession& session, std::uint8_t plane)
 {
     const core::History& history = session.history();
-    if (m_position == history.position())
+    const std::pair asked(history.position(), plane);
+    if (m_asked == asked)
         return m_known;
-    m_known = {.seeds = sketchedSeeds(session),
-        .criteria = core::recentCriteria(history),
-        .growing = core::growingSegments(history, session.document())};
-    m_position = history.position();
+    m_known = {.seeds = sketchedSeeds(session, plane),
+        .criteria = core::recentCriteria(history, plane),
+        .growing = core::growingSegments(history, session.document(), plane)};
+    m_asked = asked;
     return m_known;
 }
 

@@ -5,7 +5,9 @@
 #include "core/history/History.h"
 
 #include <bitset>
+#include <cstdint>
 #include <optional>
+#include <utility>
 
 namespace core {
 class EditSession;
@@ -13,9 +15,10 @@ class EditSession;
 
 namespace ui {
 
-/// What the history says of growth at its present position. It is asked many times per second while
-/// a growth is watched, and answering takes a walk through the history. So the answer is kept until
-/// the position changes; what led to a position never changes.
+/// What the history says of the growth of a label plane at its present position. It is asked many
+/// times per second while a growth is watched, and answering takes a walk through the history. So
+/// the answer is kept until the position or the plane changes; what led to a position never
+/// changes.
 class GrowthPast {
 public:
     struct Known {
@@ -24,12 +27,12 @@ public:
         std::bitset<256> growing; ///< core::growingSegments()
     };
 
-    [[nodiscard]] const Known& of(const core::EditSession& session);
+    [[nodiscard]] const Known& of(const core::EditSession& session, std::uint8_t plane);
     /// To be called when another session is opened.
-    void clear() { m_position.reset(); }
+    void clear() { m_asked.reset(); }
 
 private:
-    std::optional<core::RowId> m_position;
+    std::optional<std::pair<core::RowId, std::uint8_t>> m_asked; ///< position and plane
     Known m_known;
 };
 

@@ -72,12 +72,12 @@ std::vector<glm::ivec3> seedVoxels(const core::EditSession& session, int label)
     return all;
 }
 
-int sketchedSeeds(const core::EditSession& session)
+int sketchedSeeds(const core::EditSession& session, std::uint8_t plane)
 {
     // Those of a segment that was deleted went with it.
     std::size_t count = 0;
     for (const core::Segment& segment : session.document().segments)
-        count += seedVoxels(session, segment.label).size();
+        count += segment.plane == plane ? seedVoxels(session, segment.label).size() : 0;
     return int(count);
 }
 

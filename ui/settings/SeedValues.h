@@ -6,6 +6,7 @@
 
 #include <glm/glm.hpp>
 
+#include <cstdint>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -22,8 +23,8 @@ namespace ui {
     const core::EditSession& session, int label);
 /// Returns all seed voxels of a segment that are in effect at the history's present position.
 [[nodiscard]] std::vector<glm::ivec3> seedVoxels(const core::EditSession& session, int label);
-/// Returns the number of seed voxels of all segments.
-[[nodiscard]] int sketchedSeeds(const core::EditSession& session);
+/// Returns the number of seed voxels of all segments of a label plane.
+[[nodiscard]] int sketchedSeeds(const core::EditSession& session, std::uint8_t plane);
 
 /// The tolerance with which an interval is suggested after a sketch, in standard deviations: it
 /// covers 99 % of a normal distribution.

@@ -3,6 +3,7 @@
 
 #include "core/edits/kinds/EditParts.h"
 #include "core/edits/kinds/growth/ChangeInterval.h"
+#include "core/edits/kinds/parts/GrowthPlane.h"
 #include "core/session/EditSession.h"
 #include "core/session/past/RecentGrowth.h"
 
@@ -41,7 +42,8 @@ bool grew(
     const core::GrowCriteria& last, const core::Segment& segment, const core::History& history)
 {
     if (!last.segments)
-        return !segment.locked && core::hasGrown(history, segment.label);
+        return !segment.locked && segment.plane == core::growthPlaneOf(last.plane)
+            && core::hasGrown(history, segment);
     return std::find(last.segments->begin(), last.segments->end(), segment.label)
         != last.segments->end();
 }
@@ -83,7 +85,7 @@ void SegmentIntervals::followGrowth(const core::EditSession& session)
     for (const core::RowId row : over) {
         const core::GrowCriteria* criteria = core::growCriteriaOf(history.row(row).edit);
         if (criteria && !criteria->segments)
-            affected.set();
+            affected |= session.document().labelsIn(core::growthPlaneOf(criteria->plane));
         else if (criteria) {
             for (const int label : *criteria->segments)
                 affected.set(std::size_t(label));
@@ -120,19 +122,19 @@ void SegmentIntervals::goBack(const core::EditSession& session, const std::bitse
     const core::RowId growth = lastGrowth(history);
     if (growth == 0)
         return;
-    const core::GrowCriteria& criteria = *core::growCriteriaOf(history.row(growth).edit);
     const auto then = m_then.find(growth);
     for (const core::Segment& segment : session.document().segments) {
         // What has not grown yet keeps what is set for it.
-        if (!segments.test(std::size_t(segment.label)) || !core::hasGrown(history, segment.label))
+        if (!segments.test(std::size_t(segment.label)) || !core::hasGrown(history, segment))
             continue;
         const bool known = then != m_then.end() && then->second.contains(segment.label);
         if (known) {
             set(segment.label, then->second.at(segment.label));
-        } else if (grew(criteria, segment, history)) { // in a window that was closed since
+        } else if (const auto own = core::recentCriteria(history, segment.plane);
+                   own && grew(*own, segment, history)) { // in a window that was closed since
             Interval interval = of(segment.label).value_or(Interval{.byHand = true});
-            interval.lower = criteria.lower;
-            interval.upper = criteria.upper;
+            interval.lower = own->lower;
+            interval.upper = own->upper;
             set(segment.label, interval);
         }
     }

@@ -38,12 +38,18 @@ void GrowthRun::begin(std::vector<GrowthTurn> turns, double generationsPerSecond
 void GrowthRun::resume()
 {
     m_turns.clear();
-    beginBurst(core::ResumeGrowth{}, m_workspace.growSettings().generationsPerSecond);
+    beginBurst(core::ResumeGrowth{.plane = m_workspace.growthPlane()},
+        m_workspace.growSettings().generationsPerSecond);
 }
 
-void GrowthRun::goOn()
+void GrowthRun::goOn(std::uint8_t plane)
 {
-    const bool ofOthers = !m_turns.empty() && !grows(m_turns.front(), m_workspace.activeSegment());
+    if (m_turns.empty() && plane != m_workspace.growthPlane()) {
+        beginBurst(
+            core::ResumeGrowth{.plane = plane}, m_workspace.growSettings().generationsPerSecond);
+        return;
+    }
+    const bool ofOthers = !m_turns.empty() && !activeGrows(m_turns.front(), m_workspace);
     begin(ofOthers ? m_turns : growthTurns(m_workspace),
         m_workspace.growSettings().generationsPerSecond);
 }

@@ -8,6 +8,7 @@
 #include <QObject>
 #include <QTimer>
 
+#include <cstdint>
 #include <vector>
 
 namespace ui {
@@ -34,7 +35,9 @@ public:
     void resume();
     /// Continues after a leak alarm. If the active segment was not in the turn that raised it, that
     /// turn and those after it go on; otherwise the turns are planned anew.
-    void goOn();
+    /// @param plane the label plane of the growth; another one than the active segment's goes on by
+    ///     the criteria of its last growth
+    void goOn(std::uint8_t plane);
     /// Ends the burst at its present generation and drops the turns that have not begun.
     void pause();
     /// To be called when another session is opened.

@@ -3,6 +3,7 @@
 
 #include "core/edits/kinds/growth/GrowCriteria.h"
 #include "core/edits/kinds/growth/GrowSteps.h"
+#include "core/edits/kinds/parts/GrowthPlane.h"
 #include "core/session/EditSession.h"
 #include "ui/base/NumberText.h"
 #include "ui/base/StudyTexts.h"
@@ -70,7 +71,8 @@ std::vector<SeededSegment> seededSegments(const Workspace& workspace)
     std::vector<SeededSegment> seeded;
     const core::EditSession& session = *workspace.session();
     const GrowSettings& settings = workspace.growSettings();
-    const std::bitset<256>& growing = workspace.seeds().past().of(session).growing;
+    const std::bitset<256>& growing =
+        workspace.seeds().past().of(session, workspace.growthPlane()).growing;
     for (const core::Segment& segment : session.document().segments) {
         if (!growing.test(std::size_t(segment.label)))
             continue;
@@ -143,13 +145,16 @@ std::vector<GrowthTurn> growthTurns(const Workspace& workspace)
 {
     std::vector<GrowthTurn> turns;
     if (const core::EditSession* session = workspace.session()) {
-        const auto& criteria = workspace.seeds().past().of(*session).criteria;
+        const auto& criteria =
+            workspace.seeds().past().of(*session, workspace.growthPlane()).criteria;
         turns = growthTurns(seededSegments(workspace), workspace.activeSegment(),
             criteria ? criteria->segments : std::nullopt);
     }
     const GrowSettings& settings = workspace.growSettings();
     if (turns.empty())
         turns.push_back({.lower = settings.lower, .upper = settings.upper});
+    for (GrowthTurn& turn : turns)
+        turn.plane = core::namedPlane(workspace.growthPlane());
     return turns;
 }
 
@@ -159,6 +164,7 @@ core::GrowSteps growthOf(const GrowthTurn& turn, const GrowSettings& settings)
     edit.criteria.lower = turn.lower;
     edit.criteria.upper = turn.upper;
     edit.criteria.segments = turn.segments;
+    edit.criteria.plane = turn.plane;
     return edit;
 }
 
@@ -166,7 +172,7 @@ std::optional<std::vector<int>> followingSegments(const Workspace& workspace)
 {
     const core::EditSession& session = *workspace.session();
     const int active = workspace.activeSegment();
-    const auto& criteria = workspace.seeds().past().of(session).criteria;
+    const auto& criteria = workspace.seeds().past().of(session, workspace.growthPlane()).criteria;
     if (!criteria)
         return std::nullopt;
     const std::vector<SeededSegment> seeded = seededSegments(workspace);
@@ -203,26 +209,28 @@ void shareInterval(Workspace& workspace)
     }
 }
 
-bool grows(const GrowthTurn& turn, int label)
+bool activeGrows(const GrowthTurn& turn, const Workspace& workspace)
 {
-    return !turn.segments || holds(turn.segments, label);
+    return core::growthPlaneOf(turn.plane) == workspace.growthPlane()
+        && (!turn.segments || holds(turn.segments, workspace.activeSegment()));
 }
 
 int grownIn(const GrowthTurn& turn, const Workspace& workspace)
 {
     const core::EditSession* session = workspace.session();
     const int active = workspace.activeSegment();
-    if (session && active > 0 && grows(turn, active)
-        && workspace.seeds().past().of(*session).growing.test(std::size_t(active)))
+    if (session && active > 0 && activeGrows(turn, workspace)
+        && workspace.seeds()
+               .past()
+               .of(*session, workspace.growthPlane())
+               .growing.test(std::size_t(active)))
         return active;
     return turn.segments && turn.segments->size() == 1 ? turn.segments->front() : 0;
 }
 
-bool everySegmentLocked(const core::Document& document)
+bool everySegmentLocked(const core::Document& document, std::uint8_t plane)
 {
-    return !document.segments.empty()
-        && std::all_of(document.segments.begin(), document.segments.end(),
-            [](const core::Segment& segment) { return segment.locked; });
+    return document.lockedLabels(plane).any() && document.unlockedLabels(plane).none();
 }
 
 QString textOf(const std::vector<GrowthTurn>& turns, const Workspace& workspace)

@@ -3,6 +3,7 @@
 
 #include <QString>
 
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -30,6 +31,7 @@ struct GrowthTurn {
     std::optional<std::vector<int>> segments{};
     double lower = 0.0;
     double upper = 0.0;
+    std::optional<int> plane{}; ///< the label plane that grows (GrowCriteria::plane)
     bool operator==(const GrowthTurn&) const = default;
 };
 
@@ -45,7 +47,7 @@ struct GrowthTurn {
 /// @param last the segments of the last growth (GrowCriteria::segments)
 [[nodiscard]] std::vector<GrowthTurn> growthTurns(const std::vector<SeededSegment>& seeded,
     int active, const std::optional<std::vector<int>>& last);
-/// The turns for the segments of the open session; at least one.
+/// The turns for the segments of the open session in the active one's label plane; at least one.
 [[nodiscard]] std::vector<GrowthTurn> growthTurns(const Workspace& workspace);
 
 /// The edit that grows a turn to closure, with the other settings of growth.
@@ -58,15 +60,15 @@ struct GrowthTurn {
 /// Sets the interval of the active segment for all segments that grew together with it.
 void shareInterval(Workspace& workspace);
 
-/// Whether a segment grows in a turn.
-[[nodiscard]] bool grows(const GrowthTurn& turn, int label);
+/// Whether the active segment grows in a turn.
+[[nodiscard]] bool activeGrows(const GrowthTurn& turn, const Workspace& workspace);
 
 /// The segment to which messages about a turn refer: the active one if it grew in the turn, or else
 /// the only one of the turn; 0: neither.
 [[nodiscard]] int grownIn(const GrowthTurn& turn, const Workspace& workspace);
 
-/// Whether there are segments and all of them are locked.
-[[nodiscard]] bool everySegmentLocked(const core::Document& document);
+/// Whether there are segments in a label plane and all of them are locked.
+[[nodiscard]] bool everySegmentLocked(const core::Document& document, std::uint8_t plane);
 
 /// A sentence that tells the user the order of the turns; empty if all segments grow together in
 /// one interval.

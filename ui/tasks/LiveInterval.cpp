@@ -35,7 +35,7 @@ bool LiveInterval::possible() const
 {
     const core::EditSession* session = m_workspace.session();
     return session && session->whyReadOnly().isEmpty() && (m_open || !session->transactionOpen())
-        && m_workspace.seeds().past().of(*session).criteria.has_value();
+        && m_workspace.seeds().past().of(*session, m_workspace.growthPlane()).criteria.has_value();
 }
 
 void LiveInterval::move(double lower, double upper, const std::optional<std::vector<int>>& segments)
@@ -80,7 +80,8 @@ void LiveInterval::send(bool atOnce)
         m_open = false; // something else has closed it
     if (!m_open) {
         core::ChangeInterval change;
-        if (const auto recent = core::recentCriteria(session->history());
+        change.criteria.plane = m_workspace.growthPlane();
+        if (const auto recent = core::recentCriteria(session->history(), m_workspace.growthPlane());
             recent && recent->segments != m_segments) {
             change.criteria = *recent;
             change.criteria.segments = m_segments;

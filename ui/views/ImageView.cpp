@@ -70,6 +70,7 @@ ImageView::ImageView(Workspace& workspace, gpu::ViewId view, QWidget* parent)
     connect(&m_workspace, &Workspace::windowLevelChanged, this, refresh);
     connect(&m_workspace, &Workspace::viewOptionsChanged, this, refresh);
     connect(&m_workspace, &Workspace::volumeDisplayChanged, this, refresh);
+    connect(&m_workspace, &Workspace::activeSegmentChanged, this, refresh); // whose growth is shown
     connect(&m_workspace, &Workspace::atToleranceChanged, this, &ImageView::requestMovingFrame);
     connect(&m_workspace, &Workspace::documentChanged, this,
         [this](const core::DocumentChange& change) {

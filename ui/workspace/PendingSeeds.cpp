@@ -4,17 +4,19 @@
 #include "core/edits/kinds/GrowthKinds.h"
 #include "core/edits/kinds/IsOneOf.h"
 #include "core/edits/kinds/growth/ChangeInterval.h"
+#include "core/edits/kinds/growth/GrowCriteria.h"
 #include "core/edits/kinds/growth/GrowSteps.h"
 #include "core/edits/kinds/growth/SeedStroke.h"
 #include "core/edits/kinds/growth/ShrinkSteps.h"
+#include "core/edits/kinds/parts/GrowthPlane.h"
 #include "core/edits/kinds/segments/RemoveSegment.h"
+#include "core/history/MovedGrowth.h"
 #include "core/session/questions/VoxelQuestions.h"
 #include "ui/workspace/Workspace.h"
 
 #include <QPointer>
 
 #include <algorithm>
-#include <span>
 #include <utility>
 
 namespace ui {
@@ -26,6 +28,12 @@ struct PendingSeeds::Sketched {
 
 namespace {
 
+/// A seed that the engine is asked about.
+struct Asked {
+    gpu::SceneSeed seed;
+    bool isGrown = false; ///< a growth has come to it
+};
+
 glm::ivec3 voxelAt(const glm::dvec3& lps, const core::VolumeGeometry& geometry)
 {
     return glm::ivec3(glm::floor(geometry.toIndex(lps) + 0.5));
@@ -35,18 +43,20 @@ glm::ivec3 voxelAt(const glm::dvec3& lps, const core::VolumeGeometry& geometry)
 /// has come to, and those that one has.
 class SeedsAlong {
 public:
-    explicit SeedsAlong(const core::VolumeGeometry& geometry)
-        : m_geometry(geometry)
+    explicit SeedsAlong(const core::Document& document)
+        : m_document(document)
+        , m_geometry(document.volumes.front().geometry)
     {
     }
 
-    void follow(const core::HistoryRow& row)
+    /// @param history of the row
+    void follow(const core::HistoryRow& row, const core::History& history)
     {
         core::visitAmong([&](const auto& known) { take(known, row.growthGeneration); }, row.edit,
             core::GrowthKinds());
         if (const auto* removed = row.edit.as<core::RemoveSegment>())
             forget([&](const gpu::SceneSeed& seed) { return seed.label == removed->segment; });
-        m_generation = row.growthGeneration;
+        m_generations[core::toldGrowthPlane(row.edit, history)] = row.growthGeneration;
     }
     [[nodiscard]] std::vector<gpu::SceneSeed> pending() const { return m_pending; }
     [[nodiscard]] std::vector<gpu::SceneSeed> grown() const
@@ -77,17 +87,17 @@ private:
         for (const glm::dvec3& point : stroke.pointsLps)
             m_pending.push_back({point, std::uint8_t(stroke.segment)});
     }
-    void take(const core::GrowSteps& grow, std::uint32_t) { comeTo(grow.criteria.segments); }
-    void take(const core::ChangeInterval& change, std::uint32_t)
-    {
-        comeTo(change.criteria.segments);
-    }
+    void take(const core::GrowSteps& grow, std::uint32_t) { comeTo(grow.criteria); }
+    void take(const core::ChangeInterval& change, std::uint32_t) { comeTo(change.criteria); }
     /// By steps it sends back those that came later; to the seeds it keeps all.
     void take(const core::ShrinkSteps& shrink, std::uint32_t generation)
     {
-        if (!shrink.steps || std::uint32_t(*shrink.steps) >= m_generation)
+        const std::uint8_t plane = core::growthPlaneOf(shrink.plane);
+        if (!shrink.steps || std::uint32_t(*shrink.steps) >= m_generations[plane])
             return;
-        const auto goes = [generation](const Grown& each) { return each.since > generation; };
+        const auto goes = [&](const Grown& each) {
+            return each.since > generation && planeOf(each.seed) == plane;
+        };
         for (const Grown& each : m_grown) {
             if (goes(each))
                 m_pending.push_back(each.seed);
@@ -100,18 +110,26 @@ private:
         core::PlugLeak, core::GrowFromSeeds>
     void take(const E&, std::uint32_t) { }
 
-    /// @param segments none: all
-    void comeTo(const std::optional<std::vector<int>>& segments)
+    void comeTo(const core::GrowCriteria& criteria)
     {
-        const auto rests = std::stable_partition(
-            m_pending.begin(), m_pending.end(), [&segments](const gpu::SceneSeed& seed) {
-                return !segments
-                    || std::find(segments->begin(), segments->end(), int(seed.label))
-                    != segments->end();
+        const std::uint8_t plane = core::growthPlaneOf(criteria.plane);
+        const auto& segments = criteria.segments;
+        const auto rests =
+            std::stable_partition(m_pending.begin(), m_pending.end(), [&](const auto& seed) {
+                return planeOf(seed) == plane
+                    && (!segments
+                        || std::find(segments->begin(), segments->end(), int(seed.label))
+                            != segments->end());
             });
         for (auto seed = m_pending.begin(); seed != rests; ++seed)
-            m_grown.push_back({.since = m_generation + 1, .seed = *seed});
+            m_grown.push_back({.since = m_generations[plane] + 1, .seed = *seed});
         m_pending.erase(m_pending.begin(), rests);
+    }
+    /// Of a segment that is gone, whose seeds are not shown: any.
+    [[nodiscard]] std::uint8_t planeOf(const gpu::SceneSeed& seed) const
+    {
+        const core::Segment* segment = m_document.segment(seed.label);
+        return segment ? segment->plane : std::uint8_t(0);
     }
     template <class Which> void forget(const Which& which)
     {
@@ -119,10 +137,11 @@ private:
         std::erase_if(m_grown, [&](const Grown& each) { return which(each.seed); });
     }
 
+    const core::Document& m_document;
     const core::VolumeGeometry& m_geometry;
     std::vector<gpu::SceneSeed> m_pending;
     std::vector<Grown> m_grown;
-    std::uint32_t m_generation = 0;
+    std::map<std::uint8_t, std::uint32_t> m_generations; ///< by label plane
 };
 
 } // namespace
@@ -149,9 +168,9 @@ PendingSeeds::PendingSeeds(Workspace& workspace)
 PendingSeeds::Sketched PendingSeeds::seedsOf(const core::EditSession& session)
 {
     const core::History& history = session.history();
-    SeedsAlong seeds(session.document().volumes.front().geometry);
+    SeedsAlong seeds(session.document());
     for (const core::RowId id : history.standing())
-        seeds.follow(history.row(id));
+        seeds.follow(history.row(id), history);
     Sketched sketched{.pending = seeds.pending(), .grown = seeds.grown()};
     for (std::vector<gpu::SceneSeed>* list : {&sketched.pending, &sketched.grown}) {
         std::erase_if(*list, [&session](const gpu::SceneSeed& seed) {
@@ -193,32 +212,35 @@ void PendingSeeds::show(Sketched sketched)
         set({}, {});
         return;
     }
-    const core::VolumeGeometry& geometry = m_workspace.volume()->geometry;
-    std::vector<glm::ivec3> voxels;
-    for (const auto* list : {&sketched.pending, &sketched.grown}) {
-        for (const gpu::SceneSeed& seed : *list)
-            voxels.push_back(voxelAt(seed.lps, geometry));
+    // One question for each label plane in which there are any; the last answer shows them.
+    const core::Document& document = m_workspace.session()->document();
+    std::map<std::uint8_t, std::vector<Asked>> byPlane;
+    for (const bool isGrown : {false, true}) {
+        for (const gpu::SceneSeed& seed : isGrown ? sketched.grown : sketched.pending)
+            byPlane[document.segment(seed.label)->plane].push_back({seed, isGrown});
     }
-    m_workspace.session()->questions().probe(std::move(voxels),
-        [seeds = QPointer<PendingSeeds>(this), asked, sketched = std::move(sketched)](
-            const core::Result<std::vector<core::ProbedVoxel>>& probed) {
-            const std::size_t pending = sketched.pending.size();
-            if (!seeds || seeds->m_asked != asked || !probed
-                || probed->size() != pending + sketched.grown.size())
-                return;
-            const auto waitingOf = [](const std::vector<gpu::SceneSeed>& list,
-                                       std::span<const core::ProbedVoxel> probes) {
-                std::vector<gpu::SceneSeed> waiting;
+    const auto waiting = std::make_shared<Sketched>();
+    for (const auto& [plane, list] : byPlane) {
+        std::vector<glm::ivec3> voxels;
+        for (const Asked& each : list)
+            voxels.push_back(voxelAt(each.seed.lps, document.volumes.front().geometry));
+        const bool isLast = plane == byPlane.rbegin()->first;
+        m_workspace.session()->questions().probe(
+            std::move(voxels),
+            [seeds = QPointer<PendingSeeds>(this), asked, waiting, list = list, isLast](
+                const core::Result<std::vector<core::ProbedVoxel>>& probed) {
+                if (!seeds || seeds->m_asked != asked || !probed || probed->size() != list.size())
+                    return;
                 for (std::size_t i = 0; i < list.size(); ++i) {
-                    if (probes[i].seedOf == list[i].label)
-                        waiting.push_back(list[i]);
+                    if ((*probed)[i].seedOf == list[i].seed.label)
+                        (list[i].isGrown ? waiting->grown : waiting->pending)
+                            .push_back(list[i].seed);
                 }
-                return waiting;
-            };
-            const std::span<const core::ProbedVoxel> probes(*probed);
-            seeds->set(waitingOf(sketched.pending, probes.first(pending)),
-                waitingOf(sketched.grown, probes.subspan(pending)));
-        });
+                if (isLast)
+                    seeds->set(std::move(waiting->pending), std::move(waiting->grown));
+            },
+            plane);
+    }
 }
 
 void PendingSeeds::set(std::vector<gpu::SceneSeed> pending, std::vector<gpu::SceneSeed> hollow)

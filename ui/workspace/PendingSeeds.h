@@ -28,7 +28,7 @@ class Workspace;
 /// The sketched seeds that are not members of a growth: those that no growth has reached yet (on
 /// the history's line up to its position, after the last growth), and those that growths have left
 /// waiting because they do not meet the criteria. They are taken from the engine, so a place that
-/// accepted no seed has none. Only seeds of shown segments. Part of Workspace.
+/// accepted no seed has none. Only seeds of shown segments, in all label planes. Part of Workspace.
 class PendingSeeds : public QObject {
     Q_OBJECT
 

@@ -237,6 +237,7 @@ gpu::SegmentDisplay Workspace::segmentDisplay(const SegmentLook& look) const
     if (m_warnAfter)
         display.warnAfterGeneration = *m_warnAfter;
     display.atTolerance = m_atTolerance;
+    display.growthPlane = growthPlane();
     display.showBarriers = m_viewOptions.showBarriers;
     const DrawnSegments drawn = drawnSegments(look);
     if (drawn.drawing == SegmentDrawing::Fill)
@@ -248,6 +249,13 @@ gpu::SegmentDisplay Workspace::segmentDisplay(const SegmentLook& look) const
     for (const auto& [label, percent] : m_opacities)
         display.transparencyPercent[std::size_t(label)] = std::uint8_t(100 - percent);
     return display;
+}
+
+std::uint8_t Workspace::growthPlane() const
+{
+    const core::Segment* active =
+        m_session ? m_session->document().segment(m_activeSegment) : nullptr;
+    return active ? active->plane : std::uint8_t(0);
 }
 
 void Workspace::setWarnAfter(std::optional<std::uint32_t> generation)

@@ -167,6 +167,9 @@ public:
     [[nodiscard]] core::WindowLevel windowLevel() const { return m_windowLevel; }
     void setWindowLevel(const core::WindowLevel& window);
     [[nodiscard]] int activeSegment() const { return m_activeSegment; } ///< its label; 0: none
+    /// The label plane of the active segment: its growth is the one that tools and panels begin,
+    /// continue, take back and show. 0 if there is no segment.
+    [[nodiscard]] std::uint8_t growthPlane() const;
     void setActiveSegment(int label);
     /// The layer that tools carve; 0: none.
     [[nodiscard]] int activeLayer() const { return m_activeLayer; }

@@ -39,19 +39,9 @@ std::uint8_t DependencyFacts::planeOf(int label) const
     return segment ? segment->plane : std::uint8_t(0);
 }
 
-std::uint8_t DependencyFacts::growthPlane() const
-{
-    return document.growths.front().plane;
-}
-
 EditDependencies DependencyFacts::whatWasWritten() const
 {
     return dependsOn::Bricks{{written.begin(), written.end()}};
-}
-
-EditDependencies DependencyFacts::wholeGrowth() const
-{
-    return dependsOn::Plane{growthPlane()};
 }
 
 std::set<std::uint32_t> DependencyFacts::under(const BrushPath& path) const

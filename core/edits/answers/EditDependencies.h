@@ -36,7 +36,7 @@ struct Bricks {
 };
 /// All seed words and labels of a plane.
 struct Plane {
-    std::uint8_t plane = 0;
+    std::optional<std::uint8_t> plane{}; ///< none: of all planes
 };
 /// All seed words of a plane, and labels (with `coverage` that too) in some bricks.
 struct SeedWords {
@@ -81,13 +81,9 @@ struct DependencyFacts {
     [[nodiscard]] BrickGrid grid() const;
     /// The plane of a label; the first plane if there is no such segment.
     [[nodiscard]] std::uint8_t planeOf(int label) const;
-    [[nodiscard]] std::uint8_t growthPlane() const;
 
     /// For an edit that writes no voxel, or only those that it takes back or combines anew.
     [[nodiscard]] EditDependencies whatWasWritten() const;
-    /// For growths that first remove, plug or show something: all seed words and labels of the
-    /// plane.
-    [[nodiscard]] EditDependencies wholeGrowth() const;
     /// The bricks under a brush; none if they cannot be computed.
     [[nodiscard]] std::set<std::uint32_t> under(const BrushPath& path) const;
     /// All fields of a label plane (labels, seed words, …) in some bricks, or under a brush.

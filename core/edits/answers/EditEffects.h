@@ -8,6 +8,7 @@
 #include <QString>
 
 #include <concepts>
+#include <cstdint>
 #include <optional>
 
 namespace core {
@@ -68,8 +69,8 @@ struct EditEffects {
     /// It refers to places of one study or to rows of one history, so it means nothing in a recipe
     /// for another study.
     bool boundToStudy = false;
-    /// The document's growth has another generation afterwards.
-    bool movesGeneration = false;
+    /// The label plane whose growth has another generation afterwards; none: no growth has.
+    std::optional<std::uint8_t> movesGenerationOf{};
 };
 
 /// Whether there is a command of the engine for this kind of edit.

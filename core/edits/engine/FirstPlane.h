@@ -6,10 +6,10 @@
 
 namespace core {
 
-/// Checks that a segment lies in label plane 0. Growth, barriers and protection from sculpting look
-/// for segments only there; every edit that needs them refuses other segments by this function.
-/// @param field name of the field that names the segment, such as "seed.segment"
-/// @param what what the segment cannot do elsewhere, such as "grow"
+/// Checks that a segment lies in label plane 0. Protection from sculpting looks for segments only
+/// there; every edit that needs it refuses other segments by this function.
+/// @param field name of the field that names the segment, such as "changeSegment.protected"
+/// @param what what the segment cannot do elsewhere, such as "be spared by a cut"
 /// Errors: InvalidField.
 [[nodiscard]] inline Result<void> checkInFirstPlane(
     const QString& field, const Segment& segment, const Clause& what)

@@ -20,11 +20,9 @@ void addProtected(ProtectedSegments& protectedSegments, const Document& document
         protectedSegments.emplace(all.begin(), all.end());
 }
 
-ProtectedLabels protectedLabelsIn(
-    const ProtectedSegments& protectedSegments, const Document& document)
+ProtectedLabels protectedLabelsOf(const ProtectedSegments& protectedSegments)
 {
     ProtectedLabels labels;
-    labels.plane = document.growths.empty() ? std::uint8_t(0) : document.growths.front().plane;
     if (!protectedSegments)
         return labels;
     for (const int label : *protectedSegments)

@@ -13,9 +13,9 @@ namespace core {
 /// so replay and revision need not know which segments are protected at that time.
 void addProtected(ProtectedSegments& protectedSegments, const Document& document);
 
-/// The list of an edit in the form of an engine, for the document's label plane that cuts read.
-[[nodiscard]] ProtectedLabels protectedLabelsIn(
-    const ProtectedSegments& protectedSegments, const Document& document);
+/// The list of an edit in the form of an engine. They lie in the first label plane
+/// (checkProtectedAreThere()).
+[[nodiscard]] ProtectedLabels protectedLabelsOf(const ProtectedSegments& protectedSegments);
 
 /// Checks that a cut that restores has no such list.
 /// @param edit name of the edit, for errors

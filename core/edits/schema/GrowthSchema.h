@@ -47,7 +47,18 @@ void visitBox(Visitor& visit, std::optional<GrowBox>& box, const char* meaning, 
     visit.maybe("box", box, editFields::CornerPair{positionLps}, meaning, absent);
 }
 
-/// All criteria except the interval.
+/// The label plane of a growth. It stands only where it is not the first one or was named, so that
+/// text of sessions that know no other growths stays as it is.
+template <class Visitor>
+void visitPlane(Visitor& visit, std::optional<int>& plane, const char* absent = "the first one, 0")
+{
+    visit.maybe("plane", plane, editFields::WholeNumber{0, mostLabelPlanes - 1},
+        "the label plane whose growth is meant, as importMask numbers them: only segments that "
+        "share voxels with others of their file lie in a plane beyond 0",
+        absent);
+}
+
+/// All criteria except the interval and the plane.
 template <class Visitor> void visitOtherCriteria(Visitor& visit, GrowCriteria& criteria)
 {
     visit.field("connectivity", Presence::Optional, criteria.connectivity,
@@ -142,6 +153,7 @@ template <class Visitor> void visitFields(Visitor& visit, GrowSteps& edit)
     visit.field("tellsHeld", Presence::Optional, edit.tellsHeld, editFields::Flag{},
         "whether shrinking leaves what the segment held before it grew; false in older sessions");
     visitGuard(visit, edit.guard);
+    visitPlane(visit, edit.criteria.plane);
 }
 
 template <> inline constexpr const char* editName<ChangeInterval> = "interval";
@@ -164,6 +176,8 @@ template <class Visitor> void visitFields(Visitor& visit, ChangeInterval& edit)
         "how many rings to add after the change (after the seeds if fromSeeds is true), or "
         "\"toClosure\" to go on until nothing is left to add");
     visitGuard(visit, edit.guard);
+    visitPlane(visit, edit.criteria.plane,
+        "that of the last growth; the first one, 0, once the edit is carried out");
 }
 
 template <> inline constexpr const char* editName<ResumeGrowth> = "resume";
@@ -175,6 +189,7 @@ template <class Visitor> void visitFields(Visitor& visit, ResumeGrowth& edit)
     visit.field("steps", Presence::Optional, edit.steps, editFields::StepCount{},
         "how many rings to add after the seeds, or \"toClosure\" to go on until nothing is left to "
         "add");
+    visitPlane(visit, edit.plane, "that of the last growth");
 }
 
 template <> inline constexpr const char* editName<ShrinkSteps> = "shrink";
@@ -185,6 +200,7 @@ template <class Visitor> void visitFields(Visitor& visit, ShrinkSteps& edit)
 {
     visit.field("steps", Presence::Required, edit.steps, editFields::StepCount{"toSeeds"},
         "how many rings to take back, or \"toSeeds\" to leave only the accepted seeds");
+    visitPlane(visit, edit.plane);
 }
 
 template <> inline constexpr const char* editName<ShrinkAt> = "shrinkAt";
@@ -204,6 +220,7 @@ template <class Visitor> void visitFields(Visitor& visit, ShrinkAt& edit)
         "how many steps to go backwards instead: the first takes the places and what descends from "
         "them, each further one a generation of their parents; taking everything is refused",
         "all at once, up to where it is narrowest");
+    visitPlane(visit, edit.plane);
 }
 
 template <> inline constexpr const char* editName<PlugLeak> = "plug";
@@ -214,6 +231,7 @@ template <class Visitor> void visitFields(Visitor& visit, PlugLeak& edit)
 {
     visit.field("pointLps", Presence::Required, edit.pointLps, positionLps,
         "a place in the leak, in patient coordinates (LPS)");
+    visitPlane(visit, edit.plane);
 }
 
 template <> inline constexpr const char* editName<BarrierStroke> = "barrier";
@@ -225,6 +243,7 @@ template <class Visitor> void visitFields(Visitor& visit, BarrierStroke& edit)
     visitPath(visit, edit.path);
     visit.field("erase", Presence::Optional, edit.erase, editFields::Flag{},
         "whether barriers are taken away instead");
+    visitPlane(visit, edit.plane);
 }
 
 template <> inline constexpr const char* editName<GrowFromSeeds> = "growFromSeeds";
@@ -248,6 +267,7 @@ template <class Visitor> void visitFields(Visitor& visit, GrowFromSeeds& edit)
         "a thousandth of the volume's range of values");
     visit.field("overwriteUnlocked", Presence::Optional, edit.overwriteUnlocked, editFields::Flag{},
         "whether voxels of segments that do not compete and are not locked are taken");
+    visitPlane(visit, edit.plane);
 }
 
 } // namespace core::editSchema

@@ -181,14 +181,14 @@ void VoxelOperation::finish(SessionState& state, EngineResult&& result)
         state.fail(*result.error);
     if (m_failed && !result.changes.empty())
         state.require(SwapBricks{imagesBefore(result.changes)});
-    const bool movesGeneration = effectsOf(m_edit).movesGeneration;
+    const bool movesGeneration = effectsOf(m_edit).movesGenerationOf.has_value();
     if (movesGeneration)
         state.notify(DocumentChange::What::Growth);
     if (m_edit.is<SeedStroke>())
         state.lastSketched = m_sketched;
     const bool changed = !result.changes.empty()
         || (changedPart(m_edit) && !takesVoxelsOrNothing(m_edit))
-        || (m_ending == Ending::Commit && bringsNewCriteria(m_edit, state.history));
+        || (m_ending == Ending::Commit && bringsNewCriteria(m_edit, state.history, state.document));
     if (result.error || m_failed || !changed) {
         if (m_again != 0 && !result.error && !m_failed)
             state.fail({ErrorCode::SessionDamaged,

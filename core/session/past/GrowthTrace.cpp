@@ -60,13 +60,11 @@ bool GrowthTrace::mayNeed(const Edit& edit)
     return !changesDocumentOnly(edit) && !isSculptEdit(edit) && !writesSomeLayer(edit);
 }
 
-void GrowthTrace::note(RowId row, const std::vector<ChangedWords>& words, const Document& document)
+void GrowthTrace::note(RowId row, const std::vector<ChangedWords>& words, const BrickGrid& grid)
 {
-    const BrickGrid grid{document.volumes.front().geometry.size};
-    std::set<std::uint32_t>& beside = m_besideWords[row];
+    ByPlane& byPlane = m_besideWords[row];
     for (const ChangedWords& changed : words) {
-        if (changed.key.plane != document.growths.front().plane)
-            continue;
+        std::set<std::uint32_t>& beside = byPlane[changed.key.plane];
         const glm::ivec3 first = glm::max(changed.box.minimum - 1, glm::ivec3(0)) / BrickGrid::side;
         const glm::ivec3 last =
             glm::min(changed.box.maximum, grid.volumeSize - 1) / BrickGrid::side;
@@ -80,12 +78,13 @@ void GrowthTrace::note(RowId row, const std::vector<ChangedWords>& words, const 
     }
 }
 
-std::set<std::uint32_t> GrowthTrace::bricksUpTo(RowId row) const
+std::set<std::uint32_t> GrowthTrace::bricksUpTo(RowId row, std::uint8_t plane) const
 {
     std::set<std::uint32_t> bricks;
-    for (const auto& [earlier, beside] : m_besideWords) {
-        if (earlier <= row)
-            bricks.insert(beside.begin(), beside.end());
+    for (const auto& [earlier, byPlane] : m_besideWords) {
+        const auto beside = byPlane.find(plane);
+        if (earlier <= row && beside != byPlane.end())
+            bricks.insert(beside->second.begin(), beside->second.end());
     }
     return bricks;
 }

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "core/brick/BrickGrid.h"
-#include "core/document/Document.h"
 #include "core/edits/kinds/Edit.h"
 #include "core/history/History.h"
 
@@ -32,13 +31,14 @@ public:
     /// Whether the differences of a row must be noted because they may contain seed words.
     [[nodiscard]] static bool mayNeed(const Edit& edit);
 
-    void note(RowId row, const std::vector<ChangedWords>& words, const Document& document);
-    /// The bricks in which rows up to this one changed seed words, and the bricks next to such
-    /// voxels.
-    [[nodiscard]] std::set<std::uint32_t> bricksUpTo(RowId row) const;
+    void note(RowId row, const std::vector<ChangedWords>& words, const BrickGrid& grid);
+    /// The bricks in which rows up to this one changed seed words of a plane, and the bricks next
+    /// to such voxels.
+    [[nodiscard]] std::set<std::uint32_t> bricksUpTo(RowId row, std::uint8_t plane) const;
 
 private:
-    std::map<RowId, std::set<std::uint32_t>> m_besideWords;
+    using ByPlane = std::map<std::uint8_t, std::set<std::uint32_t>>;
+    std::map<RowId, ByPlane> m_besideWords;
 };
 
 } // namespace core

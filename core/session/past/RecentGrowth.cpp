@@ -9,6 +9,7 @@
 #include "core/edits/kinds/growth/GrowLimits.h"
 #include "core/edits/kinds/growth/GrowSteps.h"
 #include "core/edits/kinds/growth/ResumeGrowth.h"
+#include "core/edits/kinds/parts/GrowthPlane.h"
 #include "core/edits/kinds/segments/PaintStroke.h"
 #include "core/growth/SeedWord.h"
 #include "core/session/past/SeedStrokes.h"
@@ -37,7 +38,8 @@ std::bitset<256> segmentsWithSeeds(const History& history)
 /// who gets a voxel, and only growing anew gives what would have been.
 bool segmentsCompete(const GrowCriteria& criteria, const History& history, const Document& document)
 {
-    const std::bitset<256> growing = growingSegments(history, document);
+    const std::bitset<256> growing =
+        growingSegments(history, document, growthPlaneOf(criteria.plane));
     if (!criteria.segments)
         return growing.count() > 1;
     return std::count_if(criteria.segments->begin(), criteria.segments->end(),
@@ -63,11 +65,13 @@ std::optional<Rules> rulesOf(const Edit& edit)
     return criteria ? std::optional(Rules{*criteria, *growGuardOf(edit)}) : std::nullopt;
 }
 
-std::optional<Rules> recentRules(const History& history)
+/// @param plane of the growth; none: any
+std::optional<Rules> recentRules(const History& history, const std::optional<int>& plane)
 {
     const std::vector<RowId> rows = history.standing();
     for (auto row = rows.rbegin(); row != rows.rend(); ++row) {
-        if (std::optional<Rules> rules = rulesOf(history.row(*row).edit))
+        std::optional<Rules> rules = rulesOf(history.row(*row).edit);
+        if (rules && (!plane || growthPlaneOf(rules->criteria.plane) == *plane))
             return rules;
     }
     return std::nullopt;
@@ -75,43 +79,47 @@ std::optional<Rules> recentRules(const History& history)
 
 } // namespace
 
-std::bitset<256> growingSegments(const History& history, const Document& document)
+std::bitset<256> growingSegments(
+    const History& history, const Document& document, std::uint8_t plane)
 {
-    std::bitset<256> growing = segmentsWithSeeds(history);
-    for (std::size_t label = 0; label < growing.size(); ++label) {
-        const Segment* segment = growing[label] ? document.segment(int(label)) : nullptr;
-        growing[label] = segment && !segment->locked;
-    }
-    return growing;
+    return segmentsWithSeeds(history) & document.unlockedLabels(plane);
 }
 
-std::optional<GrowCriteria> recentCriteria(const History& history)
+std::optional<GrowCriteria> recentCriteria(const History& history, std::uint8_t plane)
 {
-    const std::optional<Rules> rules = recentRules(history);
+    const std::optional<Rules> rules = recentRules(history, plane);
     return rules ? std::optional(rules->criteria) : std::nullopt;
 }
 
-bool hasGrown(const History& history, int segment)
+bool hasGrown(const History& history, const Segment& segment)
 {
     bool seeded = false;
     for (const RowId id : history.standing()) {
         const Edit& edit = history.row(id).edit;
-        seeded = seeded || segmentOfSeeds(edit) == segment;
+        seeded = seeded || segmentOfSeeds(edit) == segment.label;
         const GrowCriteria* criteria = growCriteriaOf(edit);
-        const bool named = criteria
+        const bool meant = criteria && growthPlaneOf(criteria->plane) == segment.plane
             && (!criteria->segments
-                || std::find(criteria->segments->begin(), criteria->segments->end(), segment)
+                || std::find(criteria->segments->begin(), criteria->segments->end(), segment.label)
                     != criteria->segments->end());
-        if (seeded && named)
+        if (seeded && meant)
             return true;
     }
     return false;
 }
 
-bool bringsNewCriteria(const Edit& edit, const History& history)
+bool bringsNewCriteria(const Edit& edit, const History& history, const Document& document)
 {
     const std::optional<Rules> rules = rulesOf(edit);
-    return rules && recentCriteria(history) != rules->criteria && segmentsWithSeeds(history).any();
+    if (!rules)
+        return false;
+    const std::uint8_t plane = growthPlaneOf(rules->criteria.plane);
+    std::bitset<256> seeded = segmentsWithSeeds(history);
+    for (const Segment& segment : document.segments) {
+        if (segment.plane != plane)
+            seeded.reset(segment.label);
+    }
+    return seeded.any() && recentCriteria(history, plane) != rules->criteria;
 }
 
 namespace {
@@ -140,17 +148,28 @@ Result<void> dropGone(GrowCriteria& criteria, const Document& document)
 
 } // namespace
 
+/// The first plane is not named, so that criteria that mean the same are the same.
+static void nameAlike(GrowCriteria& criteria)
+{
+    criteria.plane = namedPlane(growthPlaneOf(criteria.plane));
+}
+
 Result<void> nameWhatGrowthReads(Edit& edit, const History& history, const Document& document)
 {
     const auto* resume = edit.as<ResumeGrowth>();
     auto* change = edit.as<ChangeInterval>();
+    if (auto* grow = edit.as<GrowSteps>())
+        nameAlike(grow->criteria);
     if (!resume && !change)
         return {};
     if (resume || change->asBefore) {
-        std::optional<Rules> rules = recentRules(history);
+        const std::optional<int> plane = resume ? resume->plane : change->criteria.plane;
+        std::optional<Rules> rules = recentRules(history, plane);
         if (!rules)
             return failure(ErrorCode::InvalidField, editName(edit),
-                Clause::saying("nothing has grown before"));
+                plane && document.labelPlanes().size() > 1
+                    ? Clause::saying("nothing has grown on label plane %1 before", *plane + 1)
+                    : Clause::saying("nothing has grown before"));
         if (const Result<void> left = dropGone(rules->criteria, document); !left)
             return left;
         if (resume) {
@@ -163,16 +182,16 @@ Result<void> nameWhatGrowthReads(Edit& edit, const History& history, const Docum
         change->criteria = rules->criteria;
         change->asBefore = false;
     }
+    nameAlike(change->criteria);
     if (change->fromSeeds)
         return {};
     change->fromSeeds = change->criteria.sigmas || asksPassage(change->criteria, document)
         || segmentsCompete(change->criteria, history, document);
     // As many generations again as there are, of which the seeds are the first, and those asked
     // for.
-    const Growth* growth = document.growth(0);
-    if (*change->fromSeeds && change->steps && growth && growth->generation > 0)
-        *change->steps =
-            std::min(*change->steps + int(growth->generation) - 1, int(seedWord::maxGeneration));
+    const auto generation = int(document.generation(growthPlaneOf(change->criteria.plane)));
+    if (*change->fromSeeds && change->steps && generation > 0)
+        *change->steps = std::min(*change->steps + generation - 1, int(seedWord::maxGeneration));
     return {};
 }
 

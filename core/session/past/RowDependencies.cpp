@@ -28,7 +28,7 @@ bool isCovered(const dependsOn::Bricks& bricks, const BrickKey& key)
 
 bool isCovered(const dependsOn::Plane& plane, const BrickKey& key)
 {
-    return key.field != Field::Coverage && key.plane == plane.plane;
+    return key.field != Field::Coverage && (!plane.plane || key.plane == *plane.plane);
 }
 
 bool isCovered(const dependsOn::SeedWords& growth, const BrickKey& key)

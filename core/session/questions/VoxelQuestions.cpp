@@ -38,9 +38,10 @@ VoxelQuestions::VoxelQuestions(QuestionLine& line, const glm::ivec3& volumeSize)
 {
 }
 
-void VoxelQuestions::probe(std::vector<glm::ivec3> voxels, Answer<std::vector<ProbedVoxel>> answer)
+void VoxelQuestions::probe(
+    std::vector<glm::ivec3> voxels, Answer<std::vector<ProbedVoxel>> answer, std::uint8_t plane)
 {
-    m_line.ask(ProbeVoxels{.voxels = std::move(voxels)},
+    m_line.ask(ProbeVoxels{.voxels = std::move(voxels), .plane = plane},
         answerWith(&EngineResult::probes, std::move(answer)));
 }
 
@@ -84,18 +85,20 @@ bool VoxelQuestions::readOn(const std::shared_ptr<LabelReader>& reader, Answer<v
     return true;
 }
 
-void VoxelQuestions::seedSums(const CodeInterval& interval, std::vector<SeedGroup> strokes,
-    Answer<std::vector<ProbedSeeds>> answer)
+void VoxelQuestions::seedSums(std::uint8_t plane, const CodeInterval& interval,
+    std::vector<SeedGroup> strokes, Answer<std::vector<ProbedSeeds>> answer)
 {
-    m_line.ask(
-        ProbeSeeds{
-            .lowCode = interval.low, .highCode = interval.high, .seedGroups = std::move(strokes)},
+    m_line.ask(ProbeSeeds{.plane = plane,
+                   .lowCode = interval.low,
+                   .highCode = interval.high,
+                   .seedGroups = std::move(strokes)},
         answerWith(&EngineResult::seeds, std::move(answer)));
 }
 
-void VoxelQuestions::generationSizes(Answer<std::vector<std::uint32_t>> answer)
+void VoxelQuestions::generationSizes(std::uint8_t plane, Answer<std::vector<std::uint32_t>> answer)
 {
-    m_line.ask(CountGenerations{}, answerWith(&EngineResult::generationSizes, std::move(answer)));
+    m_line.ask(CountGenerations{.plane = plane},
+        answerWith(&EngineResult::generationSizes, std::move(answer)));
 }
 
 void VoxelQuestions::traceTolerance(

@@ -39,8 +39,8 @@ struct PickQuestion {
 /// EditSession::poll() delivers answers in order with the edits, so each one describes the state
 /// after everything requested before it. Answers that are outstanding when the session closes are
 /// dropped. Errors of an answer: InvalidField (places outside the volume, an invalid question),
-/// OutOfMemory, EngineLost. If no plane is given, seeds are those of plane 0; labels are those of
-/// all planes.
+/// OutOfMemory, EngineLost. Labels are those of all planes; seeds and growths those of one label
+/// plane.
 class VoxelQuestions {
 public:
     template <class T> using Answer = std::function<void(Result<T>)>;
@@ -48,8 +48,10 @@ public:
     /// @param line must outlive this
     VoxelQuestions(QuestionLine& line, const glm::ivec3& volumeSize);
 
-    /// Value, labels (SegmentsAt.h) and seed at each of these voxels.
-    void probe(std::vector<glm::ivec3> voxels, Answer<std::vector<ProbedVoxel>> answer);
+    /// Value and labels (SegmentsAt.h) at each of these voxels, and the seed there.
+    /// @param plane in which seeds are looked for
+    void probe(std::vector<glm::ivec3> voxels, Answer<std::vector<ProbedVoxel>> answer,
+        std::uint8_t plane = 0);
     /// The voxel that is visible along each ray; none if none is.
     void pick(PickQuestion question, Answer<std::vector<std::optional<glm::ivec3>>> answer);
     /// The codes of a box, x fastest. A large box delays frames.
@@ -61,12 +63,12 @@ public:
     /// @return false: everything was read, and nothing is asked
     [[nodiscard]] bool readOn(const std::shared_ptr<LabelReader>& reader, Answer<void> answer);
 
-    /// Statistics around the seeds of each label, of codes in the interval: first for each stroke,
-    /// in their order, then for the seeds in no stroke; only those that have voxels.
-    void seedSums(const CodeInterval& interval, std::vector<SeedGroup> strokes,
+    /// Statistics around the seeds of each label of a plane, of codes in the interval: first for
+    /// each stroke, in their order, then for the seeds in no stroke; only those that have voxels.
+    void seedSums(std::uint8_t plane, const CodeInterval& interval, std::vector<SeedGroup> strokes,
         Answer<std::vector<ProbedSeeds>> answer);
     /// The number of members by generation, including those of a running growth.
-    void generationSizes(Answer<std::vector<std::uint32_t>> answer);
+    void generationSizes(std::uint8_t plane, Answer<std::vector<std::uint32_t>> answer);
 
     /// Computes at which tolerance each voxel would join (growth/Tolerance.h). An answer without a
     /// curve means that more work is left: asking again continues it. Once the curve is delivered,

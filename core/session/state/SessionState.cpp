@@ -4,6 +4,7 @@
 #include "core/edits/document/DocumentEdits.h"
 #include "core/edits/kinds/Edit.h"
 #include "core/engine/EngineCommands.h"
+#include "core/history/MovedGrowth.h"
 #include "core/session/names/TitleOfRow.h"
 #include "core/session/past/FollowedInterval.h"
 
@@ -55,8 +56,9 @@ RowId SessionState::append(const Edit& edit, const ChangeFacts& facts,
     HistoryRow row;
     row.name = canonicalName(title);
     row.title = std::move(title);
+    const std::uint8_t growthPlane = toldGrowthPlane(edit, history);
     if (generation)
-        document.growths.front().generation = *generation;
+        document.place({.plane = growthPlane, .generation = *generation});
     const std::optional<RefinedSurface> surfaceBefore = document.surface;
     row.statistics = statistics;
     if (const Segment* refined = surfaceBefore ? document.segment(surfaceBefore->segment) : nullptr)
@@ -73,7 +75,7 @@ RowId SessionState::append(const Edit& edit, const ChangeFacts& facts,
         notify(DocumentChange::What::Segments);
     row.edit = edit;
     row.origin = origin();
-    row.growthGeneration = document.growths.front().generation;
+    row.growthGeneration = document.generation(growthPlane);
     const RowId id = history.append(std::move(row));
     if (file)
         file->addRow(history.row(id));
@@ -235,7 +237,8 @@ Document SessionState::documentAt(RowId at) const
     for (const RowId id : history.pathTo(at)) {
         const HistoryRow& row = history.row(id);
         applyRow(id, row.edit, row.statistics, placed);
-        placed.growths.front().generation = row.growthGeneration;
+        placed.place(
+            {.plane = toldGrowthPlane(row.edit, history), .generation = row.growthGeneration});
     }
     return placed;
 }

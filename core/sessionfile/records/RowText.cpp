@@ -4,12 +4,15 @@
 #include "core/edits/EditJson.h"
 #include "core/edits/kinds/EditParts.h"
 #include "core/edits/kinds/growth/GrowSteps.h"
+#include "core/edits/kinds/history/RevertRows.h"
+#include "core/edits/kinds/history/ReviseStroke.h"
 #include "core/titles/TitleJson.h"
 
 #include <QCryptographicHash>
 #include <QJsonArray>
 #include <QJsonDocument>
 
+#include <algorithm>
 #include <utility>
 
 namespace core {
@@ -117,6 +120,15 @@ QString RowText::chain(const QString& previous) const
     if (!at.isEmpty())
         lines += {at, author, program};
     return sha256OfLines(lines);
+}
+
+bool namesNoEarlierRow(RowId id, const Edit& edit)
+{
+    const auto isEarlier = [id](RowId row) { return row > 0 && row < id; };
+    if (const auto* revert = edit.as<RevertRows>())
+        return !std::all_of(revert->rows.begin(), revert->rows.end(), isEarlier);
+    const auto* revise = edit.as<ReviseStroke>();
+    return revise && !isEarlier(revise->row);
 }
 
 QString firstChain(const QString& source)

@@ -363,6 +363,8 @@ tl::expected<HistoryRow, Clause> SessionTables::readRow(const QSqlQuery& answer,
     if (!row)
         return tl::unexpected(Clause::saying(
             "its edit is not known here: %1", row.error().arguments.join(QStringLiteral(", "))));
+    if (namesNoEarlierRow(text.id, row->edit))
+        return tl::unexpected(Clause::saying("it names a step that does not lie before it"));
     if (!answer.value(9).isNull()) {
         const QString stateHash = answer.value(7).toString();
         if (answer.value(9).toString() != seal(chain, stateHash, answer.value(8).toString()))

@@ -12,6 +12,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -26,7 +27,7 @@ enum class VolumeField : std::uint8_t {
     Radiation, ///< of the composed sculpt layers; ≥ 0.5 is carved away
     Segmentation, ///< radiation of the shown segments' members; ≥ 0.5 is inside one
     Pieces, ///< footprints of pieces (PieceTextures)
-    Barriers, ///< voxels closed to growth: seed words of plane 0
+    Barriers, ///< voxels closed to growth: seed words of the plane whose growth is shown
     BarrierBricks, ///< which bricks hold barriers
     CutPreview, ///< what a cut of the growth would remove
 };
@@ -76,25 +77,43 @@ public:
     [[nodiscard]] MacroCells& cells() { return m_cells; }
     [[nodiscard]] const MaximumCells& maximumCells() const { return m_maximumCells; }
     [[nodiscard]] PieceTextures& pieces() { return m_pieces; }
-    /// The seed map of plane 0, owned by the edit engine; null if there is none.
+    /// The seed map of the label plane whose growth is shown, owned by the edit engine; null if
+    /// there is none.
     [[nodiscard]] BrickField* seedWords() { return m_seedWords; }
-    void setSeedWords(BrickField* words) { m_seedWords = words; }
+    /// The place of that plane in labelPlanes(); none: nothing is labelled there.
+    [[nodiscard]] std::optional<std::size_t> growthPlace() const { return m_growthPlace; }
+    void setGrowth(std::uint8_t plane, BrickField* words, std::optional<std::size_t> place)
+    {
+        m_growthPlane = plane;
+        m_seedWords = words;
+        m_growthPlace = place;
+    }
     /// The bricks of the seed map that hold barriers, also owned by the edit engine.
     [[nodiscard]] const BarrierBricks* barriers() const { return m_barriers; }
     void setBarriers(const BarrierBricks* barriers) { m_barriers = barriers; }
-    /// The marks of what a cut of the growth of plane 0 would remove, or of what an interval
-    /// changes in it (R8UI, PreviewMarks::Mark), also owned by the edit engine; null if there are
-    /// none.
-    [[nodiscard]] BrickField* cutPreview() { return m_cutPreview; }
+    /// The marks of what a cut of a growth would remove, or of what an interval changes in one
+    /// (R8UI, PreviewMarks::Mark), also owned by the edit engine; null if there are none.
+    [[nodiscard]] BrickField* cutPreview()
+    {
+        return m_cutPreviewPlane == m_growthPlane ? m_cutPreview : nullptr;
+    }
     /// A box around what is suspended, in whole bricks; empty if nothing is.
     [[nodiscard]] const core::VoxelBox& suspended() const { return m_suspended; }
-    void setCutPreview(BrickField* cutPreview, const core::VoxelBox& suspended = {})
+    /// @param plane of the growth that is marked; its marks are given out while it is shown
+    void setCutPreview(BrickField* cutPreview, std::uint8_t plane, const core::VoxelBox& suspended)
     {
         m_cutPreview = cutPreview;
+        m_cutPreviewPlane = plane;
         m_suspended = suspended;
     }
-    /// The tolerance field of a label of plane 0 (R16UI, whole bricks), also owned by the edit
-    /// engine; null if no valid one exists.
+    /// Takes these marks away; others stay.
+    void dropCutPreview(const BrickField& marks)
+    {
+        if (m_cutPreview == &marks)
+            setCutPreview(nullptr, 0, {});
+    }
+    /// The tolerance field of a label in the plane whose growth is shown (R16UI, whole bricks),
+    /// also owned by the edit engine; null if no valid one exists.
     [[nodiscard]] const Texture3D* tolerances(int label) const
     {
         return label == m_toleranceLabel ? m_tolerances : nullptr;
@@ -133,9 +152,12 @@ private:
     PieceTextures m_pieces;
     std::vector<const Texture3D*> m_furtherPlanes;
     const Texture3D* m_shownLabels = nullptr;
+    std::uint8_t m_growthPlane = 0;
     BrickField* m_seedWords = nullptr;
+    std::optional<std::size_t> m_growthPlace = 0;
     const BarrierBricks* m_barriers = nullptr;
     BrickField* m_cutPreview = nullptr;
+    std::uint8_t m_cutPreviewPlane = 0;
     core::VoxelBox m_suspended;
     const Texture3D* m_tolerances = nullptr;
     int m_toleranceLabel = 0;

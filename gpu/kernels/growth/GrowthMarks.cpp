@@ -8,10 +8,12 @@
 
 namespace gpu {
 
-void GrowthMarks::begin(bool grows)
+void GrowthMarks::begin(std::optional<std::uint8_t> growing)
 {
     m_keeps = false;
-    if (grows)
+    const bool goesOn = growing && growing == m_plane;
+    m_plane = growing;
+    if (goesOn)
         return;
     hide();
     m_kept.clear();
@@ -20,7 +22,7 @@ void GrowthMarks::begin(bool grows)
 void GrowthMarks::show(VoxelFields& fields, Bricks changed, bool keep)
 {
     m_keeps = keep;
-    m_marks.show(fields, marksAfter(m_kept, std::move(changed)));
+    m_marks.show(fields, marksAfter(m_kept, std::move(changed)), m_plane.value_or(0));
 }
 
 void GrowthMarks::keep(VoxelFields& fields, Bricks changed)
@@ -35,7 +37,7 @@ void GrowthMarks::restore(VoxelFields& fields)
     if (m_kept.empty())
         hide();
     else
-        m_marks.show(fields, m_kept);
+        m_marks.show(fields, m_kept, m_plane.value_or(0));
 }
 
 void GrowthMarks::forget()

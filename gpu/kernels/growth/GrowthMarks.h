@@ -4,6 +4,8 @@
 #include "gpu/kernels/shrink/PreviewMarks.h"
 
 #include <cstddef>
+#include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace gpu {
@@ -21,9 +23,10 @@ public:
     {
     }
 
-    /// Called when an edit begins. Any edit other than a growth ends the memory of what was
-    /// suspended.
-    void begin(bool grows);
+    /// Called when an edit begins. Any edit other than a growth in the same label plane ends the
+    /// memory of what was suspended.
+    /// @param growing the plane of a growth; none: the edit is none
+    void begin(std::optional<std::uint8_t> growing);
     /// Marks what the open growth has changed so far.
     /// @param keep whether suspended voxels are remembered after the commit
     void show(VoxelFields& fields, Bricks changed, bool keep);
@@ -42,6 +45,7 @@ public:
 private:
     PreviewMarks m_marks;
     Bricks m_kept;
+    std::optional<std::uint8_t> m_plane; ///< of the last growth
     bool m_keeps = false;
 };
 

@@ -63,12 +63,13 @@ void RadiationKernel::updateFromLabels(Planes planes, const AtTolerance& segment
         .set("toleranceLabel", unsigned(segment.label))
         .set("tolerance", unsigned(std::max(segment.tolerance, 0)));
     update({.target = target}, regions, [&](unsigned count) {
-        planes.front()->bindUnit(0);
+        planes[segment.place]->bindUnit(0);
         segment.tolerances.bindUnit(13);
         segment.seedWords.atlas().bindUnit(14);
         segment.seedWords.pageTable().bindUnit(15);
         program.dispatch({count * gatherGroupsPerBrick, 1, 1});
-        gatherLabels(planes.subspan(1), shown, false, count);
+        gatherLabels(planes.first(segment.place), shown, false, count);
+        gatherLabels(planes.subspan(segment.place + 1), shown, false, count);
     });
 }
 

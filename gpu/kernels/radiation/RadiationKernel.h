@@ -42,12 +42,13 @@ public:
     /// Updates the segmentation map. A voxel counts as 255 if it has a shown label in any plane.
     void updateFromLabels(Planes planes, const std::bitset<256>& shown, const Texture3D& target,
         std::span<const Region> regions);
-    /// How a segment of the first plane would be at a tolerance (toleranceLabel.glsl).
+    /// How a segment would be at a tolerance (toleranceLabel.glsl).
     struct AtTolerance {
         const Texture3D& tolerances;
         BrickField& seedWords;
         int label = 0;
         int tolerance = 0;
+        std::size_t place = 0; ///< of its label plane among the planes
     };
     void updateFromLabels(Planes planes, const AtTolerance& segment, const std::bitset<256>& shown,
         const Texture3D& target, std::span<const Region> regions);

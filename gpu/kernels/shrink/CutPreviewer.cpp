@@ -96,8 +96,7 @@ core::Result<std::optional<core::CutPreview>> CutPreviewer::ask(
         throw GlFailure(*m_work->failed);
     m_answer = m_work->preview;
     m_refused = m_work->refused;
-    if (question.cut.plane == 0)
-        show(fields);
+    show(fields);
     if (m_refused)
         return tl::unexpected(*m_refused);
     return m_answer;
@@ -167,7 +166,7 @@ void CutPreviewer::show(VoxelFields& fields)
         }
         bricks.push_back({.brick = brick.brick, .marks = std::move(marks)});
     }
-    m_marks.show(fields, std::move(bricks));
+    m_marks.show(fields, std::move(bricks), m_work->cut.plane);
 }
 
 void CutPreviewer::forget()

@@ -32,7 +32,7 @@ PreviewMarks::PreviewMarks(VolumeTextures& textures)
 {
 }
 
-void PreviewMarks::show(VoxelFields& fields, std::vector<Brick> bricks)
+void PreviewMarks::show(VoxelFields& fields, std::vector<Brick> bricks, std::uint8_t plane)
 {
     const core::BrickGrid& grid = fields.grid();
     if (!m_marks.created())
@@ -69,15 +69,15 @@ void PreviewMarks::show(VoxelFields& fields, std::vector<Brick> bricks)
             written, contents);
     }
     m_shown = std::move(bricks);
-    m_textures.setCutPreview(m_shown.empty() ? nullptr : &m_marks, suspendedBox(m_shown, grid));
+    m_textures.setCutPreview(
+        m_shown.empty() ? nullptr : &m_marks, plane, suspendedBox(m_shown, grid));
     if (!dirty.empty())
         m_textures.markDirty(VolumeField::CutPreview, dirty);
 }
 
 void PreviewMarks::hide()
 {
-    if (m_textures.cutPreview() == &m_marks)
-        m_textures.setCutPreview(nullptr);
+    m_textures.dropCutPreview(m_marks);
     if (!m_shown.empty()) {
         core::VoxelBox dirty;
         for (const Brick& brick : m_shown)

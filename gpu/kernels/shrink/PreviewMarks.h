@@ -11,9 +11,9 @@ namespace gpu {
 class VolumeTextures;
 class VoxelFields;
 
-/// Marks on voxels of label plane 0 that views draw: what a cut would remove, and what a moving
-/// interval has changed (render/parts/cutPreview.glsl). There may be several sets of marks; views
-/// draw the one that was shown last. Engine thread only.
+/// Marks on voxels of a growth's label plane that views draw: what a cut would remove, and what a
+/// moving interval has changed (render/parts/cutPreview.glsl). There may be several sets of marks;
+/// views draw the one that was shown last. Engine thread only.
 class PreviewMarks {
 public:
     /// The values of marks in shaders.
@@ -35,7 +35,8 @@ public:
 
     /// Shows marks in the views. Only bricks that differ from those shown already are written.
     /// @param bricks the bricks with marks, each once
-    void show(VoxelFields& fields, std::vector<Brick> bricks);
+    /// @param plane the label plane of the growth; they are seen while that one is shown
+    void show(VoxelFields& fields, std::vector<Brick> bricks, std::uint8_t plane = 0);
     /// Removes the marks from the views and frees their memory.
     void hide();
     [[nodiscard]] std::size_t bytes() const;

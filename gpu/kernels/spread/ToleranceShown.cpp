@@ -14,7 +14,8 @@ constexpr std::uint32_t noneInBrick = 0xFFFFu; // ToleranceField::ranges
 
 std::optional<int> VoxelFields::shownTolerance() const
 {
-    const bool shown = m_tolerance.stands && m_tolerance.rule.plane == 0 && m_atTolerance
+    const bool shown = m_tolerance.stands && m_tolerance.rule.plane == m_growthPlane
+        && placeOf(m_growthPlane) && m_atTolerance
         && m_atTolerance->label == int(m_tolerance.rule.label);
     return shown ? std::optional(m_atTolerance->tolerance) : std::nullopt;
 }
@@ -22,16 +23,22 @@ std::optional<int> VoxelFields::shownTolerance() const
 void VoxelFields::standTolerance()
 {
     m_tolerance.stands = true;
-    if (m_tolerance.rule.plane == 0)
-        m_shared.setTolerances(&m_tolerance.tolerances, m_tolerance.rule.label);
+    shareTolerances();
     noteTolerance(std::nullopt);
+}
+
+void VoxelFields::shareTolerances()
+{
+    const bool isShown = m_tolerance.stands && m_tolerance.rule.plane == m_growthPlane;
+    m_shared.setTolerances(
+        isShown ? &m_tolerance.tolerances : nullptr, isShown ? m_tolerance.rule.label : 0);
 }
 
 void VoxelFields::hideTolerance()
 {
     const std::optional<int> before = shownTolerance();
     m_tolerance.stands = false;
-    m_shared.setTolerances(nullptr, 0);
+    shareTolerances();
     noteTolerance(before);
 }
 

@@ -161,7 +161,7 @@ void RaycastPass::drawMode(VolumeTextures& volume, const VolumeScene& scene, con
     const bool pieces = m_pieces.set(volume, scene, stepMm(scene, volume.geometry(), m_voxelTrue));
     const bool seeds = m_seeds.set(volume, scene);
     BrickField* words = volume.seedWords();
-    BrickField* cutPreview = volume.cutPreview();
+    BrickField* cutPreview = words ? volume.cutPreview() : nullptr; // marks are of members
     const core::VoxelBox suspended =
         cutPreview && palette.showsSuspended() ? volume.suspended() : core::VoxelBox();
     const BarrierBricks* barriers = words && palette.showsBarriers() ? volume.barriers() : nullptr;

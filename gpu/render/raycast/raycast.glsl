@@ -313,7 +313,9 @@ vec3 segmentColour(vec3 at)
 #endif
         sum += vec4(entry.rgb, 1.0) * weight;
 #if CUT_PREVIEW
-        const uint mark = previewMarkAt(there);
+        // Where another plane's segment is seen in its place, a mark of the growth is not.
+        const uint found = previewMarkAt(there);
+        const uint mark = found != 0u && labelOf(wordAt(there)) == label ? found : 0u;
         going += mark == cutGoes ? weight : 0.0;
         reached += mark == growthReached ? weight : 0.0;
         reinstated += mark == growthReinstated ? weight : 0.0;
@@ -325,7 +327,9 @@ vec3 segmentColour(vec3 at)
 #endif
 #if WARNED
     const ivec3 nearestVoxel = clamp(ivec3(floor(place + 0.5)), ivec3(0), last);
-    own = warns(nearestVoxel) ? texelFetch(palette, ivec2(0), 0).rgb : own;
+    // Another plane's segment may be the one that is seen.
+    const bool isOwn = texelFetch(labels, nearestVoxel, 0).r == labelOf(wordAt(nearestVoxel));
+    own = isOwn && warns(nearestVoxel) ? texelFetch(palette, ivec2(0), 0).rgb : own;
 #endif
 #if CUT_PREVIEW
     const float most = 0.5 * sum.a;

@@ -23,7 +23,7 @@ template <class E> void checkKind()
     const QByteArray name = editName(edit).toUtf8();
     QVERIFY2((effects.task == EditTask::Engine) == hasEngineEdit<E>, name.constData());
     QVERIFY2((effects.task == EditTask::Surface) == isSurfaceKind<E>, name.constData());
-    QVERIFY2(!effects.movesGeneration || isGrowthKind<E>, name.constData());
+    QVERIFY2(!effects.movesGenerationOf || isGrowthKind<E>, name.constData());
     if (effects.onlyDocument)
         QVERIFY2(effects.changes && effects.task != EditTask::Engine, name.constData());
     if (effects.task == EditTask::Document)
@@ -52,10 +52,17 @@ private Q_SLOTS:
     {
         for (const Edit& edit : {Edit(GrowSteps()), Edit(ChangeInterval()), Edit(ResumeGrowth()),
                  Edit(ShrinkSteps()), Edit(ShrinkAt()), Edit(PlugLeak())})
-            QVERIFY2(effectsOf(edit).movesGeneration, qPrintable(editName(edit)));
+            QVERIFY2(effectsOf(edit).movesGenerationOf == 0, qPrintable(editName(edit)));
+        GrowCriteria further;
+        further.plane = 2;
+        for (const Edit& edit :
+            {Edit(GrowSteps{.criteria = further}), Edit(ChangeInterval{.criteria = further}),
+                Edit(ResumeGrowth{.plane = 2}), Edit(ShrinkSteps{.plane = 2}),
+                Edit(ShrinkAt{.plane = 2}), Edit(PlugLeak{.plane = 2})})
+            QVERIFY2(effectsOf(edit).movesGenerationOf == 2, qPrintable(editName(edit)));
         for (const Edit& edit :
             {Edit(SeedStroke()), Edit(BarrierStroke()), Edit(GrowFromSeeds()), Edit(PaintStroke())})
-            QVERIFY2(!effectsOf(edit).movesGeneration, qPrintable(editName(edit)));
+            QVERIFY2(!effectsOf(edit).movesGenerationOf, qPrintable(editName(edit)));
     }
 
     /// Whoever may have its first voxels from an edit is told, so that a code is asked for in time.

@@ -91,7 +91,7 @@ struct Truth {
     std::int64_t words = 0;
     std::int64_t lost = 0;
     std::int64_t grown = 0;
-    std::uint32_t greatest = 0;
+    std::map<std::uint8_t, std::uint32_t> greatest; ///< by plane
     std::set<std::uint32_t> seeds;
     std::map<std::pair<int, int>, std::pair<std::int64_t, std::int64_t>> flows;
 
@@ -109,7 +109,8 @@ struct Truth {
                     const std::uint32_t word = wordOf(change.after, voxel);
                     words += word != wordOf(change.before, voxel) ? 1 : 0;
                     if (seedWord::isMember(word)) {
-                        greatest = std::max(greatest, seedWord::generation(word));
+                        std::uint32_t& known = greatest[change.key.plane];
+                        known = std::max(known, seedWord::generation(word));
                         if (seedWord::isSeed(word))
                             seeds.insert(seedWord::generation(word));
                     }
@@ -168,7 +169,11 @@ private Q_SLOTS:
         QCOMPARE(facts.seedWordsChanged, truth.words);
         QCOMPARE(facts.labelsLost, truth.lost);
         QCOMPARE(facts.labelsGrown, truth.grown);
-        QCOMPARE(facts.greatestGeneration, truth.greatest);
+        for (const std::uint8_t plane : {0, 1, 2}) {
+            const auto known = truth.greatest.find(plane);
+            QCOMPARE(facts.greatestGeneration(plane),
+                known == truth.greatest.end() ? 0u : known->second);
+        }
         QCOMPARE(
             std::set<std::uint32_t>(facts.seedGenerations.begin(), facts.seedGenerations.end()),
             truth.seeds);

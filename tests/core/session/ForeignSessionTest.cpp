@@ -4,6 +4,7 @@
 #include "core/sessionfile/SessionPreview.h"
 #include "core/sessionfile/SessionSalvage.h"
 #include "core/sessionfile/SessionStudy.h"
+#include "core/sessionfile/records/RowText.h"
 #include "tests/reference/ReferenceEngine.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/program/FileBytes.h"
@@ -180,6 +181,56 @@ private Q_SLOTS:
         }
         QVERIFY(!previewSession(m_path));
         QCOMPARE(test::bytesOf(m_path), before);
+    }
+
+    /// A row whose hashes are in order, but which takes back itself, or one that comes later:
+    /// whoever followed that would go round for ever.
+    void rowsThatNameNoEarlierOneAreDamaged_data()
+    {
+        QTest::addColumn<QString>("edit");
+        const auto last = qlonglong(test::manyEdits().size());
+        QTest::newRow("itself") << QStringLiteral(R"({"edit":"revert","rows":[%1]})").arg(last);
+        QTest::newRow("one that is not there")
+            << QStringLiteral(R"({"edit":"revert","rows":[1,%1]})").arg(last + 900);
+        QTest::newRow("revised")
+            << QStringLiteral(R"({"edit":"reviseStroke","removed":true,"row":%1})").arg(last);
+    }
+    void rowsThatNameNoEarlierOneAreDamaged()
+    {
+        QFETCH(QString, edit);
+        const auto last = RowId(test::manyEdits().size());
+        const auto ofRow = [this](RowId row, const char* column) {
+            return test::text(m_path,
+                QStringLiteral("SELECT %1 FROM row WHERE id=%2")
+                    .arg(QLatin1String(column))
+                    .arg(row));
+        };
+        RowText forged{.id = last,
+            .parent = last - 1,
+            .name = ofRow(last, "name"),
+            .edit = edit,
+            .statistics = ofRow(last, "statistics"),
+            .growthGeneration = ofRow(last, "growthGeneration").toLongLong(),
+            .at = ofRow(last, "at"),
+            .author = ofRow(last, "author"),
+            .program = ofRow(last, "program")};
+        QCOMPARE(ofRow(last, "parent"), QString::number(last - 1));
+        const QString chain = forged.chain(ofRow(last - 1, "chain"));
+        const QString sealed = seal(chain, ofRow(last, "stateHash"), ofRow(last, "deltaSha256"));
+        QVERIFY(test::runSql(m_path,
+            QStringLiteral("UPDATE row SET edit='%1', chain='%2', seal='%3' WHERE id=%4")
+                .arg(edit, chain, sealed)
+                .arg(last)));
+        QVERIFY(test::runSql(m_path,
+            QStringLiteral("UPDATE state SET value='%1 %2' WHERE key='end'").arg(last).arg(chain)));
+        const auto opened = SessionFile::open(m_path, SessionAccess::ReadWrite);
+        QVERIFY(!opened);
+        QCOMPARE(opened.error().code, ErrorCode::SessionDamaged);
+        QVERIFY2(opened.error().arguments.join(u' ').contains(u"does not lie before it"),
+            qPrintable(opened.error().arguments.join(u' ')));
+        const Result<SessionContents> contents = checkSession(m_path);
+        QVERIFY(contents && contents->damage);
+        QCOMPARE(contents->rows.size(), std::size_t(last) - 1);
     }
 
     /// Where a session says that its study is, is looked only if it can be there.

@@ -99,19 +99,20 @@ private Q_SLOTS:
         QFETCH(uint, seed);
         reference::ReferenceEngine engine;
         const int commands = qEnvironmentVariableIsSet("BURIN_LONG") ? 400 : 150;
-        const test::RandomHistory history = test::runRandomHistory(
+        test::RandomHistory history = test::runRandomHistory(
             engine, commands, seed, {}, {.limited = seed % 2 == 0, .planes = true});
         QVERIFY2(history.failure.isEmpty(), qPrintable(history.failure));
         QCOMPARE(history.hashes.size(), std::size_t(commands));
-        int inFurtherPlanes = 0;
         for (const auto& [kind, count] : history.done) {
             if (!kind.endsWith(QStringLiteral("further plane")))
                 continue;
             qInfo("%s: %d", qPrintable(kind), count);
-            inFurtherPlanes += count;
+            m_inFurtherPlanes += count;
         }
         QVERIFY(history.done.count(QStringLiteral("importMask, further plane")) != 0);
-        QVERIFY(inFurtherPlanes > 5);
+        m_grownInPlanes += history.done[QStringLiteral("grow, further plane")];
+        QVERIFY(m_grownInPlanes > 0);
+        QVERIFY(m_inFurtherPlanes > 5);
     }
 
     /// Growths that compare medians, what moves their interval and what is done to them, in
@@ -135,6 +136,8 @@ private Q_SLOTS:
 
 private:
     std::map<QString, int> m_done;
+    int m_grownInPlanes = 0; ///< in all of them
+    int m_inFurtherPlanes = 0; ///< edits of segments there, likewise
     int m_editable = 0; ///< edits with a range, in all of them
 };
 

@@ -88,6 +88,31 @@ void ToleranceGlTest::inPiecesAsInOneGo()
     QVERIFY(oracle.collect().back().tolerance == whole.tolerance);
 }
 
+/// Moves all that is done to a label plane, and puts labels that stay as they are into the first
+/// one.
+static void moveTo(std::uint8_t plane, test::ToleranceScene& scene, test::Random& random)
+{
+    if (plane == 0)
+        return;
+    for (EngineCommand& command : scene.commands) {
+        if (auto* begin = std::get_if<BeginEdit>(&command)) {
+            if (auto* seeds = std::get_if<SeedPlacement>(&begin->edit))
+                seeds->plane = plane;
+            else
+                std::get<GrowBurst>(begin->edit).plane = plane;
+        } else if (auto* swap = std::get_if<SwapBricks>(&command)) {
+            for (BrickImage& image : swap->bricks)
+                image.key.plane = image.key.field == Field::Coverage ? image.key.plane : plane;
+        }
+    }
+    scene.rule.plane = plane;
+    DenseArray<std::uint8_t> labels{
+        scene.codes.size, std::vector<std::uint8_t>(scene.codes.values.size())};
+    for (std::uint8_t& label : labels.values)
+        label = random() % 50 == 0 ? 1 : 0;
+    scene.commands.push_back(SwapBricks{test::bricksOf(labels, Field::Labels, 0)});
+}
+
 void ToleranceGlTest::segmentationMapFollows_data()
 {
     QTest::addColumn<int>("number");
@@ -100,12 +125,15 @@ void ToleranceGlTest::segmentationMapFollows_data()
 void ToleranceGlTest::segmentationMapFollows()
 {
     QFETCH(int, number);
+    const auto plane = std::uint8_t(number % 3);
     test::Random random(std::uint32_t(43000 + number));
     const glm::ivec3 size{test::randomInt(random, 4, 60), test::randomInt(random, 4, 40),
         test::randomInt(random, 4, 34)};
-    const test::ToleranceScene scene = test::randomToleranceScene(size, random);
+    test::ToleranceScene scene = test::randomToleranceScene(size, random);
+    moveTo(plane, scene, random);
     reference::ReferenceEngine oracle;
     EditEngine& engine = m_gpu.engine();
+    m_gpu.showGrowth(plane);
     std::bitset<256> shown;
     shown.set(2).set(random() % 2 ? 1 : 255);
     m_gpu.showSegments(shown);
@@ -123,10 +151,11 @@ void ToleranceGlTest::segmentationMapFollows()
     oracle.submit(everywhere);
     const std::vector<ProbedVoxel> probes = oracle.collect().back().probes;
     reference::DenseFields fields = oracle.fields();
-    const DenseArray<std::uint32_t>& words = fields.seedWords(0);
+    const DenseArray<std::uint32_t>& words = fields.seedWords(plane);
 
     const auto expected = [&](std::optional<int> tolerance) {
-        DenseArray<std::uint8_t> members = fields.labels(0);
+        DenseArray<std::uint8_t> members = fields.labels(plane);
+        const DenseArray<std::uint8_t>& first = fields.labels(0);
         for (std::size_t i = 0; i < members.values.size(); ++i) {
             std::uint8_t& value = members.values[i];
             const std::uint32_t word = words.values[i];
@@ -137,7 +166,8 @@ void ToleranceGlTest::segmentationMapFollows()
                 value = 2;
             else if (tolerance && value == 2 && grown)
                 value = 0;
-            value = shown.test(value) ? 255 : 0;
+            const bool isShown = shown.test(value) || (plane > 0 && shown.test(first.values[i]));
+            value = isShown ? 255 : 0;
         }
         return reference::radiation(members).values;
     };
@@ -161,8 +191,14 @@ void ToleranceGlTest::segmentationMapFollows()
     engine.submit(TraceTolerance{scene.rule});
     engine.finish();
     QVERIFY(seen() == expected(30));
+    // Nor is anything shown while another plane's growth is.
+    m_gpu.showGrowth(3);
+    QVERIFY(seen() == expected({}));
+    m_gpu.showGrowth(plane);
+    QVERIFY(seen() == expected(30));
     m_gpu.showAtTolerance({});
     QVERIFY(seen() == expected({}));
+    m_gpu.showGrowth(0);
 }
 
 /// Told, not judged.

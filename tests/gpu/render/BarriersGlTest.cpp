@@ -21,12 +21,12 @@ const core::VoxelBox body{{14, 18, 14}, {34, 30, 34}}; ///< a green segment, all
 const core::VoxelBox before{{8, 4, 18}, {40, 7, 30}}; ///< plates: one before it as seen from −y
 const core::VoxelBox behind{{8, 40, 18}, {40, 43, 30}};
 
-void shut(reference::DenseFields& state, const core::VoxelBox& box)
+void shut(reference::DenseFields& state, const core::VoxelBox& box, std::uint8_t plane = 0)
 {
     for (int z = box.minimum.z; z < box.maximum.z; ++z)
         for (int y = box.minimum.y; y < box.maximum.y; ++y)
             for (int x = box.minimum.x; x < box.maximum.x; ++x)
-                state.seedWords(0).at({x, y, z}) = core::seedWord::barrier;
+                state.seedWords(plane).at({x, y, z}) = core::seedWord::barrier;
 }
 
 reference::DenseFields withPlate(const std::optional<core::VoxelBox>& plate)
@@ -195,6 +195,37 @@ private Q_SLOTS:
         m_fixture->settle();
         QVERIFY(m_fixture->volume.barriers() && !m_fixture->volume.barriers()->any());
         QCOMPARE(*draw(RenderMode::Surface).rgba, *plain.rgba);
+    }
+
+    /// Each label plane has barriers of its own; those of the growth that is shown are seen.
+    void thoseOfTheShownGrowthAreSeen()
+    {
+        open({});
+        const Frame plain = draw(RenderMode::Surface);
+        reference::DenseFields state = withPlate({});
+        shut(state, before, 1);
+        m_fixture->put(state);
+        m_fixture->settle();
+        QCOMPARE(*draw(RenderMode::Surface).rgba, *plain.rgba);
+        const SliceScene slice{.centreLps = {0, -18.0, 0},
+            .downLps = {0, 0, 1},
+            .mmPerPixel = 0.5,
+            .window = {2000, 1}};
+        SegmentDisplay segments = greenSegment();
+        QCOMPARE(at(m_fixture->draw(slice, size, segments), {25, 48}), glm::ivec3(0));
+        segments.growthPlane = 1;
+        static_cast<void>(draw(RenderMode::Surface, segments));
+        m_fixture->settle(); // the bricks that hold some are found between edits
+        QVERIFY(isRed(at(draw(RenderMode::Surface, segments), beside)));
+        QVERIFY(isRed(at(m_fixture->draw(slice, size, segments), {25, 48})));
+        segments.growthPlane = 2; // nothing has grown there
+        static_cast<void>(draw(RenderMode::Surface, segments));
+        m_fixture->settle();
+        QCOMPARE(*draw(RenderMode::Surface, segments).rgba, *plain.rgba);
+        segments.growthPlane = 0;
+        static_cast<void>(draw(RenderMode::Surface, segments));
+        m_fixture->settle();
+        QCOMPARE(*draw(RenderMode::Surface, segments).rgba, *plain.rgba);
     }
 
     void aSculptedAwayPlaceShowsIt()

@@ -233,25 +233,38 @@ private Q_SLOTS:
     }
 
     /// Pictures at a tolerance are those of what the segment would be then.
+    void drawsASegmentAtATolerance_data()
+    {
+        QTest::addColumn<int>("plane");
+        QTest::newRow("in the only label plane") << 0;
+        QTest::newRow("in a further one") << 1;
+        QTest::newRow("in one with an empty number below") << 3;
+    }
     void drawsASegmentAtATolerance()
     {
+        QFETCH(int, plane);
+        const auto its = std::uint8_t(plane);
         const core::VolumeGeometry geometry = test::centredGeometry({40, 30, 24});
         const auto code = [](const glm::dvec3& lps) { return 2000.0 + 10.0 * lps.x; };
         reference::DenseFields now({40, 30, 24});
-        now.seedWords(0).at({20, 15, 12}) = core::seedWord::pendingSeed(1);
+        now.seedWords(its).at({20, 15, 12}) = core::seedWord::pendingSeed(1);
         for (int x = 2; x < 38; ++x) {
             for (int y = 4; y < 9; ++y) {
-                now.labels(0).at({x, y, 12}) = 1; // held before any growth
-                now.labels(0).at({x, y + 5, 12}) = 1; // grown
-                now.seedWords(0).at({x, y + 5, 12}) = core::seedWord::member(3, 1, 0);
-                now.labels(0).at({x, y + 13, 12}) = 2; // another segment's
-                now.seedWords(0).at({x, y + 13, 12}) = core::seedWord::member(2, 2, 1);
+                now.labels(its).at({x, y, 12}) = 1; // held before any growth
+                now.labels(its).at({x, y + 5, 12}) = 1; // grown
+                now.seedWords(its).at({x, y + 5, 12}) = core::seedWord::member(3, 1, 0);
+                now.labels(its).at({x, y + 13, 12}) = 2; // another segment's
+                now.seedWords(its).at({x, y + 13, 12}) = core::seedWord::member(2, 2, 1);
             }
+        }
+        if (plane > 0) { // what lies in the first plane stays as it is
+            for (int x = 5; x < 30; ++x)
+                now.labels(0).at({x, 12, 12}) = 2;
         }
         m_fixture->open(geometry, code);
         m_fixture->put(now);
         TolerancePrograms programs(m_fixture->shaders);
-        const core::ToleranceRule rule{.label = 1};
+        const core::ToleranceRule rule{.plane = its, .label = 1};
         auto kernel = ToleranceKernel::begin(programs, *m_fixture->edits.fields, rule);
         QVERIFY(kernel);
         while (!(*kernel)->done())
@@ -271,6 +284,7 @@ private Q_SLOTS:
         segments.rgb[1] = 0x40C060;
         segments.rgb[2] = 0xC04060;
         segments.visible[1] = segments.visible[2] = true;
+        segments.growthPlane = its;
         SliceScene scene{.centreLps = geometry.toWorld({19.5, 14.5, 12.0}), .mmPerPixel = 0.25};
         scene.window = {.centre = 2000.0, .width = 800.0};
         const auto drawn = [&](std::optional<int> tolerance) {
@@ -285,8 +299,8 @@ private Q_SLOTS:
                 for (int y = 0; y < 30; ++y) {
                     for (int x = 0; x < 40; ++x) {
                         const glm::ivec3 voxel(x, y, z);
-                        std::uint8_t& label = then.labels(0).at(voxel);
-                        const std::uint32_t word = now.seedWords(0).at(voxel);
+                        std::uint8_t& label = then.labels(its).at(voxel);
+                        const std::uint32_t word = now.seedWords(its).at(voxel);
                         if (field->at(voxel) && *field->at(voxel) <= tolerance)
                             label = 1;
                         else if (label == 1 && core::seedWord::isMember(word))
@@ -307,6 +321,10 @@ private Q_SLOTS:
             QVERIFY(picture == expected(tolerance));
             QVERIFY(picture != before);
         }
+        segments.growthPlane = its == 0 ? 1 : 0; // the growth of another plane is shown
+        QVERIFY(drawn(95) == before);
+        segments.growthPlane = its;
+        QVERIFY(drawn(95) == expected(95));
         m_fixture->edits.fields->hideTolerance();
         QVERIFY(drawn(95) == before);
     }

@@ -150,12 +150,14 @@ RelabelListed withoutBricks(Result<RelabelListed> relabel)
     return like;
 }
 
-/// Of a member.
-std::uint32_t greatestGeneration(const std::map<BrickKey, std::vector<std::uint8_t>>& bricks)
+/// Of a member of a plane.
+std::uint32_t greatestGeneration(
+    const std::map<BrickKey, std::vector<std::uint8_t>>& bricks, int plane)
 {
     std::uint32_t greatest = 0;
     for (const auto& [key, bytes] : bricks) {
-        for (std::size_t i = 0; key.field == Field::SeedWords && i < bytes.size(); i += 4) {
+        const bool isMeant = key.field == Field::SeedWords && key.plane == plane;
+        for (std::size_t i = 0; isMeant && i < bytes.size(); i += 4) {
             const std::uint32_t word = std::uint32_t(bytes[i]) | std::uint32_t(bytes[i + 1]) << 8
                 | std::uint32_t(bytes[i + 2]) << 16 | std::uint32_t(bytes[i + 3]) << 24;
             if (seedWord::isMember(word))
@@ -163,6 +165,34 @@ std::uint32_t greatestGeneration(const std::map<BrickKey, std::vector<std::uint8
         }
     }
     return greatest;
+}
+
+/// The plane whose growth an edit of growth is about.
+std::uint8_t grownPlane(const Edit& edit)
+{
+    std::optional<int> plane;
+    if (const auto* grow = edit.as<GrowSteps>())
+        plane = grow->criteria.plane;
+    else if (const auto* change = edit.as<ChangeInterval>())
+        plane = change->criteria.plane;
+    else if (const auto* shrink = edit.as<ShrinkSteps>())
+        plane = shrink->plane;
+    else if (const auto* through = edit.as<ShrinkAt>())
+        plane = through->plane;
+    else if (const auto* plug = edit.as<PlugLeak>())
+        plane = plug->plane;
+    return std::uint8_t(plane.value_or(0));
+}
+
+std::uint32_t& counterOf(Document& document, std::uint8_t plane)
+{
+    std::vector<Growth>& growths = document.growths;
+    auto at = growths.begin();
+    while (at != growths.end() && at->plane < plane)
+        ++at;
+    if (at == growths.end() || at->plane != plane)
+        at = growths.insert(at, {.plane = plane, .generation = 0});
+    return at->generation;
 }
 
 } // namespace
@@ -178,12 +208,12 @@ const Document& HistoryTruth::documentAt(RowId row) const
     return m_states.at(row).document;
 }
 
-std::vector<glm::ivec3> HistoryTruth::grownVoxels(RowId row) const
+std::vector<glm::ivec3> HistoryTruth::grownVoxels(RowId row, int plane) const
 {
     const BrickGrid grid{m_study.volume.geometry.size};
     std::vector<glm::ivec3> voxels;
     for (const auto& [key, bytes] : m_states.at(row).bricks) {
-        if (key.field != Field::SeedWords)
+        if (key.field != Field::SeedWords || key.plane != plane)
             continue;
         const glm::ivec3 corner = grid.brickPosition(int(key.brick)) * BrickGrid::side;
         for (std::size_t i = 0; i < bytes.size() / 4; ++i) {
@@ -416,16 +446,16 @@ void HistoryTruth::add(const HistoryRow& row)
             const Bricks again = regrown(row.id);
             std::erase_if(next.bricks, [](const auto& each) { return isOf(each.first, false); });
             next.bricks.insert(again.begin(), again.end());
-            std::uint32_t& counter = next.document.growths.front().generation;
-            counter = std::max(counter, greatestGeneration(again));
+            for (Growth& growth : next.document.growths)
+                growth.generation =
+                    std::max(growth.generation, greatestGeneration(again, growth.plane));
         }
         std::erase_if(next.bricks, [](const auto& each) { return isOf(each.first, true); });
         next.bricks.insert(carved.begin(), carved.end());
         changeDocument(edit, next.document);
     } else {
-        std::uint32_t generation = next.document.growths.front().generation;
+        std::uint32_t& generation = counterOf(next.document, grownPlane(edit));
         next.bricks = grown(next.bricks, edit, row.parent, &generation);
-        next.document.growths.front().generation = generation;
         changeDocument(edit, next.document);
     }
     for (const Segment& segment : next.document.segments)

@@ -42,7 +42,7 @@ public:
     /// The document at a row, for choosing the next edit.
     [[nodiscard]] const core::Document& documentAt(core::RowId row) const;
     /// The voxels that growths have added.
-    [[nodiscard]] std::vector<glm::ivec3> grownVoxels(core::RowId row) const;
+    [[nodiscard]] std::vector<glm::ivec3> grownVoxels(core::RowId row, int plane) const;
     /// The labels of the whole volume in one label plane, x fastest.
     [[nodiscard]] std::vector<std::uint8_t> labelsAt(core::RowId row, int plane) const;
     /// The rows that changed voxels and are in effect at a row, ascending.

@@ -31,6 +31,7 @@
 #include "core/edits/kinds/parts/BrushPath.h"
 #include "core/edits/kinds/parts/ClipHalfSpaces.h"
 #include "core/edits/kinds/parts/EditableRange.h"
+#include "core/edits/kinds/parts/GrowthPlane.h"
 #include "core/edits/kinds/parts/PenSample.h"
 #include "core/edits/kinds/parts/SegmentChoice.h"
 #include "core/edits/kinds/pieces/ChangePiece.h"
@@ -238,6 +239,14 @@ private:
             return isFurther(remove->segment);
         if (const auto* toLayer = edit.as<SegmentToLayer>())
             return isFurther(toLayer->segment);
+        if (const auto* seeds = edit.as<SeedStroke>())
+            return isFurther(seeds->segment);
+        if (const auto* barrier = edit.as<BarrierStroke>())
+            return growthPlaneOf(barrier->plane) > 0;
+        if (const auto* spread = edit.as<GrowFromSeeds>())
+            return growthPlaneOf(spread->plane) > 0;
+        if (const std::optional<std::uint8_t> grown = effectsOf(edit).movesGenerationOf)
+            return *grown > 0;
         return isFurther(effectsOf(edit).writesTo.value_or(0));
     }
     /// Under which name it is counted.
@@ -356,6 +365,8 @@ private:
         const std::vector<RowId> rows = m_truth.standingAt(m_session->history().position());
         if (m_draws.planes && wantsImport(document))
             return randomImport(document);
+        if (m_draws.planes && document.labelPlanes().size() > 1 && chance(25))
+            return randomGrowthInAPlane(document);
         if (m_draws.smoothed && !document.segments.empty() && chance(20)) {
             if (chance(50))
                 return randomGrowth();
@@ -763,20 +774,56 @@ private:
             grow.criteria.passage = 1.5 + double(row % 10) / 2.0;
         if (m_draws.smoothed)
             grow.criteria.smoothing = chance(80);
+        grow.criteria.plane = anyPlane();
         return grow;
+    }
+    /// A plane of a growth, of those in which segments lie, now and then one in which none does.
+    /// The first one is mostly not named.
+    std::optional<int> anyPlane()
+    {
+        if (!m_draws.planes)
+            return std::nullopt;
+        const std::vector<std::uint8_t> planes = m_session->document().labelPlanes();
+        const int plane = chance(3) ? mostLabelPlanes - 1
+            : chance(50)            ? int(planes.back())
+                                    : int(any(planes));
+        return plane == 0 && chance(80) ? std::nullopt : std::optional(plane);
+    }
+    /// Growths of segments beyond the first plane, which would be rare else.
+    Edit randomGrowthInAPlane(const Document& document)
+    {
+        const int dice = between(0, 99);
+        if (dice < 30)
+            return randomGrowth();
+        if (dice < 60)
+            return randomSteering();
+        std::vector<int> further;
+        for (const Segment& segment : document.segments) {
+            if (segment.plane > 0)
+                further.push_back(segment.label);
+        }
+        if (dice < 70) {
+            PaintStroke paint = randomPaint(any(further));
+            paint.seeds = true;
+            return paint;
+        }
+        return randomSeeds(any(further));
     }
     /// What is done to a growth that is there.
     Edit randomSteering()
     {
-        if (m_truth.grownVoxels(m_session->history().position()).empty())
+        const std::optional<int> plane = anyPlane();
+        if (m_truth.grownVoxels(m_session->history().position(), plane.value_or(0)).empty())
             return chance(50) ? Edit(randomSeeds(any(m_session->document().segments).label))
                               : Edit(randomGrowth());
         switch (between(0, 10)) {
         case 0:
-            return chance(30) ? ShrinkSteps{} : ShrinkSteps{.steps = between(1, 4)};
+            return chance(30) ? ShrinkSteps{.plane = plane}
+                              : ShrinkSteps{.steps = between(1, 4), .plane = plane};
         case 1: {
             ShrinkAt shrink{
-                .pointsLps = grownPlaces(), .onlyHere = chance(30), .barrier = chance(70)};
+                .pointsLps = grownPlaces(plane), .onlyHere = chance(30), .barrier = chance(70)};
+            shrink.plane = plane;
             // Of the row's number, as for growths.
             const std::size_t row = m_session->history().rows().size();
             if (!shrink.onlyHere && row % 3 == 0)
@@ -786,13 +833,15 @@ private:
         case 2:
         case 6:
         case 7:
-            return PlugLeak{.pointLps = chance(50) ? smallBall(1.0) : grownPlaces().back()};
+            return PlugLeak{.pointLps = chance(50) ? smallBall(1.0) : grownPlaces(plane).back(),
+                .plane = plane};
         case 3:
-            return BarrierStroke{.path = randomPath(), .erase = chance(30)};
+            return BarrierStroke{.path = randomPath(), .erase = chance(30), .plane = plane};
         case 4: {
             ChangeInterval change;
             change.criteria.lower = between(-1000, 400);
             change.criteria.upper = between(100, 2000);
+            change.criteria.plane = plane;
             if (chance(40))
                 change.steps = between(0, 4);
             if (m_session->history().rows().size() % 4 == 0)
@@ -800,20 +849,22 @@ private:
             return change;
         }
         case 5: {
-            ResumeGrowth resume;
+            ResumeGrowth resume{.plane = plane};
             if (chance(60))
                 resume.steps = between(1, 4);
             return resume;
         }
         default:
-            return GrowFromSeeds{
-                .connectivity = chance(50) ? 6 : 26, .overwriteUnlocked = chance(30)};
+            return GrowFromSeeds{.connectivity = chance(50) ? 6 : 26,
+                .overwriteUnlocked = chance(30),
+                .plane = plane};
         }
     }
-    /// Voxels that growths have added; any where there are none.
-    std::vector<glm::dvec3> grownPlaces()
+    /// Voxels that growths of a plane have added; any where there are none.
+    std::vector<glm::dvec3> grownPlaces(const std::optional<int>& plane)
     {
-        std::vector<glm::ivec3> held = m_truth.grownVoxels(m_session->history().position());
+        std::vector<glm::ivec3> held =
+            m_truth.grownVoxels(m_session->history().position(), plane.value_or(0));
         const VolumeGeometry& geometry = m_session->document().volumes.front().geometry;
         std::vector<glm::dvec3> places;
         for (int i = between(1, 3); i > 0; --i)

@@ -62,13 +62,13 @@ private Q_SLOTS:
             static_cast<void>(session->settle()); // what is refused is no matter here
             const core::History& history = session->history();
             for (int time = 0; time < 2; ++time) {
-                const ui::GrowthPast::Known& known = past.of(*session);
-                QCOMPARE(known.seeds, ui::sketchedSeeds(*session));
-                QVERIFY(known.criteria == core::recentCriteria(history));
-                QVERIFY(known.growing == core::growingSegments(history, session->document()));
+                const ui::GrowthPast::Known& known = past.of(*session, 0);
+                QCOMPARE(known.seeds, ui::sketchedSeeds(*session, 0));
+                QVERIFY(known.criteria == core::recentCriteria(history, 0));
+                QVERIFY(known.growing == core::growingSegments(history, session->document(), 0));
             }
-            differing += ui::sketchedSeeds(*session) != seedsBefore ? 1 : 0;
-            seedsBefore = ui::sketchedSeeds(*session);
+            differing += ui::sketchedSeeds(*session, 0) != seedsBefore ? 1 : 0;
+            seedsBefore = ui::sketchedSeeds(*session, 0);
         }
         QVERIFY2(differing > 10, qPrintable(QString::number(differing)));
     }
@@ -86,7 +86,7 @@ private Q_SLOTS:
             QVERIFY(session->apply(test::seedAt(1, places)));
             QVERIFY(session->settle());
             past.clear();
-            QCOMPARE(past.of(*session).seeds, seeds);
+            QCOMPARE(past.of(*session, 0).seeds, seeds);
         }
     }
 };

@@ -2,6 +2,9 @@
 #include "ui/dialogs/export/ExportSegments.h"
 
 #include "core/edits/kinds/EditParts.h"
+#include "core/edits/kinds/growth/GrowCriteria.h"
+#include "core/edits/kinds/growth/ShrinkSteps.h"
+#include "core/edits/kinds/parts/GrowthPlane.h"
 #include "core/edits/kinds/segments/ChangeSegment.h"
 #include "core/session/EditSession.h"
 #include "core/session/past/SeedStrokes.h"
@@ -52,25 +55,34 @@ QString codeText(const core::Segment& segment, const core::SegCodes& codes)
 
 std::bitset<256> growingLabels(core::EditSession& session)
 {
-    std::bitset<256> seeded;
-    bool grown = false;
+    struct Growing {
+        std::bitset<256> seeded;
+        std::bitset<256> pending; ///< since the last growth
+        bool grown = false; ///< to closure
+    };
+    std::map<std::uint8_t, Growing> growths; // by label plane
     const core::History& history = session.history();
-    std::bitset<256> pending;
     for (const core::RowId id : history.standing()) {
         const core::Edit& edit = history.row(id).edit;
-        if (const std::optional<int> segment = core::segmentOfSeeds(edit)) {
-            seeded.set(std::size_t(*segment));
-            pending.set(std::size_t(*segment));
+        if (const std::optional<int> label = core::segmentOfSeeds(edit)) {
+            const core::Segment* segment = session.document().segment(*label);
+            Growing& growing = growths[segment ? segment->plane : std::uint8_t(0)];
+            growing.seeded.set(std::size_t(*label));
+            growing.pending.set(std::size_t(*label));
         } else if (const std::optional<int>* asked = core::growStepsOf(edit)) {
-            pending.reset();
+            Growing& growing = growths[core::growthPlaneOf(core::growCriteriaOf(edit)->plane)];
+            growing.pending.reset();
             // A row without a number of steps ran to closure; so did one that stopped early.
             const int steps = history.row(id).statistics.generations;
-            grown = !*asked || steps < **asked;
-        } else if (edit.is<core::ShrinkSteps>()) {
-            grown = false;
+            growing.grown = !*asked || steps < **asked;
+        } else if (const auto* shrink = edit.as<core::ShrinkSteps>()) {
+            growths[core::growthPlaneOf(shrink->plane)].grown = false;
         }
     }
-    return grown ? pending : seeded;
+    std::bitset<256> labels;
+    for (const auto& [plane, growing] : growths)
+        labels |= growing.grown ? growing.pending : growing.seeded;
+    return labels;
 }
 
 ExportSegments::ExportSegments(Workspace& workspace, QWidget* parent)

@@ -2,6 +2,7 @@
 #include "ui/panels/growth/GenerationSection.h"
 
 #include "core/edits/kinds/growth/ShrinkSteps.h"
+#include "core/edits/kinds/parts/GrowthPlane.h"
 #include "core/session/questions/VoxelQuestions.h"
 #include "ui/base/Theme.h"
 #include "ui/panels/growth/GenerationBar.h"
@@ -35,6 +36,7 @@ GenerationSection::GenerationSection(Workspace& workspace, QWidget* parent)
     connect(m_bar, &GenerationBar::scrubbed, this, &GenerationSection::goTo);
     connect(m_bar, &GenerationBar::scrubEnded, this, &GenerationSection::end);
     connect(&workspace, &Workspace::sessionChanged, this, [this] {
+        m_plane = m_workspace.growthPlane();
         m_sizes.clear();
         m_added.clear();
         showSizes();
@@ -46,6 +48,19 @@ GenerationSection::GenerationSection(Workspace& workspace, QWidget* parent)
             if (change.what == What::Growth || change.what == What::History)
                 m_countLater.start();
         });
+    connect(&workspace, &Workspace::activeSegmentChanged, this, &GenerationSection::followPlane);
+    m_countLater.start();
+}
+
+/// What is counted in one plane says nothing of another. While the bar is dragged it stays.
+void GenerationSection::followPlane()
+{
+    if (m_bar->scrubbing() || m_plane == m_workspace.growthPlane())
+        return;
+    m_plane = m_workspace.growthPlane();
+    m_sizes.clear();
+    m_added.clear();
+    showSizes();
     m_countLater.start();
 }
 
@@ -76,16 +91,18 @@ void GenerationSection::count()
     core::EditSession* session = m_workspace.session();
     if (!session || m_bar->scrubbing() || session->growthProgress().open)
         return;
-    session->questions().generationSizes([section = QPointer<GenerationSection>(this)](
-                                             core::Result<std::vector<std::uint32_t>> sizes) {
-        if (!section || !sizes || section->m_bar->scrubbing())
-            return;
-        section->m_sizes = *std::move(sizes);
-        if (!section->m_sizes.empty())
-            section->m_sizes.erase(section->m_sizes.begin()); // what was painted is no step
-        section->m_added.clear();
-        section->showSizes();
-    });
+    const std::uint8_t plane = m_plane;
+    session->questions().generationSizes(plane,
+        [section = QPointer<GenerationSection>(this), plane](
+            core::Result<std::vector<std::uint32_t>> sizes) {
+            if (!section || !sizes || section->m_bar->scrubbing() || plane != section->m_plane)
+                return;
+            section->m_sizes = *std::move(sizes);
+            if (!section->m_sizes.empty())
+                section->m_sizes.erase(section->m_sizes.begin()); // what was painted is no step
+            section->m_added.clear();
+            section->showSizes();
+        });
 }
 
 void GenerationSection::showSizes()
@@ -105,19 +122,20 @@ void GenerationSection::begin()
     core::EditSession* session = m_workspace.session();
     if (!session)
         return;
-    if (const auto begun = session->begin(core::ShrinkSteps{.steps = 0}); !begun)
+    if (const auto begun =
+            session->begin(core::ShrinkSteps{.steps = 0, .plane = core::namedPlane(m_plane)});
+        !begun)
         m_workspace.fail(begun.error());
 }
 
 void GenerationSection::goTo(int generation)
 {
     core::EditSession* session = m_workspace.session();
-    const core::Growth* growth = session ? session->document().growth(0) : nullptr;
-    if (!growth)
+    if (!session)
         return;
+    const auto last = int(session->document().generation(m_plane));
     // The first generation is that of the accepted seeds: all steps lead there.
-    const int steps =
-        generation <= 1 ? int(growth->generation) : int(growth->generation) - generation;
+    const int steps = generation <= 1 ? last : last - generation;
     session->extend(core::ToSteps{std::max(steps, 0)});
     Q_EMIT scrubMoved();
 }
@@ -128,6 +146,7 @@ void GenerationSection::end(bool kept)
     if (core::EditSession* session = m_workspace.session();
         session && session->transactionOpen() && !session->isOpen<core::ThresholdSegment>())
         session->end(kept ? core::Ending::Commit : core::Ending::Rollback);
+    followPlane();
     m_countLater.start();
     Q_EMIT scrubMoved();
 }

@@ -44,7 +44,10 @@ private:
     void goTo(int generation);
     void end(bool kept);
 
+    void followPlane();
+
     Workspace& m_workspace;
+    std::uint8_t m_plane = 0; ///< the label plane whose growth is shown
     GenerationBar* m_bar = nullptr;
     QTimer m_countLater; ///< counts once after several steps in quick succession
     std::vector<std::uint32_t> m_sizes; ///< voxels of each generation from 1 on, as last counted

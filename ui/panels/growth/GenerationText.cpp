@@ -3,6 +3,7 @@
 
 #include "core/edits/kinds/GrowthKinds.h"
 #include "core/edits/kinds/IsOneOf.h"
+#include "core/history/MovedGrowth.h"
 #include "core/session/EditSession.h"
 #include "ui/base/NumberText.h"
 
@@ -56,7 +57,8 @@ QString generationText(std::uint32_t generation, const core::HistoryRow* row, do
     return text;
 }
 
-QString generationText(const core::EditSession& session, const std::vector<std::uint32_t>& fronts)
+QString generationText(
+    const core::EditSession& session, std::uint8_t plane, const std::vector<std::uint32_t>& fronts)
 {
     const core::GrowthProgress progress = session.growthProgress();
     const core::Document& document = session.document();
@@ -66,12 +68,13 @@ QString generationText(const core::EditSession& session, const std::vector<std::
             .arg(countText(progress.generation),
                 countText(fronts.empty() ? 0 : qlonglong(fronts.back())),
                 millilitreText(progress.members, voxelMm3));
-    const std::uint32_t generation = progress.open ? progress.generation
-        : document.growths.empty()                 ? 0
-                                                   : document.growths.front().generation;
+    const std::uint32_t generation =
+        progress.open ? progress.generation : document.generation(plane);
     const core::History& history = session.history();
     const core::HistoryRow* row =
         progress.open || history.position() == 0 ? nullptr : &history.row(history.position());
+    if (row && core::toldGrowthPlane(row->edit, history) != plane)
+        row = nullptr; // it was done to another growth
     return generationText(generation, row, voxelMm3);
 }
 

@@ -22,10 +22,10 @@ namespace ui {
 [[nodiscard]] QString generationText(
     std::uint32_t generation, const core::HistoryRow* row, double voxelMm3);
 
-/// The same for the growth of a session. While it runs, the line tells the size of its front
-/// instead.
+/// The same for the growth of a session in a label plane. While one runs, the line tells the size
+/// of its front instead.
 /// @param fronts sizes of its fronts in voxels, by generation
 [[nodiscard]] QString generationText(
-    const core::EditSession& session, const std::vector<std::uint32_t>& fronts);
+    const core::EditSession& session, std::uint8_t plane, const std::vector<std::uint32_t>& fronts);
 
 } // namespace ui

@@ -3,6 +3,7 @@
 
 #include "core/edits/kinds/growth/GrowSteps.h"
 #include "core/edits/kinds/growth/ShrinkSteps.h"
+#include "core/edits/kinds/parts/GrowthPlane.h"
 #include "core/session/past/RecentGrowth.h"
 #include "ui/base/Icons.h"
 #include "ui/base/Theme.h"
@@ -267,7 +268,7 @@ void GrowthPanel::takeRecentCriteria()
     const core::EditSession* session = m_workspace.session();
     if (!session)
         return;
-    if (const auto criteria = core::recentCriteria(session->history())) {
+    if (const auto criteria = core::recentCriteria(session->history(), m_workspace.growthPlane())) {
         Workspace::GrowSettings settings = m_workspace.growSettings();
         takeCriteria(*criteria, settings);
         m_fromSeeds->show({criteria->lower, criteria->upper});
@@ -357,23 +358,26 @@ void GrowthPanel::shrink(std::optional<int> steps)
     core::EditSession* session = m_workspace.session();
     if (!session || running())
         return;
-    if (const auto applied = session->apply(core::ShrinkSteps{.steps = steps}); !applied)
+    if (const auto applied = session->apply(core::ShrinkSteps{
+            .steps = steps, .plane = core::namedPlane(m_workspace.growthPlane())});
+        !applied)
         m_workspace.fail(applied.error());
 }
 
 void GrowthPanel::showState()
 {
     core::EditSession* session = m_workspace.session();
+    const std::uint8_t plane = m_workspace.growthPlane();
     const GrowthPast::Known known =
-        session ? m_workspace.seeds().past().of(*session) : GrowthPast::Known();
+        session ? m_workspace.seeds().past().of(*session, plane) : GrowthPast::Known();
     const int seeds = known.seeds;
-    const bool allLocked = session && everySegmentLocked(session->document());
+    const bool allLocked = session && everySegmentLocked(session->document(), plane);
     const bool canGrow = running() || (seeds > 0 && !allLocked);
     m_step->setEnabled(canGrow && !running());
     m_play->setEnabled(canGrow);
     m_toClosure->setEnabled(canGrow && !running());
-    const core::Growth* growth = session ? session->document().growth(0) : nullptr;
-    const bool canShrink = growth && growth->generation > 1 && !allLocked && !running();
+    const bool canShrink =
+        session && session->document().generation(plane) > 1 && !allLocked && !running();
     const bool hasGrown = known.criteria.has_value();
     m_resume->setEnabled(canGrow && !running() && hasGrown);
     m_live->setEnabled(hasGrown);
@@ -393,7 +397,9 @@ void GrowthPanel::showState()
     } else if (running()) {
         m_advice->setText(tr("Growing; Pause keeps what has grown."));
     } else if (allLocked) {
-        m_advice->setText(tr("Every segment is locked: unlock the one that is to grow."));
+        m_advice->setText(session->document().labelPlanes().size() > 1
+                ? tr("Every segment of this label plane is locked: unlock the one that is to grow.")
+                : tr("Every segment is locked: unlock the one that is to grow."));
     } else {
         m_advice->setText(m_fromSeeds->text(seeds));
     }
@@ -409,7 +415,7 @@ void GrowthPanel::showState()
         m_fronts = progress.frontSizes;
     const QString scrub = m_generations->scrubText();
     m_progress->setText(!scrub.isEmpty() ? scrub
-            : session                    ? generationText(*session, m_fronts)
+            : session                    ? generationText(*session, plane, m_fronts)
                                          : QString());
     m_generations->show(progress);
 }

@@ -3,6 +3,8 @@
 
 #include "core/edits/kinds/growth/PlugLeak.h"
 #include "core/edits/kinds/growth/ShrinkSteps.h"
+#include "core/edits/kinds/parts/GrowthPlane.h"
+#include "core/history/MovedGrowth.h"
 #include "core/session/EditSession.h"
 #include "core/session/StepFindings.h"
 #include "ui/base/NumberText.h"
@@ -133,6 +135,7 @@ LeakSection::LeakSection(Workspace& workspace, QWidget* parent)
         showAlarm({});
     });
     connect(&workspace, &Workspace::documentChanged, this, &LeakSection::follow);
+    connect(&workspace, &Workspace::activeSegmentChanged, this, &LeakSection::showBesideGrowth);
     showSettings();
     showBarriers();
 }
@@ -168,18 +171,25 @@ void LeakSection::takeSettings()
 void LeakSection::showAlarm(const std::optional<core::LeakAlarm>& alarm)
 {
     m_alarm = alarm;
+    m_plane = m_workspace.growthPlane();
     m_stands = false;
-    Q_EMIT alarmChanged(m_alarm);
     // Else the focus would go to whatever comes next in the panel.
     if (!alarm && m_offer->isAncestorOf(focusWidget()))
         m_guard->setFocus();
     m_offer->setVisible(alarm.has_value());
-    m_workspace.setWarnAfter(alarm ? std::optional(alarm->narrow) : std::nullopt);
+    showBesideGrowth();
     if (alarm)
         m_text->setText(tr("A leak? Generation %1 burst out of a narrow place, %2 wide. %3")
                             .arg(countText(alarm->generation), widthText(*alarm),
                                 QStringLiteral("<a href=\"show\" style=\"color: %1\">%2</a>")
                                     .arg(theme::accent.name(), tr("Show\u00a0it"))));
+}
+
+void LeakSection::showBesideGrowth()
+{
+    const bool isShown = m_alarm && m_plane == m_workspace.growthPlane();
+    m_workspace.setWarnAfter(isShown ? std::optional(m_alarm->narrow) : std::nullopt);
+    Q_EMIT alarmChanged(isShown ? m_alarm : std::nullopt);
 }
 
 /// A growth that ended with an alarm is told of once, however it was made. Undone, shrunk or grown
@@ -195,8 +205,12 @@ void LeakSection::follow()
         showAlarm(alarm);
     if (!m_alarm)
         return;
-    const core::Growth* growth = session->document().growth(0);
-    const bool there = growth && growth->generation == m_alarm->generation;
+    const std::uint8_t plane = alarm == m_alarm
+        ? core::toldGrowthPlane(session->history().row(row).edit, session->history())
+        : m_plane;
+    if (std::exchange(m_plane, plane) != plane)
+        showBesideGrowth();
+    const bool there = session->document().generation(m_plane) == m_alarm->generation;
     if (m_stands && !there)
         showAlarm({});
     else
@@ -218,24 +232,29 @@ void LeakSection::showPlace()
 
 void LeakSection::accept()
 {
+    const std::uint8_t plane = m_plane;
     showAlarm({});
-    Q_EMIT goOnRequested();
+    Q_EMIT goOnRequested(plane);
 }
 
 void LeakSection::reject()
 {
     const core::LeakAlarm alarm = *m_alarm;
+    const std::uint8_t plane = m_plane;
     showAlarm({});
-    apply(core::ShrinkSteps{.steps = int(alarm.generation - alarm.narrow)});
+    apply(core::ShrinkSteps{
+        .steps = int(alarm.generation - alarm.narrow), .plane = core::namedPlane(plane)});
 }
 
 void LeakSection::plug()
 {
     const core::LeakAlarm alarm = *m_alarm;
+    const std::uint8_t plane = m_plane;
     showAlarm({});
-    apply(core::PlugLeak{
-        .pointLps = m_workspace.volume()->geometry.toWorld(glm::dvec3(alarm.voxel))});
-    Q_EMIT goOnRequested();
+    apply(
+        core::PlugLeak{.pointLps = m_workspace.volume()->geometry.toWorld(glm::dvec3(alarm.voxel)),
+            .plane = core::namedPlane(plane)});
+    Q_EMIT goOnRequested(plane);
 }
 
 } // namespace ui

@@ -7,6 +7,7 @@
 
 #include <QWidget>
 
+#include <cstdint>
 #include <optional>
 
 class QCheckBox;
@@ -29,8 +30,10 @@ public:
     void showAlarm(const std::optional<core::LeakAlarm>& alarm);
 
 Q_SIGNALS:
-    void goOnRequested();
-    /// The alarm about which the user is to decide; none: no alarm any more.
+    /// @param plane the label plane of the growth that is to go on
+    void goOnRequested(std::uint8_t plane);
+    /// The alarm about which the user is to decide, while the growth that raised it is shown; none:
+    /// there is none.
     void alarmChanged(const std::optional<core::LeakAlarm>& alarm);
 
 private:
@@ -38,6 +41,8 @@ private:
     void takeSettings();
     void showBarriers();
     void follow();
+    /// Shows the alarm beside its growth, and hides it beside others.
+    void showBesideGrowth();
     void showPlace();
     void accept();
     void reject();
@@ -52,6 +57,7 @@ private:
     QWidget* m_offer = nullptr;
     QLabel* m_text = nullptr;
     std::optional<core::LeakAlarm> m_alarm;
+    std::uint8_t m_plane = 0; ///< the label plane of the growth that raised it
     bool m_stands = false; ///< the growth has reached the alarm's generation
     core::RowId m_shownGrowth = 0; ///< the last growth whose alarm was shown
 };

@@ -251,7 +251,7 @@ bool SeedInterval::hasGrown() const
         return true;
     // One that was painted or imported, or is locked, has no growth that could follow; one that a
     // change has withdrawn to nothing has.
-    return !segment->locked && core::hasGrown(session->history(), segment->label);
+    return !segment->locked && core::hasGrown(session->history(), *segment);
 }
 
 void SeedInterval::followHistory()

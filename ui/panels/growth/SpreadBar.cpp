@@ -3,6 +3,7 @@
 
 #include "core/edits/kinds/growth/GrowFromSeeds.h"
 #include "core/edits/kinds/parts/GrowBox.h"
+#include "core/edits/kinds/parts/GrowthPlane.h"
 #include "ui/base/Theme.h"
 #include "ui/widgets/FoldButton.h"
 #include "ui/workspace/PendingSeeds.h"
@@ -50,6 +51,7 @@ SpreadBar::SpreadBar(Workspace& workspace, QWidget* parent)
     });
     connect(&workspace, &Workspace::sessionChanged, this, &SpreadBar::stop);
     connect(&workspace, &Workspace::documentChanged, this, &SpreadBar::showState);
+    connect(&workspace, &Workspace::activeSegmentChanged, this, &SpreadBar::showState);
     connect(&workspace.seeds(), &PendingSeeds::changed, this, &SpreadBar::showState);
     connect(&workspace, &Workspace::failed, this, [this] {
         // A preview that was refused would be refused again.
@@ -120,11 +122,19 @@ core::GrowFromSeeds SpreadBar::edit() const
     }
     made.connectivity = m_workspace.growSettings().connectivity;
     made.overwriteUnlocked = m_workspace.growSettings().overwriteUnlocked;
+    made.plane = core::namedPlane(plane());
     return made;
+}
+
+/// It stays with its segments while it is shown, whichever becomes the active one.
+std::uint8_t SpreadBar::plane() const
+{
+    return m_wanted ? m_plane : m_workspace.growthPlane();
 }
 
 void SpreadBar::preview()
 {
+    m_plane = plane();
     m_wanted = true;
     begin();
 }
@@ -196,9 +206,10 @@ int SpreadBar::competitors() const
         return 0;
     const std::vector<gpu::SceneSeed>& seeds = m_workspace.seeds().seeds();
     const std::vector<core::Segment>& segments = session->document().segments;
-    return int(
-        std::count_if(segments.begin(), segments.end(), [&seeds](const core::Segment& segment) {
-            return !segment.locked
+    const std::uint8_t plane = this->plane();
+    return int(std::count_if(
+        segments.begin(), segments.end(), [&seeds, plane](const core::Segment& segment) {
+            return segment.plane == plane && !segment.locked
                 && (segment.voxels > 0
                     || std::any_of(seeds.begin(), seeds.end(),
                         [&segment](const auto& seed) { return seed.label == segment.label; }));

@@ -46,6 +46,8 @@ private:
     void showState();
     /// The number of segments that have voxels or seeds to compete with.
     [[nodiscard]] int competitors() const;
+    /// The label plane in which they compete.
+    [[nodiscard]] std::uint8_t plane() const;
 
     Workspace& m_workspace;
     FoldButton* m_fold = nullptr; ///< folds the section, which is useless with one segment
@@ -57,6 +59,7 @@ private:
     QTimer m_watch; ///< starts the preview again after another edit
     QElapsedTimer m_sinceBegun; ///< for the text
     bool m_wanted = false;
+    std::uint8_t m_plane = 0; ///< of the preview that is wanted
     /// The history's position when the preview was last started. It is not started there again by
     /// itself unless something else was open in between.
     std::optional<core::RowId> m_begunAt;

@@ -5,6 +5,7 @@
 #include "core/edits/kinds/growth/GrowCriteria.h"
 #include "core/edits/kinds/growth/GrowSteps.h"
 #include "core/edits/kinds/growth/ToleranceEdits.h"
+#include "core/edits/kinds/parts/GrowthPlane.h"
 #include "core/session/past/RecentGrowth.h"
 #include "core/session/questions/VoxelQuestions.h"
 #include "ui/base/ErrorText.h"
@@ -270,12 +271,14 @@ void ToleranceSection::makeReal(int tolerance)
     core::GrowCriteria criteria = criteriaOf(settings);
     // The others keep what they have: the tolerance was traced for this one alone.
     const int active = m_workspace.activeSegment();
-    if (core::growingSegments(session->history(), session->document())
+    const std::uint8_t plane = m_workspace.growthPlane();
+    criteria.plane = core::namedPlane(plane);
+    if (core::growingSegments(session->history(), session->document(), plane)
             .reset(std::size_t(active))
             .any())
         criteria.segments = std::vector<int>{active};
     core::Edit edit = core::GrowSteps{.criteria = criteria};
-    if (core::recentCriteria(session->history()))
+    if (core::recentCriteria(session->history(), plane))
         edit = core::ChangeInterval{.criteria = criteria, .asBefore = false};
     if (const auto applied = session->apply(edit); !applied) {
         m_workspace.setAtTolerance({});

@@ -3,6 +3,7 @@
 
 #include "core/edits/kinds/growth/BarrierStroke.h"
 #include "core/edits/kinds/parts/BrushPath.h"
+#include "core/edits/kinds/parts/GrowthPlane.h"
 #include "ui/tools/common/BrushOptions.h"
 
 namespace ui {
@@ -52,7 +53,8 @@ QColor BarrierTool::colour() const
 core::Result<core::Edit> BarrierTool::strokeAlong(
     const core::BrushPath& path, bool inverted, const ViewContext&)
 {
-    return core::Edit(core::BarrierStroke{.path = path, .erase = inverted});
+    return core::Edit(core::BarrierStroke{
+        .path = path, .erase = inverted, .plane = core::namedPlane(workspace().growthPlane())});
 }
 
 } // namespace ui

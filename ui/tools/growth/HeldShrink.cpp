@@ -2,6 +2,7 @@
 #include "ui/tools/growth/HeldShrink.h"
 
 #include "core/edits/kinds/growth/ShrinkAt.h"
+#include "core/edits/kinds/parts/GrowthPlane.h"
 #include "core/growth/GrowthProgress.h"
 #include "core/session/EditSession.h"
 #include "ui/base/NumberText.h"
@@ -35,7 +36,7 @@ bool HeldShrink::begin(const std::vector<glm::ivec3>& voxels)
     core::EditSession* session = m_workspace.session();
     if (!session || m_on)
         return false;
-    core::ShrinkAt shrink{.steps = 1};
+    core::ShrinkAt shrink{.steps = 1, .plane = core::namedPlane(m_workspace.growthPlane())};
     for (const glm::ivec3& voxel : voxels)
         shrink.pointsLps.push_back(m_workspace.volume()->geometry.toWorld(glm::dvec3(voxel)));
     if (const auto begun = session->begin(shrink); !begun) {

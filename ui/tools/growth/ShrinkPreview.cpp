@@ -2,6 +2,7 @@
 #include "ui/tools/growth/ShrinkPreview.h"
 
 #include "core/edits/kinds/growth/ShrinkAt.h"
+#include "core/edits/kinds/parts/GrowthPlane.h"
 #include "core/session/questions/VoxelQuestions.h"
 #include "ui/base/NumberText.h"
 #include "ui/workspace/Workspace.h"
@@ -67,7 +68,8 @@ void ShrinkPreview::ask()
     if (!m_on || !session || m_asked == 0)
         return;
     // As the commit will name them.
-    core::ShrinkAt shrink{.onlyHere = m_onlyHere};
+    core::ShrinkAt shrink{
+        .onlyHere = m_onlyHere, .plane = core::namedPlane(m_workspace.growthPlane())};
     for (std::size_t i = 0; i < m_asked; ++i)
         shrink.pointsLps.push_back(m_workspace.volume()->geometry.toWorld(glm::dvec3(m_wanted[i])));
     const core::Result<void> asked = session->questions().previewCut(shrink,

@@ -2,6 +2,7 @@
 #include "ui/tools/growth/ShrinkTool.h"
 
 #include "core/edits/kinds/growth/ShrinkAt.h"
+#include "core/edits/kinds/parts/GrowthPlane.h"
 #include "core/session/questions/VoxelQuestions.h"
 #include "ui/base/RowTitleText.h"
 #include "ui/base/Theme.h"
@@ -141,7 +142,7 @@ QStringList ShrinkTool::cursorLines() const
 
 void ShrinkTool::commit(const std::vector<glm::ivec3>& voxels)
 {
-    core::ShrinkAt shrink;
+    core::ShrinkAt shrink{.plane = core::namedPlane(workspace().growthPlane())};
     for (const glm::ivec3& voxel : voxels)
         shrink.pointsLps.push_back(workspace().volume()->geometry.toWorld(glm::dvec3(voxel)));
     shrink.onlyHere = modifiers().testFlag(Qt::ControlModifier);

@@ -6,6 +6,8 @@
 #include "core/edits/answers/EditEffects.h"
 #include "core/edits/answers/RowFacts.h"
 #include "core/edits/engine/EngineEdits.h"
+#include "core/edits/kinds/growth/GrowthParts.h"
+#include "core/edits/kinds/parts/GrowthPlane.h"
 #include "core/edits/open/OpenBrush.h"
 
 namespace core {
@@ -36,7 +38,12 @@ Result<PaintBarrier> paintBarrier(const BarrierStroke& stroke, const Document& d
         capsuleFrame(stroke.path, document.volumes.front().geometry, QStringLiteral("barrier"));
     if (!frame)
         return tl::unexpected(frame.error());
+    const Result<std::uint8_t> plane =
+        growthPlane(stroke.plane, document, QStringLiteral("barrier"));
+    if (!plane)
+        return tl::unexpected(plane.error());
     PaintBarrier barrier;
+    barrier.plane = *plane;
     barrier.erase = stroke.erase;
     barrier.frame = *frame;
     barrier.lockedLabels = document.lockedLabels(barrier.plane);
@@ -62,7 +69,7 @@ RowTitle rowTitle(const BarrierStroke& edit, const RowFacts& row)
 
 EditDependencies dependencies(const BarrierStroke& edit, const DependencyFacts& row)
 {
-    return row.labelled(edit.path, row.growthPlane());
+    return row.labelled(edit.path, growthPlaneOf(edit.plane));
 }
 
 } // namespace core

@@ -4,6 +4,8 @@
 #include "core/edits/answers/EditAnswers.h"
 #include "core/edits/kinds/parts/BrushPath.h"
 
+#include <optional>
+
 namespace core {
 
 struct PaintBarrier;
@@ -12,6 +14,7 @@ struct PaintBarrier;
 struct BarrierStroke {
     BrushPath path{};
     bool erase = false;
+    std::optional<int> plane{}; ///< the label plane of the growth that it keeps out (GrowthPlane.h)
 };
 
 [[nodiscard]] Result<void> check(const BarrierStroke& edit, const Document& document);

@@ -8,6 +8,7 @@
 #include "core/edits/engine/EngineEdits.h"
 #include "core/edits/kinds/growth/GrowthParts.h"
 #include "core/edits/kinds/growth/OpenGrowth.h"
+#include "core/edits/kinds/parts/GrowthPlane.h"
 #include "core/edits/open/StrokeExtension.h"
 
 namespace core {
@@ -71,7 +72,7 @@ EditEffects effects(const ChangeInterval& edit)
         .standsOpen = opens<ChangeInterval>(),
         .fills = fillsNothing,
         .boundToStudy = !edit.asBefore && edit.criteria.box.has_value(),
-        .movesGeneration = true};
+        .movesGenerationOf = growthPlaneOf(edit.criteria.plane)};
 }
 
 Result<GrowBurst> growBurst(const ChangeInterval& change, const Document& document)

@@ -14,8 +14,10 @@ struct GrowBurst;
 /// Give a growth another interval: what qualifies now is recovered, and what no longer qualifies is
 /// removed with everything that depended on it (seed A §5.4).
 struct ChangeInterval {
-    GrowCriteria criteria{}; ///< with `asBefore` only lower and upper are used
-    /// all other criteria are those of the last growth; false once it is carried out
+    /// With `asBefore` only lower, upper and plane are used.
+    GrowCriteria criteria{};
+    /// All other criteria are those of the last growth in the plane that is named, or in any plane
+    /// if none is. False once it is carried out.
     bool asBefore = true;
     /// The growth is removed down to its seeds and repeated. None: that is decided when it is
     /// carried out; it is done if more than one segment grows or if its criteria are not fixed.

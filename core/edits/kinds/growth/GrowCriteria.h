@@ -39,6 +39,8 @@ struct GrowCriteria {
     /// Only these segments grow; the others stay as they are, as if they were locked, but unlocked
     /// ones may be overwritten. None: all that are not locked.
     std::optional<std::vector<int>> segments{};
+    /// The label plane that grows (GrowthPlane.h); named segments must lie there.
+    std::optional<int> plane{};
     bool operator==(const GrowCriteria&) const = default;
 };
 

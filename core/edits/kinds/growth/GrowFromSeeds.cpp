@@ -6,8 +6,8 @@
 #include "core/edits/answers/EditEffects.h"
 #include "core/edits/answers/RowFacts.h"
 #include "core/edits/engine/EngineEdits.h"
-#include "core/edits/engine/FirstPlane.h"
 #include "core/edits/kinds/growth/GrowthParts.h"
+#include "core/edits/kinds/parts/GrowthPlane.h"
 #include "core/edits/open/OpenStroke.h"
 #include "core/edits/open/StrokeExtension.h"
 #include "core/growth/SeedWord.h"
@@ -94,7 +94,11 @@ Result<SpreadLabels> spreadLabels(const GrowFromSeeds& edit, const Document& doc
         return failure(ErrorCode::InvalidField,
             QStringLiteral("growFromSeeds.") + QLatin1String(field), reason);
     };
-    constexpr std::uint8_t plane = 0;
+    const Result<std::uint8_t> named =
+        growthPlane(edit.plane, document, QStringLiteral("growFromSeeds"));
+    if (!named)
+        return tl::unexpected(named.error());
+    const std::uint8_t plane = *named;
     const Volume& volume = document.volumes.front();
     SpreadLabels spread{.plane = plane};
     spread.connectivity = edit.connectivity;
@@ -109,10 +113,10 @@ Result<SpreadLabels> spreadLabels(const GrowFromSeeds& edit, const Document& doc
                     Clause::saying("in field 'growFromSeeds.segments'"));
             if (segment->locked)
                 return failure(ErrorCode::SegmentLocked, segment->name);
-            if (const Result<void> grows = checkInFirstPlane(
-                    QStringLiteral("growFromSeeds.segments"), *segment, Clause::saying("grow"));
-                !grows)
-                return tl::unexpected(grows.error());
+            if (const Result<void> there =
+                    checkLiesOn(plane, *segment, QStringLiteral("growFromSeeds"));
+                !there)
+                return tl::unexpected(there.error());
             spread.seeds.set(std::size_t(label));
         }
     }
@@ -157,9 +161,9 @@ RowTitle rowTitle(const GrowFromSeeds&, const RowFacts& row)
     return title;
 }
 
-EditDependencies dependencies(const GrowFromSeeds&, const DependencyFacts& row)
+EditDependencies dependencies(const GrowFromSeeds& edit, const DependencyFacts&)
 {
-    return row.wholeGrowth();
+    return dependsOn::Plane{growthPlaneOf(edit.plane)};
 }
 
 } // namespace core

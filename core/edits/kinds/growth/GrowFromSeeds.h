@@ -21,6 +21,8 @@ struct GrowFromSeeds {
     /// Modality units per millimetre of the path; none: a thousandth of the volume's range.
     std::optional<double> lengthCost{};
     bool overwriteUnlocked = false; ///< of segments that do not compete
+    /// The label plane that they lie in (GrowthPlane.h).
+    std::optional<int> plane{};
 };
 
 [[nodiscard]] Result<void> check(const GrowFromSeeds& edit, const Document& document);

@@ -8,6 +8,7 @@
 #include "core/edits/engine/EngineEdits.h"
 #include "core/edits/kinds/growth/GrowthParts.h"
 #include "core/edits/kinds/growth/OpenGrowth.h"
+#include "core/edits/kinds/parts/GrowthPlane.h"
 
 namespace core {
 
@@ -29,7 +30,7 @@ EditEffects effects(const GrowSteps& edit)
         .standsOpen = opens<GrowSteps>(),
         .fills = fillsNothing,
         .boundToStudy = edit.criteria.box.has_value(),
-        .movesGeneration = true};
+        .movesGenerationOf = growthPlaneOf(edit.criteria.plane)};
 }
 
 Result<GrowBurst> growBurst(const GrowSteps& grow, const Document& document)
@@ -67,7 +68,7 @@ RowTitle rowTitle(const GrowSteps& grow, const RowFacts& row)
         return {.code = RowTitleCode::GrowInterval,
             .arguments = {asArgument(intervalTitle(grow.criteria, row.document))},
             .then = {{.code = RowTitleCode::NoVoxel}}};
-    const Growth* before = row.document.growth(0);
+    const Growth* before = row.document.growth(growthPlaneOf(grow.criteria.plane));
     const TitleCount steps{grownSteps(before ? before->generation : 0, row.statistics, row.facts)};
     const GrownSegments grown = grownSegments(row.facts, row.document);
     RowTitle title{.code = RowTitleCode::GrowSteps,

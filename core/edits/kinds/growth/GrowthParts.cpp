@@ -3,11 +3,11 @@
 
 #include "core/edits/answers/RowWords.h"
 #include "core/edits/engine/EngineEdits.h"
-#include "core/edits/engine/FirstPlane.h"
 #include "core/edits/fields/EditFields.h"
 #include "core/edits/kinds/growth/GrowCriteria.h"
 #include "core/edits/kinds/growth/GrowGuard.h"
 #include "core/edits/kinds/growth/GrowLimits.h"
+#include "core/edits/kinds/parts/GrowthPlane.h"
 #include "core/engine/ChangeFacts.h"
 
 #include <algorithm>
@@ -31,6 +31,26 @@ bool nothingMayChange(const Document& document, int plane)
     return document.lockedLabels(plane).any() && document.unlockedLabels(plane).none();
 }
 
+Result<std::uint8_t> growthPlane(
+    const std::optional<int>& plane, const Document& document, const QString& edit)
+{
+    const std::uint8_t named = growthPlaneOf(plane);
+    const std::vector<std::uint8_t> planes = document.labelPlanes();
+    if (!std::binary_search(planes.begin(), planes.end(), named))
+        return failure(ErrorCode::InvalidField, edit + QStringLiteral(".plane"),
+            Clause::saying("no segment lies on label plane %1", int(named) + 1));
+    return named;
+}
+
+Result<void> checkLiesOn(std::uint8_t plane, const Segment& segment, const QString& edit)
+{
+    if (segment.plane == plane)
+        return {};
+    return failure(ErrorCode::InvalidField, edit + QStringLiteral(".segments"),
+        Clause::saying("'%1' lies on label plane %2; field 'plane' must be %3 for it to grow",
+            segment.name, int(segment.plane) + 1, int(segment.plane)));
+}
+
 Result<GrowBurst> burstOf(
     const GrowCriteria& criteria, const Document& document, const QString& edit)
 {
@@ -50,7 +70,10 @@ Result<GrowBurst> burstOf(
     if (!limits)
         return tl::unexpected(limits.error());
 
-    constexpr std::uint8_t plane = 0;
+    const Result<std::uint8_t> named = growthPlane(criteria.plane, document, edit);
+    if (!named)
+        return tl::unexpected(named.error());
+    const std::uint8_t plane = *named;
     GrowBurst burst{.plane = plane,
         .lowCode = volume.encoding.lowestCodeAtLeast(criteria.lower),
         .highCode = volume.encoding.highestCodeAtMost(criteria.upper),
@@ -75,10 +98,8 @@ Result<GrowBurst> burstOf(
                 Clause::saying("in field '%1.segments'", edit));
         if (segment->locked)
             return failure(ErrorCode::SegmentLocked, segment->name);
-        if (const Result<void> grows = checkInFirstPlane(
-                edit + QStringLiteral(".segments"), *segment, Clause::saying("grow"));
-            !grows)
-            return tl::unexpected(grows.error());
+        if (const Result<void> there = checkLiesOn(plane, *segment, edit); !there)
+            return tl::unexpected(there.error());
         resting.reset(std::size_t(label));
     }
     burst.lockedLabels |= resting;
@@ -101,14 +122,17 @@ std::optional<GuardRule> guardRule(const GrowGuard& guard, const VolumeGeometry&
     return rule;
 }
 
-Result<CutGrowth> cutAt(const std::vector<glm::dvec3>& pointsLps, CutGrowth::How how,
-    const Document& document, const QString& field)
+Result<CutGrowth> cutAt(const CutPlaces& places, CutGrowth::How how, const Document& document)
 {
-    constexpr std::uint8_t plane = 0;
+    const QString field = places.edit + QLatin1Char('.') + places.pointsField;
+    const Result<std::uint8_t> named = growthPlane(places.plane, document, places.edit);
+    if (!named)
+        return tl::unexpected(named.error());
+    const std::uint8_t plane = *named;
     CutGrowth command{.plane = plane, .how = how};
-    if (pointsLps.empty())
+    if (places.pointsLps.empty())
         return failure(ErrorCode::InvalidField, field, Clause::saying("has no point"));
-    for (const glm::dvec3& point : pointsLps) {
+    for (const glm::dvec3& point : places.pointsLps) {
         const std::optional<glm::ivec3> voxel =
             voxelNearest(point, document.volumes.front().geometry);
         if (!voxel)
@@ -154,13 +178,13 @@ RowTitle intervalTitle(const GrowCriteria& criteria, const Document& document)
 
 EditDependencies growthDependencies(const GrowCriteria& criteria, const DependencyFacts& row)
 {
+    const std::uint8_t plane = growthPlaneOf(criteria.plane);
     if (row.trace.grownBeside)
-        return dependsOn::SeedWords{.plane = row.growthPlane(),
-            .coverage = criteria.onlyVisible,
-            .beside = *row.trace.grownBeside};
+        return dependsOn::SeedWords{
+            .plane = plane, .coverage = criteria.onlyVisible, .beside = *row.trace.grownBeside};
     if (!criteria.onlyVisible)
-        return row.wholeGrowth();
-    dependsOn::Fields fields{.plane = row.growthPlane(), .layers = {}};
+        return dependsOn::Plane{plane};
+    dependsOn::Fields fields{.plane = plane, .layers = {}};
     fields.layers.set();
     return fields;
 }

@@ -24,9 +24,18 @@ struct GrowGuard;
 /// Whether a plane has segments and all of them are locked.
 [[nodiscard]] bool nothingMayChange(const Document& document, int plane);
 
+/// The plane of a growth. @param edit its name, for messages
+/// Errors: InvalidField (no segment lies there).
+[[nodiscard]] Result<std::uint8_t> growthPlane(
+    const std::optional<int>& plane, const Document& document, const QString& edit);
+/// Checks that a segment that grows lies there. @param edit as above
+/// Errors: InvalidField.
+[[nodiscard]] Result<void> checkLiesOn(
+    std::uint8_t plane, const Segment& segment, const QString& edit);
+
 /// @param edit its name, for messages Errors: InvalidField (connectivity other than 6, 18 and 26,
-/// lower > upper, a box outside the volume), UnknownSegment, SegmentLocked (no segment may change,
-/// or one that is to grow).
+/// lower > upper, a box outside the volume, a plane without segments), UnknownSegment,
+/// SegmentLocked (no segment may change, or one that is to grow).
 [[nodiscard]] Result<GrowBurst> burstOf(
     const GrowCriteria& criteria, const Document& document, const QString& edit);
 
@@ -34,10 +43,16 @@ struct GrowGuard;
 [[nodiscard]] std::optional<GuardRule> guardRule(
     const GrowGuard& guard, const VolumeGeometry& geometry);
 
-/// @param field of the points, for messages
+/// What a cut of a growth is made of, beside what only one kind of it knows.
+struct CutPlaces {
+    std::vector<glm::dvec3> pointsLps;
+    std::optional<int> plane; ///< GrowthPlane.h
+    QString edit; ///< its name, for messages
+    QString pointsField; ///< likewise, of the points
+};
 /// Errors: InvalidField, SegmentLocked.
-[[nodiscard]] Result<CutGrowth> cutAt(const std::vector<glm::dvec3>& pointsLps, CutGrowth::How how,
-    const Document& document, const QString& field);
+[[nodiscard]] Result<CutGrowth> cutAt(
+    const CutPlaces& places, CutGrowth::How how, const Document& document);
 
 struct GrownSegments {
     std::int64_t count = 0; ///< 0: only seeds became members

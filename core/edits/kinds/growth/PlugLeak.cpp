@@ -7,6 +7,7 @@
 #include "core/edits/answers/RowFacts.h"
 #include "core/edits/engine/EngineEdits.h"
 #include "core/edits/kinds/growth/GrowthParts.h"
+#include "core/edits/kinds/parts/GrowthPlane.h"
 
 namespace core {
 
@@ -22,18 +23,22 @@ Result<bool> apply(const PlugLeak&, Document&)
     return false;
 }
 
-EditEffects effects(const PlugLeak&)
+EditEffects effects(const PlugLeak& edit)
 {
     return {.task = engineTask<PlugLeak>(),
         .standsOpen = false,
         .fills = fillsNothing,
         .boundToStudy = true,
-        .movesGeneration = true};
+        .movesGenerationOf = growthPlaneOf(edit.plane)};
 }
 
 Result<CutGrowth> cutGrowth(const PlugLeak& plug, const Document& document)
 {
-    return cutAt({plug.pointLps}, CutGrowth::How::Neck, document, QStringLiteral("plug.pointLps"));
+    return cutAt({.pointsLps = {plug.pointLps},
+                     .plane = plug.plane,
+                     .edit = QStringLiteral("plug"),
+                     .pointsField = QStringLiteral("pointLps")},
+        CutGrowth::How::Neck, document);
 }
 
 Result<EngineEdit> engineEdit(const PlugLeak& edit, const Document& document)
@@ -47,9 +52,9 @@ RowTitle rowTitle(const PlugLeak&, const RowFacts& row)
         .then = {figure(RowTitleCode::VoxelsLost, row.statistics.voxelsChanged)}};
 }
 
-EditDependencies dependencies(const PlugLeak&, const DependencyFacts& row)
+EditDependencies dependencies(const PlugLeak& edit, const DependencyFacts&)
 {
-    return row.wholeGrowth();
+    return dependsOn::Plane{growthPlaneOf(edit.plane)};
 }
 
 } // namespace core

@@ -5,6 +5,8 @@
 
 #include <glm/glm.hpp>
 
+#include <optional>
+
 namespace core {
 
 struct CutGrowth;
@@ -12,6 +14,7 @@ struct CutGrowth;
 /// Set a barrier across the neck through which growth came to a place, and remove what grew beyond.
 struct PlugLeak {
     glm::dvec3 pointLps{0.0};
+    std::optional<int> plane{}; ///< the label plane of the growth (GrowthPlane.h)
 };
 
 [[nodiscard]] Result<void> check(const PlugLeak& edit, const Document& document);

@@ -8,6 +8,7 @@
 #include "core/edits/engine/EngineEdits.h"
 #include "core/edits/kinds/growth/GrowSteps.h"
 #include "core/edits/kinds/growth/OpenGrowth.h"
+#include "core/edits/kinds/parts/GrowthPlane.h"
 
 namespace core {
 
@@ -22,12 +23,12 @@ Result<bool> apply(const ResumeGrowth&, Document&)
     return false;
 }
 
-EditEffects effects(const ResumeGrowth&)
+EditEffects effects(const ResumeGrowth& edit)
 {
     return {.task = engineTask<ResumeGrowth>(),
         .standsOpen = opens<ResumeGrowth>(),
         .fills = fillsNothing,
-        .movesGeneration = true};
+        .movesGenerationOf = growthPlaneOf(edit.plane)};
 }
 
 Result<EngineEdit> engineEdit(const ResumeGrowth&, const Document&)
@@ -44,12 +45,12 @@ std::unique_ptr<OpenStroke> openStroke(ResumeGrowth& edit)
 /// It is kept as the growth that it was.
 RowTitle rowTitle(const ResumeGrowth& edit, const RowFacts& row)
 {
-    return rowTitle(GrowSteps{.steps = edit.steps}, row);
+    return rowTitle(GrowSteps{.criteria = {.plane = edit.plane}, .steps = edit.steps}, row);
 }
 
-EditDependencies dependencies(const ResumeGrowth&, const DependencyFacts& row)
+EditDependencies dependencies(const ResumeGrowth& edit, const DependencyFacts&)
 {
-    return row.wholeGrowth();
+    return dependsOn::Plane{growthPlaneOf(edit.plane)};
 }
 
 } // namespace core

@@ -11,6 +11,8 @@ namespace core {
 /// stands for.
 struct ResumeGrowth {
     std::optional<int> steps{}; ///< none: to closure
+    /// The last one in this label plane, from 0; none: the last one in any plane.
+    std::optional<int> plane{};
 };
 
 [[nodiscard]] Result<void> check(const ResumeGrowth& edit, const Document& document);

@@ -6,7 +6,6 @@
 #include "core/edits/answers/EditEffects.h"
 #include "core/edits/answers/RowFacts.h"
 #include "core/edits/engine/EngineEdits.h"
-#include "core/edits/engine/FirstPlane.h"
 
 #include <utility>
 
@@ -39,10 +38,6 @@ Result<SeedPlacement> seedPlacement(const SeedStroke& stroke, const Document& do
     if (!unlocked)
         return tl::unexpected(unlocked.error());
     const Segment* segment = *unlocked;
-    if (const Result<void> grows =
-            checkInFirstPlane(QStringLiteral("seed.segment"), *segment, Clause::saying("grow"));
-        !grows)
-        return tl::unexpected(grows.error());
 
     if (stroke.pointsLps.empty() && !stroke.takenLps)
         return failure(ErrorCode::InvalidField, QStringLiteral("seed.pointsLps"),

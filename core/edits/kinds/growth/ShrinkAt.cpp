@@ -7,6 +7,7 @@
 #include "core/edits/answers/RowFacts.h"
 #include "core/edits/engine/EngineEdits.h"
 #include "core/edits/kinds/growth/GrowthParts.h"
+#include "core/edits/kinds/parts/GrowthPlane.h"
 #include "core/edits/open/OpenStroke.h"
 #include "core/edits/open/StrokeExtension.h"
 #include "core/engine/EngineResult.h"
@@ -70,7 +71,7 @@ EditEffects effects(const ShrinkAt& edit)
         .standsOpen = opensIf<ShrinkAt>(edit.steps.has_value()),
         .fills = fillsNothing,
         .boundToStudy = true,
-        .movesGeneration = true};
+        .movesGenerationOf = growthPlaneOf(edit.plane)};
 }
 
 Result<CutGrowth> cutGrowth(const ShrinkAt& shrink, const Document& document)
@@ -81,8 +82,11 @@ Result<CutGrowth> cutGrowth(const ShrinkAt& shrink, const Document& document)
     const CutGrowth::How how = shrink.onlyHere ? CutGrowth::How::Here
         : shrink.steps                         ? CutGrowth::How::Backwards
                                                : CutGrowth::How::Subtree;
-    Result<CutGrowth> command =
-        cutAt(shrink.pointsLps, how, document, QStringLiteral("shrinkAt.pointsLps"));
+    Result<CutGrowth> command = cutAt({.pointsLps = shrink.pointsLps,
+                                          .plane = shrink.plane,
+                                          .edit = QStringLiteral("shrinkAt"),
+                                          .pointsField = QStringLiteral("pointsLps")},
+        how, document);
     if (!command)
         return command;
     command->barrier = shrink.barrier;
@@ -109,9 +113,9 @@ RowTitle rowTitle(const ShrinkAt& edit, const RowFacts& row)
     return title;
 }
 
-EditDependencies dependencies(const ShrinkAt&, const DependencyFacts& row)
+EditDependencies dependencies(const ShrinkAt& edit, const DependencyFacts&)
 {
-    return row.wholeGrowth();
+    return dependsOn::Plane{growthPlaneOf(edit.plane)};
 }
 
 } // namespace core

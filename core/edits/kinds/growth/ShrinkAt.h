@@ -23,6 +23,7 @@ struct ShrinkAt {
     /// further one a generation of parents. None: cut at the narrowest passage, as in sessions from
     /// before this field.
     std::optional<int> steps{};
+    std::optional<int> plane{}; ///< the label plane of the growth (GrowthPlane.h)
 };
 
 [[nodiscard]] Result<void> check(const ShrinkAt& edit, const Document& document);

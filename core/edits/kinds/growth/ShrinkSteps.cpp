@@ -7,6 +7,7 @@
 #include "core/edits/answers/RowFacts.h"
 #include "core/edits/engine/EngineEdits.h"
 #include "core/edits/kinds/growth/GrowthParts.h"
+#include "core/edits/kinds/parts/GrowthPlane.h"
 #include "core/edits/open/OpenStroke.h"
 #include "core/edits/open/StrokeExtension.h"
 #include "core/growth/SeedWord.h"
@@ -67,17 +68,21 @@ Result<bool> apply(const ShrinkSteps&, Document&)
     return false;
 }
 
-EditEffects effects(const ShrinkSteps&)
+EditEffects effects(const ShrinkSteps& edit)
 {
     return {.task = engineTask<ShrinkSteps>(),
         .standsOpen = opens<ShrinkSteps>(),
         .fills = fillsNothing,
-        .movesGeneration = true};
+        .movesGenerationOf = growthPlaneOf(edit.plane)};
 }
 
 Result<ShrinkGrowth> shrinkGrowth(const ShrinkSteps& shrink, const Document& document)
 {
-    constexpr std::uint8_t plane = 0;
+    const Result<std::uint8_t> named =
+        growthPlane(shrink.plane, document, QStringLiteral("shrink"));
+    if (!named)
+        return tl::unexpected(named.error());
+    const std::uint8_t plane = *named;
     ShrinkGrowth command{.plane = plane};
     if (const Growth* growth = document.growth(plane))
         command.generation = growth->generation;
@@ -109,9 +114,9 @@ RowTitle rowTitle(const ShrinkSteps& edit, const RowFacts& row)
     return title;
 }
 
-EditDependencies dependencies(const ShrinkSteps&, const DependencyFacts& row)
+EditDependencies dependencies(const ShrinkSteps& edit, const DependencyFacts&)
 {
-    return row.wholeGrowth();
+    return dependsOn::Plane{growthPlaneOf(edit.plane)};
 }
 
 } // namespace core

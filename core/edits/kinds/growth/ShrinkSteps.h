@@ -13,6 +13,7 @@ struct ShrinkGrowth;
 struct ShrinkSteps {
     /// none, or at least as many as there are: only the accepted seeds stay
     std::optional<int> steps{};
+    std::optional<int> plane{}; ///< the label plane of the growth (GrowthPlane.h)
 };
 
 [[nodiscard]] Result<void> check(const ShrinkSteps& edit, const Document& document);
@@ -23,7 +24,7 @@ Result<bool> apply(const ShrinkSteps& edit, Document& document);
 [[nodiscard]] Result<EngineEdit> engineEdit(const ShrinkSteps& edit, const Document& document);
 [[nodiscard]] std::unique_ptr<OpenStroke> openStroke(ShrinkSteps& edit);
 
-/// Errors: SegmentLocked (no segment may change).
+/// Errors: SegmentLocked (no segment may change), InvalidField (a plane without segments).
 [[nodiscard]] Result<ShrinkGrowth> shrinkGrowth(
     const ShrinkSteps& shrink, const Document& document);
 

@@ -2,10 +2,10 @@
 #include "core/edits/kinds/growth/ToleranceEdits.h"
 
 #include "core/document/Document.h"
-#include "core/edits/engine/FirstPlane.h"
 #include "core/edits/kinds/growth/GrowCriteria.h"
 #include "core/edits/kinds/growth/GrowLimits.h"
 #include "core/edits/kinds/growth/GrowthParts.h"
+#include "core/edits/kinds/parts/GrowthPlane.h"
 
 #include <array>
 #include <utility>
@@ -20,10 +20,6 @@ Result<ToleranceRule> toleranceRule(
         return failure(ErrorCode::UnknownSegment, QString::number(segment));
     if (growing->locked)
         return failure(ErrorCode::SegmentLocked, growing->name);
-    if (const Result<void> grows = checkInFirstPlane(
-            QStringLiteral("tolerance.segment"), *growing, Clause::saying("grow"));
-        !grows)
-        return tl::unexpected(grows.error());
     // A majority of one voxel of 27 and a passage of one voxel ask for nothing.
     const std::array<std::pair<const char*, bool>, 5> unknown{
         {{"sigmas", criteria.sigmas.has_value()}, {"difference", criteria.difference.has_value()},
@@ -43,6 +39,7 @@ Result<ToleranceRule> toleranceRule(
             Clause::saying("must be off: tolerances are those of the voxels' own values"));
     GrowCriteria anyValue = criteria;
     anyValue.lower = anyValue.upper = 0.0;
+    anyValue.plane = namedPlane(growing->plane);
     const Result<GrowBurst> burst = burstOf(anyValue, document, QStringLiteral("tolerance"));
     if (!burst)
         return tl::unexpected(burst.error());

@@ -47,7 +47,7 @@ Result<CapsuleCut> capsuleCut(const BrushStroke& stroke, const Document& documen
     cut.restore = stroke.restore;
     cut.frame = *frame;
     cut.hidden = integerHalfSpaces(stroke.hidden, document.volumes.front().geometry);
-    cut.protectedLabels = protectedLabelsIn(stroke.protectedSegments, document);
+    cut.protectedLabels = protectedLabelsOf(stroke.protectedSegments);
     return cut;
 }
 
@@ -71,7 +71,7 @@ RowTitle rowTitle(const BrushStroke& edit, const RowFacts& row)
 /// The coverage of its own layer in the bricks under the brush, and what it protects there.
 EditDependencies dependencies(const BrushStroke& edit, const DependencyFacts& row)
 {
-    const std::optional<std::uint8_t> labelsRead = labelsReadBy(edit, row.document);
+    const std::optional<std::uint8_t> labelsRead = labelsReadBy(edit);
     dependsOn::Bricks bricks;
     for (const std::uint32_t brick : row.under(edit.path)) {
         bricks.keys.insert({Field::Coverage, std::uint8_t(edit.layer), brick});

@@ -35,12 +35,11 @@ template <class Cut, class Command>
 }
 
 /// The plane whose labels a cut reads because it leaves segments uncut; none: it reads no labels.
-template <class Cut>
-[[nodiscard]] std::optional<std::uint8_t> labelsReadBy(const Cut& cut, const Document& document)
+template <class Cut> [[nodiscard]] std::optional<std::uint8_t> labelsReadBy(const Cut& cut)
 {
     if (cut.restore || !cut.protectedSegments)
         return std::nullopt;
-    return protectedLabelsIn(cut.protectedSegments, document).plane;
+    return protectedLabelsOf(cut.protectedSegments).plane;
 }
 
 /// For a cut that cannot be computed.

@@ -125,8 +125,7 @@ EditDependencies dependencies(const DrillStroke& edit, const DependencyFacts& ro
     const Result<DrillCut> cut = drillCut(edit, row.document);
     if (!cut)
         return reachesNothing();
-    return swept(cut->frame, pathOf(edit.samples), drillReachMm(*cut),
-        labelsReadBy(edit, row.document), row);
+    return swept(cut->frame, pathOf(edit.samples), drillReachMm(*cut), labelsReadBy(edit), row);
 }
 
 } // namespace core

@@ -145,8 +145,7 @@ EditDependencies dependencies(const LaserStroke& edit, const DependencyFacts& ro
     const Result<LaserCut> cut = laserCut(edit, row.document);
     if (!cut)
         return reachesNothing();
-    return swept(cut->frame, pathOf(edit.samples), laserReachMm(*cut),
-        labelsReadBy(edit, row.document), row);
+    return swept(cut->frame, pathOf(edit.samples), laserReachMm(*cut), labelsReadBy(edit), row);
 }
 
 } // namespace core

@@ -7,7 +7,6 @@
 #include "core/edits/answers/RowFacts.h"
 #include "core/edits/engine/EditableRanges.h"
 #include "core/edits/engine/EngineEdits.h"
-#include "core/edits/engine/FirstPlane.h"
 #include "core/edits/open/OpenBrush.h"
 
 #include <algorithm>
@@ -86,12 +85,6 @@ Result<PaintLabel> paintLabel(const PaintStroke& stroke, const Document& documen
     if (!unlocked)
         return tl::unexpected(unlocked.error());
     const Segment* segment = *unlocked;
-    if (stroke.seeds) {
-        if (const Result<void> grows =
-                checkInFirstPlane(QStringLiteral("paint.seeds"), *segment, Clause::saying("grow"));
-            !grows)
-            return tl::unexpected(grows.error());
-    }
     const Volume& volume = document.volumes.front();
     const Result<CodeInterval> codes =
         codesBetween(QStringLiteral("paint"), stroke.lower, stroke.upper, volume.encoding);

@@ -74,11 +74,9 @@ RowTitle rowTitle(const RemoveSegment& edit, const RowFacts& row)
 
 /// As of a growth, since its label must not come back without it; in all planes, since a segment
 /// that is gone no longer says in which it lay.
-EditDependencies dependencies(const RemoveSegment&, const DependencyFacts& row)
+EditDependencies dependencies(const RemoveSegment&, const DependencyFacts&)
 {
-    EditDependencies all = row.wholeGrowth();
-    all.labelPlanes.set();
-    return all;
+    return dependsOn::Plane{};
 }
 
 } // namespace core

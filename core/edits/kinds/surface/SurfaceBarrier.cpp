@@ -5,7 +5,6 @@
 #include "core/edits/answers/EditDependencies.h"
 #include "core/edits/answers/EditEffects.h"
 #include "core/edits/answers/RowFacts.h"
-#include "core/edits/engine/FirstPlane.h"
 #include "core/edits/kinds/surface/SurfaceParts.h"
 
 namespace core {
@@ -14,14 +13,6 @@ using namespace rowWords;
 
 Result<void> check(const SurfaceBarrier& edit, const Document& document)
 {
-    const Segment* segment =
-        document.surface ? document.segment(document.surface->segment) : nullptr;
-    if (segment) {
-        if (const Result<void> first = checkInFirstPlane(
-                QStringLiteral("surfaceBarrier"), *segment, Clause::saying("keep a growth out"));
-            !first)
-            return first;
-    }
     return checkApplied(edit, document);
 }
 
@@ -43,9 +34,10 @@ RowTitle rowTitle(const SurfaceBarrier& edit, const RowFacts& row)
         .then = {figure(RowTitleCode::Voxels, row.facts.seedWordsChanged)}};
 }
 
-EditDependencies dependencies(const SurfaceBarrier&, const DependencyFacts& row)
+/// In all planes, as for WriteBack.
+EditDependencies dependencies(const SurfaceBarrier&, const DependencyFacts&)
 {
-    return row.wholeGrowth();
+    return dependsOn::Plane{};
 }
 
 } // namespace core

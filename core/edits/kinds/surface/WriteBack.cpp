@@ -46,11 +46,9 @@ RowTitle rowTitle(const WriteBack&, const RowFacts& row)
 }
 
 /// In all planes: the surface that says in which its segment lies may be another one by now.
-EditDependencies dependencies(const WriteBack&, const DependencyFacts& row)
+EditDependencies dependencies(const WriteBack&, const DependencyFacts&)
 {
-    EditDependencies all = row.wholeGrowth();
-    all.labelPlanes.set();
-    return all;
+    return dependsOn::Plane{};
 }
 
 } // namespace core

@@ -2,10 +2,14 @@
 #include "core/session/operations/history/RevertOperation.h"
 
 #include "core/edits/document/DocumentEdits.h"
+#include "core/edits/kinds/EditParts.h"
+#include "core/edits/kinds/growth/GrowCriteria.h"
 #include "core/edits/kinds/history/RevertRows.h"
 #include "core/edits/kinds/history/ReviseStroke.h"
+#include "core/edits/kinds/parts/GrowthPlane.h"
 #include "core/engine/EngineCommands.h"
 #include "core/growth/SeedWord.h"
+#include "core/history/MovedGrowth.h"
 #include "core/history/StandingStrokes.h"
 #include "core/session/past/GuardedLabels.h"
 
@@ -195,7 +199,8 @@ RowTrace RevertOperation::traceOf(const SessionState& state, RowId row) const
     const HistoryRow& traced = state.history.row(row);
     RowTrace trace{.searchedTo = traced.statistics.searchedTo};
     if (GrowthTrace::isOf(traced.edit))
-        trace.grownBeside = m_growth.bricksUpTo(row);
+        trace.grownBeside =
+            m_growth.bricksUpTo(row, growthPlaneOf(growCriteriaOf(traced.edit)->plane));
     return trace;
 }
 
@@ -234,6 +239,9 @@ Result<void> RevertOperation::checkRows(const SessionState& state) const
                     titled(state.history.row(other))));
         }
     }
+    if (movedGrowthPlanes(RevertRows{m_rows}, state.history).size() > 1)
+        return revertRefused(Clause::saying(
+            "they are of growths on several label planes; take those of one plane back at a time"));
     return {};
 }
 
@@ -254,7 +262,7 @@ void RevertOperation::takeDifferences(SessionState& state, Result<RowDifferences
         return giveUp(state, differences.error());
     const RowId row = m_toLoad.back();
     m_toLoad.pop_back();
-    m_growth.note(row, differences->words, state.document);
+    m_growth.note(row, differences->words, BrickGrid{state.document.volumes.front().geometry.size});
     if (row >= m_path.front() && isNeeded(row, state.history.row(row).edit))
         m_differences[row] = std::move(differences->images);
     loadNext(state);
@@ -348,9 +356,11 @@ void RevertOperation::finish(SessionState& state, EngineResult&& result)
         state.complete(m_again, std::move(result));
     } else if (!result.changes.empty()) {
         // A shrinking that is undone brings members of later generations back.
+        const RevertRows edit{m_rows};
+        const std::uint8_t plane = toldGrowthPlane(edit, state.history);
         const std::uint32_t counter =
-            std::max(state.document.growths.front().generation, result.facts.greatestGeneration);
-        state.commit(RevertRows{m_rows}, std::move(result), counter);
+            std::max(state.document.generation(plane), result.facts.greatestGeneration(plane));
+        state.commit(edit, std::move(result), counter);
     }
     state.notify(DocumentChange::What::Growth);
 }

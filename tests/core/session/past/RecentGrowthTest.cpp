@@ -115,10 +115,10 @@ private Q_SLOTS:
         QVERIFY(bench.session->undo());
         QVERIFY(bench.session->undo());
         QVERIFY(bench.session->settle());
-        QVERIFY(!recentCriteria(bench.session->history()));
+        QVERIFY(!recentCriteria(bench.session->history(), 0));
         QVERIFY(bench.session->redo());
         QVERIFY(bench.session->settle());
-        QCOMPARE(recentCriteria(bench.session->history())->upper, 30.0);
+        QCOMPARE(recentCriteria(bench.session->history(), 0)->upper, 30.0);
     }
 
     /// What is shut now may be opened later: then the growth goes on by what was asked for last.

@@ -180,14 +180,14 @@ private Q_SLOTS:
     {
         const Bench bench({test::addSegment("Brain"), test::seedInBrain(1)});
         const auto seeds = bench.answerTo<std::vector<ProbedSeeds>>(
-            [&](auto take) { bench.questions().seedSums({.low = 0, .high = 65535}, {}, take); });
+            [&](auto take) { bench.questions().seedSums(0, {.low = 0, .high = 65535}, {}, take); });
         QVERIFY(seeds && seeds->size() == 1);
         QCOMPARE(int(seeds->front().label), 1);
         QVERIFY(seeds->front().sums.voxels > 0 && !seeds->front().group);
 
         QVERIFY(bench.session->apply(test::growBrain(2)));
         const auto sizes = bench.answerTo<std::vector<std::uint32_t>>(
-            [&](auto take) { bench.questions().generationSizes(take); });
+            [&](auto take) { bench.questions().generationSizes(0, take); });
         QVERIFY(sizes);
         QCOMPARE(std::accumulate(sizes->begin(), sizes->end(), std::int64_t(0)),
             std::int64_t(bench.session->document().segment(1)->voxels));

@@ -23,22 +23,22 @@ constexpr std::uint32_t label = 7;
 constexpr std::uint32_t late = 5; ///< generation of the right half
 
 /// A segment: a box that grew from left to right; above it a row of voxels is shut.
-reference::DenseFields grownBox()
+reference::DenseFields grownBox(std::uint8_t plane = 0)
 {
     reference::DenseFields state(glm::ivec3{side});
     for (int z = 12; z < 36; ++z) {
         for (int y = 12; y < 36; ++y) {
             for (int x = 12; x < 36; ++x) {
                 const std::uint32_t generation = x < 24 ? late - 2 : late;
-                state.labels(0).at({x, y, z}) = std::uint8_t(label);
-                state.seedWords(0).at({x, y, z}) =
+                state.labels(plane).at({x, y, z}) = std::uint8_t(label);
+                state.seedWords(plane).at({x, y, z}) =
                     core::seedWord::member(generation, std::uint8_t(label), 0);
             }
         }
     }
     for (int x = 12; x < 36; ++x) {
         for (int y = 2; y < 8; ++y)
-            state.seedWords(0).at({x, y, 24}) = core::seedWord::barrier;
+            state.seedWords(plane).at({x, y, 24}) = core::seedWord::barrier;
     }
     return state;
 }
@@ -64,9 +64,10 @@ bool isGreen(const glm::ivec3& colour)
 }
 
 /// The voxels of the right half, one by one.
-core::PreviewCut rightHalfGoes()
+core::PreviewCut rightHalfGoes(std::uint8_t plane = 0)
 {
-    core::PreviewCut question{.cut = {.how = core::CutGrowth::How::Here, .generation = late}};
+    core::PreviewCut question{
+        .cut = {.plane = plane, .how = core::CutGrowth::How::Here, .generation = late}};
     for (int z = 12; z < 36; ++z)
         for (int y = 12; y < 36; ++y)
             for (int x = 24; x < 36; ++x)
@@ -75,18 +76,18 @@ core::PreviewCut rightHalfGoes()
 }
 
 /// The same with another interval: the middle has left, and it has grown on to the right.
-reference::DenseFields movedBox()
+reference::DenseFields movedBox(std::uint8_t plane = 0)
 {
-    reference::DenseFields state = grownBox();
+    reference::DenseFields state = grownBox(plane);
     for (int z = 12; z < 36; ++z) {
         for (int y = 12; y < 36; ++y) {
             for (int x = 24; x < 30; ++x) {
-                state.labels(0).at({x, y, z}) = 0;
-                state.seedWords(0).at({x, y, z}) = core::seedWord::unvisited;
+                state.labels(plane).at({x, y, z}) = 0;
+                state.seedWords(plane).at({x, y, z}) = core::seedWord::unvisited;
             }
             for (int x = 36; x < 44; ++x) {
-                state.labels(0).at({x, y, z}) = std::uint8_t(label);
-                state.seedWords(0).at({x, y, z}) = core::seedWord::member(late + 1, label, 0);
+                state.labels(plane).at({x, y, z}) = std::uint8_t(label);
+                state.seedWords(plane).at({x, y, z}) = core::seedWord::member(late + 1, label, 0);
             }
         }
     }
@@ -139,15 +140,15 @@ class GrowthMarksGlTest : public test::FrameTest {
     Q_OBJECT
 
 private:
-    void open()
+    void open(std::uint8_t plane = 0)
     {
         m_fixture->open(
             test::centredGeometry(glm::ivec3(side)), [](const glm::dvec3&) { return 0.0; });
-        m_fixture->put(grownBox());
+        m_fixture->put(grownBox(plane));
         m_fixture->settle();
     }
     /// Puts movedBox() there. @return what that has changed
-    ComparedGrowth move()
+    ComparedGrowth move(std::uint8_t plane = 0)
     {
         VoxelFields& fields = *m_fixture->edits.fields;
         std::vector<std::uint32_t> bricks(std::size_t(fields.grid().brickCount()));
@@ -155,13 +156,21 @@ private:
         std::vector<core::BrickKey> touched;
         for (const core::Field field : {core::Field::Labels, core::Field::SeedWords}) {
             for (const std::uint32_t brick : bricks)
-                touched.push_back({.field = field, .plane = 0, .brick = brick});
+                touched.push_back({.field = field, .plane = plane, .brick = brick});
         }
         BeforeImages before(fields);
-        before.capture(core::Field::Labels, 0, bricks);
-        m_fixture->put(movedBox());
+        before.capture(core::Field::Labels, plane, bricks);
+        m_fixture->put(movedBox(plane));
         m_fixture->settle();
-        return compareGrowth(fields, before, 0, touched);
+        return compareGrowth(fields, before, plane, touched);
+    }
+
+    /// Rows for label planes in which a segment has grown.
+    static void planes()
+    {
+        QTest::addColumn<int>("plane");
+        QTest::newRow("in the only label plane") << 0;
+        QTest::newRow("in a further one") << 2;
     }
 
 private Q_SLOTS:
@@ -184,10 +193,13 @@ private Q_SLOTS:
         QCOMPARE(test::pixel(frame, 8, 8), glm::ivec3(0));
     }
 
+    void whatCameLateWarnsInSlices_data() { planes(); }
     void whatCameLateWarnsInSlices()
     {
-        open();
+        QFETCH(int, plane);
+        open(std::uint8_t(plane));
         SegmentDisplay segments = greenSegment();
+        segments.growthPlane = std::uint8_t(plane);
         QVERIFY(isGreen(test::pixel(m_fixture->draw(axial(), {96, 96}, segments), 60, 48)));
         segments.warnAfterGeneration = late - 1;
         const Frame frame = m_fixture->draw(axial(), {96, 96}, segments);
@@ -226,13 +238,17 @@ private Q_SLOTS:
         QVERIFY(warns(test::pixel(frame, 60, 48)));
     }
 
+    void whatACutWouldTakeIsHatchedInSlices_data() { planes(); }
     void whatACutWouldTakeIsHatchedInSlices()
     {
-        open();
+        QFETCH(int, plane);
+        open(std::uint8_t(plane));
         SegmentDisplay segments = greenSegment();
+        segments.growthPlane = std::uint8_t(plane);
         const Frame plain = m_fixture->draw(axial(), {96, 96}, segments);
         CutPreviewer previewer(m_fixture->volume);
-        const auto cutPreview = previewer.ask(*m_fixture->edits.fields, rightHalfGoes());
+        const auto cutPreview =
+            previewer.ask(*m_fixture->edits.fields, rightHalfGoes(std::uint8_t(plane)));
         QVERIFY(cutPreview && *cutPreview);
         QCOMPARE((*cutPreview)->voxels, std::int64_t(12 * 24 * 24));
         const Frame frame = m_fixture->draw(axial(), {96, 96}, segments);
@@ -258,16 +274,19 @@ private Q_SLOTS:
         QCOMPARE(*m_fixture->draw(axial(), {96, 96}, segments).rgba, *plain.rgba);
     }
 
+    void whatAnIntervalChangesIsStripedInSlices_data() { planes(); }
     void whatAnIntervalChangesIsStripedInSlices()
     {
-        open();
-        ComparedGrowth compared = move();
+        QFETCH(int, plane);
+        open(std::uint8_t(plane));
+        ComparedGrowth compared = move(std::uint8_t(plane));
         QCOMPARE(compared.counts.suspended, std::int64_t(6 * 24 * 24));
         QCOMPARE(compared.counts.reached, std::int64_t(8 * 24 * 24));
         SegmentDisplay segments = greenSegment();
+        segments.growthPlane = std::uint8_t(plane);
         const Frame plain = m_fixture->draw(axial(), {96, 96}, segments);
         PreviewMarks marks(m_fixture->volume);
-        marks.show(*m_fixture->edits.fields, compared.bricks);
+        marks.show(*m_fixture->edits.fields, compared.bricks, std::uint8_t(plane));
         const Frame frame = m_fixture->draw(axial(), {96, 96}, segments);
         int bright = 0;
         int dark = 0;
@@ -297,15 +316,15 @@ private Q_SLOTS:
         QCOMPARE(test::pixel(hidden, 80, 48), glm::ivec3(0));
         segments.visible[label] = true;
         // Only what differs is written anew; the rest stays.
-        marks.show(*m_fixture->edits.fields, {});
+        marks.show(*m_fixture->edits.fields, {}, std::uint8_t(plane));
         QCOMPARE(*m_fixture->draw(axial(), {96, 96}, segments).rgba, *plain.rgba);
-        marks.show(*m_fixture->edits.fields, compared.bricks);
+        marks.show(*m_fixture->edits.fields, compared.bricks, std::uint8_t(plane));
         QCOMPARE(*m_fixture->draw(axial(), {96, 96}, segments).rgba, *frame.rgba);
         marks.hide();
         QCOMPARE(*m_fixture->draw(axial(), {96, 96}, segments).rgba, *plain.rgba);
         // Whoever hides his own marks leaves those of others.
         CutPreviewer previewer(m_fixture->volume);
-        marks.show(*m_fixture->edits.fields, compared.bricks);
+        marks.show(*m_fixture->edits.fields, compared.bricks, std::uint8_t(plane));
         previewer.forget();
         QCOMPARE(*m_fixture->draw(axial(), {96, 96}, segments).rgba, *frame.rgba);
         marks.hide();
@@ -440,6 +459,34 @@ private Q_SLOTS:
         QVERIFY(marksAfter({}, {}).empty());
     }
 
+    /// A growth in another label plane is another growth.
+    void whatWasSuspendedIsOfOnePlane()
+    {
+        open(1);
+        VoxelFields& fields = *m_fixture->edits.fields;
+        const ComparedGrowth compared = move(1);
+        fields.showGrowth(1);
+        GrowthMarks marks(m_fixture->volume);
+        marks.begin(1);
+        marks.show(fields, compared.bricks, true);
+        marks.keep(fields, compared.bricks);
+        marks.begin(1);
+        QVERIFY(m_fixture->volume.cutPreview());
+        fields.showGrowth(0); // they are not of the growth that is shown then
+        QVERIFY(!m_fixture->volume.cutPreview());
+        fields.showGrowth(1);
+        QVERIFY(m_fixture->volume.cutPreview());
+        marks.begin(0);
+        QVERIFY(!m_fixture->volume.cutPreview());
+        marks.restore(fields);
+        QVERIFY(!m_fixture->volume.cutPreview());
+        marks.begin(1);
+        marks.show(fields, compared.bricks, true);
+        marks.keep(fields, compared.bricks);
+        marks.begin({});
+        QVERIFY(!m_fixture->volume.cutPreview());
+    }
+
     void whatIsReinstatedIsStripedRedInItsColour()
     {
         open();
@@ -470,6 +517,42 @@ private Q_SLOTS:
             QVERIFY(red > 50 && green > 50);
         }
         marks.hide();
+    }
+
+    /// Where a segment of a higher label plane is seen, the marks of what lies below are not.
+    void aHigherSegmentHidesTheMarksBelow()
+    {
+        constexpr std::uint8_t other = 9;
+        m_fixture->open(
+            test::centredGeometry(glm::ivec3(side)), [](const glm::dvec3&) { return 0.0; });
+        reference::DenseFields state = grownBox();
+        for (int z = 12; z < 36; ++z)
+            for (int y = 12; y < 36; ++y)
+                for (int x = 30; x < 36; ++x)
+                    state.labels(1).at({x, y, z}) = other;
+        m_fixture->put(state);
+        SegmentDisplay segments = greenSegment();
+        segments.showBarriers = false;
+        segments.rgb[other] = 0x2030D0;
+        segments.visible[other] = true;
+        const VolumeScene scene = seenFrom({0, -300, 0}, RenderMode::Surface);
+        VoxelFields& fields = *m_fixture->edits.fields;
+        fields.setShownLabels(std::bitset<256>().set(label).set(other));
+        while (fields.segmentationStale())
+            fields.updateSegmentation(64);
+        const Frame plain = m_fixture->draw(scene, {96, 96}, segments);
+        CutPreviewer previewer(m_fixture->volume);
+        QVERIFY(previewer.ask(fields, rightHalfGoes()));
+        const Frame frame = m_fixture->draw(scene, {96, 96}, segments);
+        for (int y = 32; y < 64; ++y) {
+            for (int x = 51; x < 57; ++x)
+                QVERIFY(isMagenta(test::pixel(frame, x, y)));
+            for (int x = 64; x < 68; ++x) {
+                const glm::ivec3 colour = test::pixel(frame, x, y);
+                QVERIFY(colour.b > 2 * colour.r);
+                QCOMPARE(colour, test::pixel(plain, x, y));
+            }
+        }
     }
 
     void whatACutWouldTakeIsHatchedIn3D_data() { whatCameLateWarnsIn3D_data(); }

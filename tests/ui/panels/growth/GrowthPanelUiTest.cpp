@@ -2,6 +2,7 @@
 #include "ui/panels/growth/GrowthPanel.h"
 
 #include "core/edits/kinds/growth/GrowSteps.h"
+#include "tests/support/cases/BoxedMasks.h"
 #include "tests/support/fixtures/WorkspaceFixture.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/PlainEdits.h"
@@ -157,6 +158,68 @@ private Q_SLOTS:
         QVERIFY(fixture.session().undo());
         fixture.settle();
         QCOMPARE(fixture.session().document().segments[0].voxels, voxels[0]);
+    }
+
+    /// Of segments that overlap, each has a growth of its own: that of the active one is meant.
+    void theActiveSegmentsPlaneGrows()
+    {
+        SeededPanel fixture;
+        const core::VolumeGeometry& geometry = fixture.workspace.volume()->geometry;
+        const glm::ivec3 middle = geometry.size / 2;
+        core::ImportMask mask =
+            test::importOfBoxes({{middle - 1, middle + 1}, {middle, middle + 1}}, geometry.size);
+        mask.planes = std::vector<int>{1, 2};
+        fixture.apply(mask);
+        const auto voxels = [&](int label) {
+            return fixture.session().document().segment(label)->voxels;
+        };
+        click(button(fixture.panel, "growStep"));
+        fixture.settle();
+        const std::int64_t first = voxels(1);
+        QVERIFY(first > 1 && button(fixture.panel, "growShrink").isEnabled());
+
+        fixture.workspace.setActiveSegment(3);
+        QCOMPARE(int(fixture.workspace.growthPlane()), 2);
+        QVERIFY(!button(fixture.panel, "growStep").isEnabled());
+        QVERIFY(!button(fixture.panel, "growShrink").isEnabled());
+        QVERIFY(!button(fixture.panel, "growResume").isEnabled());
+        const auto* advice = fixture.panel.findChild<QLabel*>(QStringLiteral("growAdvice"));
+        QVERIFY(advice->text().contains(QStringLiteral("No seeds yet")));
+        fixture.apply(test::seedAt(3, {geometry.toWorld(glm::dvec3(middle))}));
+        fixture.workspace.setGrowSettings(ventricleInterval());
+        for (int step = 0; step < 3; ++step) {
+            click(button(fixture.panel, "growStep"));
+            fixture.settle();
+            QVERIFY(fixture.lastGrowth());
+            QCOMPARE(fixture.lastGrowth()->criteria.plane, std::optional<int>(2));
+        }
+        QCOMPARE(voxels(1), first);
+        QCOMPARE(voxels(2), std::int64_t(8));
+        const std::int64_t third = voxels(3);
+        QVERIFY(third > first);
+        auto* bar = fixture.panel.findChild<ui::GenerationBar*>();
+        const auto counted = [&](std::size_t generations) {
+            return QTest::qWaitFor([&] {
+                fixture.settle();
+                return bar->sizes().size() == generations;
+            });
+        };
+        QVERIFY(counted(4));
+        const auto* told = fixture.panel.findChild<QLabel*>(QStringLiteral("growProgress"));
+        QVERIFY(told->text().startsWith(QStringLiteral("Generation 4 · added")));
+        click(button(fixture.panel, "growShrink"));
+        fixture.settle();
+        QVERIFY(voxels(3) < third);
+        QCOMPARE(voxels(1), first);
+
+        fixture.workspace.setActiveSegment(1);
+        QVERIFY(counted(2));
+        // What was done last was not done to this growth.
+        QCOMPARE(told->text(), QStringLiteral("Generation 2"));
+        click(button(fixture.panel, "growResume"));
+        fixture.settle();
+        QVERIFY(voxels(1) > first);
+        QVERIFY(!fixture.lastGrowth() || !fixture.lastGrowth()->criteria.plane);
     }
 
     void theGenerationBarScrubs()

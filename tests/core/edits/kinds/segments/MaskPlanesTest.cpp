@@ -3,8 +3,6 @@
 #include "core/edits/kinds/EditParts.h"
 #include "core/edits/kinds/filling/FloodFill.h"
 #include "core/edits/kinds/filling/MirrorSegment.h"
-#include "core/edits/kinds/growth/GrowCriteria.h"
-#include "core/edits/kinds/growth/GrowFromSeeds.h"
 #include "core/edits/kinds/history/RevertRows.h"
 #include "core/edits/kinds/segments/CombineSegments.h"
 #include "core/edits/kinds/segments/FillOutline.h"
@@ -347,21 +345,11 @@ private Q_SLOTS:
         const auto refused = [&](const Edit& edit) {
             return bench.tried(edit).contains(QStringLiteral("'S2' overlaps other segments"));
         };
-        QVERIFY(refused(test::seedAt(2, {bench.at({12, 6, 6})})));
         QVERIFY(refused(test::protectSegment(2)));
-        QVERIFY(refused(test::paintSeedsAt(2, {bench.at({12, 6, 6})}, 4.0)));
-        GrowCriteria criteria;
-        criteria.lower = 0.0;
-        criteria.upper = 100.0;
-        criteria.segments = std::vector<int>{2};
-        QVERIFY(refused(test::growBy(criteria)));
-        GrowFromSeeds compete;
-        compete.segments = std::vector<int>{1, 2};
-        QVERIFY(refused(compete));
         QVERIFY(bench.tried(CombineSegments{.segment = 1, .with = 2})
                     .contains(QStringLiteral("another label plane")));
         QCOMPARE(bench.session->stateHash(), before);
-        QCOMPARE(bench.tried(test::seedAt(1, {bench.at({12, 6, 6})})), QString());
+        QCOMPARE(bench.tried(test::protectSegment(1)), QString());
     }
 
     void whatIsRefused()
