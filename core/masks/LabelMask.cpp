@@ -170,7 +170,7 @@ Result<MaskOnVolume> readLabelMask(
         layers.push_back(*std::move(placed));
     }
     if (fit.labelled == 0)
-        return failure(ErrorCode::UnsupportedFormat, path, Clause::saying("it has no label"));
+        return hasNoLabel(path);
     mask.segments = segmentsOf(layers, namedSegments(stored->keyValues), path);
     std::uint64_t taken = 0;
     for (const MaskSegment& segment : mask.segments)

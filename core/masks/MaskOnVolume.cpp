@@ -9,13 +9,19 @@
 #include "core/nifti/NiftiReader.h"
 #include "core/nrrd/NrrdReader.h"
 
+#include <QDir>
 #include <QFileInfo>
+
+#include <algorithm>
+#include <iterator>
 
 namespace core {
 
 namespace {
 
 constexpr const char* rtStructClass = "1.2.840.10008.5.1.4.1.1.481.3";
+/// As many labels as a session has.
+constexpr std::size_t mostSegments = 255;
 
 } // namespace
 
@@ -64,7 +70,30 @@ std::vector<MaskNote> notesOnOrigin(
     return notes;
 }
 
-Result<MaskOnVolume> readMask(const QString& path, const Volume& volume, const Progress& progress)
+tl::unexpected<Error> hasNoLabel(const QString& path)
+{
+    return failure(ErrorCode::UnsupportedFormat, path, Clause::saying("it has no label"));
+}
+
+bool saysNoLabel(const Error& error, const QString& path)
+{
+    const Error known = hasNoLabel(path).value();
+    return error.code == known.code && error.arguments == known.arguments;
+}
+
+QStringList maskFilesIn(const QString& path)
+{
+    QStringList files;
+    const QDir folder(path);
+    for (const QString& name : folder.entryList(maskNamePatterns(), QDir::Files, QDir::Name))
+        files.append(folder.filePath(name));
+    return files;
+}
+
+namespace {
+
+/// One file; without a segment if it lies wholly outside the study.
+Result<MaskOnVolume> readFile(const QString& path, const Volume& volume, const Progress& progress)
 {
     if (const Result<void> isFile = checkIsFile(path); !isFile)
         return tl::unexpected(isFile.error());
@@ -78,7 +107,66 @@ Result<MaskOnVolume> readMask(const QString& path, const Volume& volume, const P
             return tl::unexpected(sopClass.error());
         read = *sopClass == QLatin1String(rtStructClass) ? readContourMask : readSegMask;
     }
-    Result<MaskOnVolume> mask = read(path, volume, progress);
+    return read(path, volume, progress);
+}
+
+/// Adds a note of one file of a folder: notes of a kind become one, unless they name segments.
+void addNote(std::vector<MaskNote>& notes, const MaskNote& note)
+{
+    const auto same = std::find_if(notes.begin(), notes.end(), [&note](const MaskNote& known) {
+        return known.code == note.code && known.names.isEmpty() && note.names.isEmpty()
+            && known.doubt == note.doubt;
+    });
+    if (same == notes.end()) {
+        notes.push_back(note);
+        return;
+    }
+    same->some += note.some;
+    same->all += note.all;
+    same->fileMl += note.fileMl;
+    same->hereMl += note.hereMl;
+    same->mm = std::max(same->mm, note.mm);
+}
+
+Result<MaskOnVolume> readFolder(const QString& path, const Volume& volume, const Progress& progress)
+{
+    const QStringList files = maskFilesIn(path);
+    if (files.isEmpty())
+        return failure(ErrorCode::UnsupportedFormat, path,
+            Clause::saying("no mask file lies in this folder (%1)", maskNamePatterns().join(u' ')));
+    MaskOnVolume mask;
+    std::uint64_t empty = 0;
+    for (int i = 0; i < files.size(); ++i) {
+        if (progress.cancelled())
+            return failure(ErrorCode::Cancelled);
+        progress.report(ProgressStep::PlacingMask, i, int(files.size()));
+        Result<MaskOnVolume> one = readFile(files[i], volume, progress);
+        if (!one && !saysNoLabel(one.error(), files[i]))
+            return one;
+        if (!one || one->segments.empty()) {
+            ++empty;
+            continue;
+        }
+        std::move(one->segments.begin(), one->segments.end(), std::back_inserter(mask.segments));
+        if (mask.segments.size() > mostSegments)
+            return failure(ErrorCode::UnsupportedFormat, path,
+                Clause::saying("its files hold more than %1 segments", mostSegments));
+        for (const MaskNote& note : one->notes)
+            addNote(mask.notes, note);
+    }
+    if (empty > 0 && !mask.segments.empty())
+        mask.notes.push_back({.code = MaskNote::Code::FilesWithoutVoxel,
+            .some = empty,
+            .all = std::uint64_t(files.size())});
+    return mask;
+}
+
+} // namespace
+
+Result<MaskOnVolume> readMask(const QString& path, const Volume& volume, const Progress& progress)
+{
+    Result<MaskOnVolume> mask = QFileInfo(path).isDir() ? readFolder(path, volume, progress)
+                                                        : readFile(path, volume, progress);
     if (!mask)
         return mask;
     if (mask->segments.empty())

@@ -37,8 +37,16 @@ struct MaskOnVolume {
 /// voxel centres do (SurfaceFill.h). The file is closed afterwards. Any thread. Errors: those of
 /// the readers; UnsupportedFormat (no labels, no segment, or nothing inside the volume). All name
 /// the file.
+///
+/// A folder is read as the mask of all its mask files (maskFilesIn()), as networks write them: one
+/// for each structure. A file with a single segment gives it its name; files without a voxel in the
+/// study are left out, which a note tells.
 [[nodiscard]] Result<MaskOnVolume> readMask(
     const QString& path, const Volume& volume, const Progress& progress);
+
+/// The files of a folder that have a name of a mask (maskNamePatterns()), sorted by name; without
+/// those of folders inside it. Empty if there are none, or if the path is no folder.
+[[nodiscard]] QStringList maskFilesIn(const QString& path);
 
 /// The file names of masks as a file dialog needs them: "*.nii", …
 [[nodiscard]] QStringList maskNamePatterns();

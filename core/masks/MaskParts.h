@@ -42,6 +42,10 @@ struct ProbabilitiesOnVolume {
 [[nodiscard]] Result<MaskOnVolume> readSurfaceMask(
     const QString& path, const Volume& volume, const Progress& progress);
 
+/// The error of a label map without a label. In a folder such a file is left out.
+[[nodiscard]] tl::unexpected<Error> hasNoLabel(const QString& path);
+[[nodiscard]] bool saysNoLabel(const Error& error, const QString& path);
+
 /// A name for a segment without one: "liver.nii.gz" → "liver".
 [[nodiscard]] QString maskNameOf(const QString& path);
 /// The volume of voxels in mL.

@@ -5,6 +5,7 @@
 #include "core/edits/fields/EditFields.h"
 #include "core/edits/kinds/segments/ImportMask.h"
 
+#include <QDir>
 #include <QFileInfo>
 
 #include <algorithm>
@@ -45,7 +46,7 @@ Result<ReadImport> readImport(const ImportMask& edit, const Volume& volume,
         if (!edit.ahead && !edit.planes && read.planesNeeded() <= mostLabelPlanes)
             read.edit.planes = read.planes;
     }
-    read.edit.file = QFileInfo(edit.file).fileName();
+    read.edit.file = QFileInfo(QDir::cleanPath(edit.file)).fileName(); // or of the folder
     read.edit.size = volume.geometry.size;
     std::vector<ImportedSegment>& segments = read.edit.segments.emplace();
     for (const MaskSegment& segment : mask->segments) {

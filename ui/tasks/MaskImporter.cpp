@@ -11,6 +11,7 @@
 #include "ui/texts/MaskTexts.h"
 #include "ui/workspace/Workspace.h"
 
+#include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QPointer>
@@ -69,11 +70,13 @@ MaskImporter::~MaskImporter() = default;
 
 bool MaskImporter::looksLikeMask(const QString& path)
 {
-    const QString name = QFileInfo(path).fileName().toLower();
+    const QString name = QFileInfo(QDir::cleanPath(path)).fileName().toLower();
     if (name.endsWith(QLatin1String(".seg.nrrd")) || core::isMeshName(path))
         return true;
     const bool said = name.contains(QLatin1String("label")) || name.contains(QLatin1String("mask"))
         || name.contains(QLatin1String("seg"));
+    if (QFileInfo(path).isDir())
+        return said && !core::maskFilesIn(path).isEmpty();
     const QStringList patterns = core::maskNamePatterns();
     const bool known = std::any_of(patterns.begin(), patterns.end(), [&](const QString& pattern) {
         return pattern != QLatin1String("*.dcm") && name.endsWith(pattern.mid(1));
@@ -90,6 +93,14 @@ void MaskImporter::ask()
 {
     const QString path =
         QFileDialog::getOpenFileName(m_window, tr("Import a mask"), QString(), maskFilter());
+    if (!path.isEmpty())
+        import(path);
+}
+
+void MaskImporter::askForFolder()
+{
+    const QString path =
+        QFileDialog::getExistingDirectory(m_window, tr("Import the masks of a folder"));
     if (!path.isEmpty())
         import(path);
 }

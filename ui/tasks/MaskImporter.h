@@ -24,9 +24,9 @@ class Workspace;
 /// The file filter of dialogs that ask for a mask file.
 [[nodiscard]] QString maskFilter();
 
-/// Imports segments from a mask file. The file is read on another thread; its segments become one
-/// step of the history. One file at a time. Where its segments overlap, it waits until it is told
-/// what becomes of the voxels that they share.
+/// Imports segments from a mask file, or from those of a folder. They are read on another thread;
+/// the segments become one step of the history. One import at a time. Where its segments overlap,
+/// it waits until it is told what becomes of the voxels that they share.
 class MaskImporter : public QObject {
     Q_OBJECT
 
@@ -36,6 +36,9 @@ public:
 
     /// Asks for a file and imports it.
     void ask();
+    /// Asks for a folder of mask files and imports all of them.
+    void askForFolder();
+    /// @param path a file, or a folder of mask files (core::maskFilesIn())
     void import(const QString& path);
     /// Continues an import that waits after overlapping(); otherwise does nothing.
     /// @param ahead ImportMask::ahead
@@ -46,8 +49,8 @@ public:
     void giveUp();
     [[nodiscard]] bool busy() const { return m_background.busy() || m_waiting; }
 
-    /// Whether a dropped file is a mask rather than a study, judged by its name or, for a DICOM
-    /// file, by its SOP class. Reads no more than the beginning of the file.
+    /// Whether a dropped file or folder is a mask rather than a study, judged by its name or, for a
+    /// DICOM file, by its SOP class. Reads no more than the beginning of the file.
     [[nodiscard]] static bool looksLikeMask(const QString& path);
 
 Q_SIGNALS:

@@ -58,6 +58,11 @@ QString maskNoteText(const core::MaskNote& note)
                              "left out.")
             .arg(note.some)
             .arg(note.all);
+    case Code::FilesWithoutVoxel:
+        return MaskTexts::tr("%1 of the folder's %2 mask files have no voxel inside the study and "
+                             "are left out.")
+            .arg(note.some)
+            .arg(note.all);
     case Code::NothingSurrounded:
         return MaskTexts::tr("Left out, since they surround no voxel here: %1.").arg(names);
     case Code::Fractional:

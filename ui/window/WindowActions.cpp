@@ -84,6 +84,13 @@ void addFileActions(MainWindow& window)
         .run = [&importer] { importer.ask(); },
         .possible = [&workspace,
                         &importer] { return workspace.session() != nullptr && !importer.busy(); }});
+    actions.add({.id = QStringLiteral("file.importMaskFolder"),
+        .text = Actions::tr("Import masks of a folder …"),
+        .tip = Actions::tr("All mask files of a folder as one step, as networks write them: a file "
+                           "for each structure, which gives it its name"),
+        .run = [&importer] { importer.askForFolder(); },
+        .possible = [&workspace,
+                        &importer] { return workspace.session() != nullptr && !importer.busy(); }});
     actions.add({.id = QStringLiteral("file.demonstration"),
         .text = Actions::tr("Open the demonstration study"),
         .icon = QStringLiteral("demo"),

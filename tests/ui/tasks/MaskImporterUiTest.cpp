@@ -6,9 +6,11 @@
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/fixtures/WindowFixture.h"
 #include "tests/support/program/TestProgram.h"
+#include "ui/dialogs/MaskOrderDialog.h"
 #include "ui/frame/MessageBar.h"
 
 #include <QApplication>
+#include <QDir>
 #include <QDropEvent>
 #include <QFile>
 #include <QMimeData>
@@ -104,6 +106,27 @@ private Q_SLOTS:
         fixture.finish();
         QCOMPARE(fixture.session().history().rows().size(), std::size_t(1));
         QCOMPARE(fixture.session().document().segments.size(), std::size_t(2));
+    }
+
+    /// A file for each structure, as networks write them.
+    void aFolderOfMasksIsOneStep()
+    {
+        ImportFixture fixture;
+        QVERIFY(QDir(fixture.folder.path()).mkdir(QStringLiteral("segmentations")));
+        for (const char* name : {"segmentations/liver.nii", "segmentations/spleen.nii"})
+            QVERIFY(!fixture.mask(name).isEmpty());
+        fixture.drop(fixture.path("segmentations"));
+        QTRY_VERIFY(fixture.window.findChild<ui::MaskOrderDialog*>());
+        auto* dialog = fixture.window.findChild<ui::MaskOrderDialog*>();
+        dialog->accept();
+        fixture.finish();
+        QCOMPARE(fixture.session().history().rows().size(), std::size_t(1));
+        QCOMPARE(fixture.session().document().segments.size(), std::size_t(4));
+        QCOMPARE(fixture.session().document().labelPlanes().size(), std::size_t(2));
+        // One that says nothing of masks is a study.
+        QVERIFY(!ui::MaskImporter::looksLikeMask(fixture.folder.path()));
+        QVERIFY(QDir(fixture.folder.path()).mkdir(QStringLiteral("masks")));
+        QVERIFY(!ui::MaskImporter::looksLikeMask(fixture.path("masks"))); // none in it
     }
 
     void anotherGridIsTold()

@@ -40,6 +40,8 @@ std::vector<std::pair<MaskNote, const char*>> notes()
             "Each segment keeps them all; the segments lie in 2 label planes."},
         {{.code = Code::SegmentsWithoutVoxel, .some = 2, .all = 5},
             "2 of the file's 5 segments have no voxel inside the study and are left out."},
+        {{.code = Code::FilesWithoutVoxel, .some = 3, .all = 104},
+            "3 of the folder's 104 mask files have no voxel inside the study and are left out."},
         {{.code = Code::NothingSurrounded, .names = {QStringLiteral("A"), QStringLiteral("B %1")}},
             "Left out, since they surround no voxel here: A, B %1."},
         {{.code = Code::Fractional},
