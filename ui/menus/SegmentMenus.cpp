@@ -10,17 +10,19 @@
 
 #include <QMenu>
 
+#include <vector>
+
 namespace ui {
 
 namespace {
 
-/// One of the three, as it is when the menu opens.
+/// One of them, as it is when the menu opens.
 struct Combination {
     QMenu* menu = nullptr;
     QString text;
     QString named; ///< with the segment's name
     void (*run)(Workspace& workspace, int label, int other) = nullptr;
-    bool changes = true; ///< locked segments cannot be chosen
+    OtherSegment kind = OtherSegment::Changed;
 
     void list(Workspace& workspace, int label, bool isNamed) const
     {
@@ -28,6 +30,7 @@ struct Combination {
         const core::Segment* segment = session ? session->document().segment(label) : nullptr;
         menu->clear();
         menu->setTitle(isNamed && segment ? named.arg(menuText(segment->name)) : text);
+        const bool changes = kind != OtherSegment::Any;
         QString why = changes || !segment ? whyUnchangeable(segment) : QString();
         if (why.isEmpty())
             why = listOtherSegments(
@@ -36,7 +39,9 @@ struct Combination {
                     if (workspace.session() == session)
                         combine(workspace, label, other);
                 },
-                changes);
+                kind);
+        if (kind == OtherSegment::Overlapping)
+            menu->menuAction()->setVisible(session && session->document().labelPlanes().size() > 1);
         // Where one is locked, the list shows which.
         menu->menuAction()->setEnabled(!menu->isEmpty());
         menu->menuAction()->setToolTip(why);
@@ -53,7 +58,7 @@ QString whyUnchangeable(const core::Segment* segment)
 }
 
 QString listOtherSegments(QMenu& menu, const core::Document& document, int but,
-    const std::function<void(int)>& choose, bool changes)
+    const std::function<void(int)>& choose, OtherSegment kind)
 {
     menu.setToolTipsVisible(true);
     QString why = QObject::tr("there is no other segment");
@@ -66,15 +71,21 @@ QString listOtherSegments(QMenu& menu, const core::Document& document, int but,
         QAction* entry = menu.addAction(menuText(each.name));
         QObject::connect(entry, &QAction::triggered, &menu,
             [choose, label = int(each.label)] { choose(label); });
-        QString whyNot = changes ? whyUnchangeable(&each) : QString();
-        if (changes && own && each.plane != own->plane) {
+        QString whyNot = kind == OtherSegment::Changed ? whyUnchangeable(&each) : QString();
+        const bool isBeside = own && each.plane == own->plane;
+        if (kind == OtherSegment::Changed && !isBeside) {
             whyNot = QObject::tr("'%1' lies on another label plane").arg(each.name);
             apart = true;
         }
+        if (kind == OtherSegment::Overlapping && isBeside)
+            whyNot = QObject::tr("'%1' lies on the same label plane: no voxel belongs to both")
+                         .arg(each.name);
         entry->setEnabled(whyNot.isEmpty());
         entry->setToolTip(whyNot);
         possible = possible || whyNot.isEmpty();
-        why = apart ? QObject::tr("every other segment is locked or lies on another label plane")
+        why = kind == OtherSegment::Overlapping
+            ? QObject::tr("every other segment lies on the same label plane")
+            : apart ? QObject::tr("every other segment is locked or lies on another label plane")
                     : QObject::tr("every other segment is locked");
     }
     return possible ? QString() : why;
@@ -105,12 +116,18 @@ void addCombinations(QMenu& menu, QAction* before, Workspace& workspace,
         QObject::tr("Merge '%1' into"), &mergeSegments};
     const Combination swap{add("swapSegments"), QObject::tr("Swap with"),
         QObject::tr("Swap '%1' with"), &swapSegments};
-    const Combination distance{add("distanceOfSegments"), QObject::tr("Measure distance to"),
-        QObject::tr("Measure distance from '%1' to"), &measureDistance, false};
-    const auto list = [&workspace, merge, swap, distance, label, named] {
-        merge.list(workspace, label(), named);
-        swap.list(workspace, label(), named);
-        distance.list(workspace, label(), named);
+    const std::vector<Combination> all{merge, swap,
+        {add("uniteSegments"), QObject::tr("Add voxels of"), QObject::tr("Add to '%1' voxels of"),
+            &uniteSegments, OtherSegment::Overlapping},
+        {add("subtractSegment"), QObject::tr("Subtract"), QObject::tr("Subtract from '%1'"),
+            &subtractSegment, OtherSegment::Overlapping},
+        {add("intersectSegments"), QObject::tr("Intersect with"),
+            QObject::tr("Intersect '%1' with"), &intersectSegments, OtherSegment::Overlapping},
+        {add("distanceOfSegments"), QObject::tr("Measure distance to"),
+            QObject::tr("Measure distance from '%1' to"), &measureDistance, OtherSegment::Any}};
+    const auto list = [&workspace, all, label, named] {
+        for (const Combination& each : all)
+            each.list(workspace, label(), named);
     };
     QObject::connect(&menu, &QMenu::aboutToShow, merge.menu, list);
     list();

@@ -25,21 +25,28 @@ struct SegmentAction;
 /// @param segment null: there is no segment
 [[nodiscard]] QString whyUnchangeable(const core::Segment* segment);
 
-/// Fills a menu with all segments except one, in the order of the list of segments. If @p changes,
-/// entries of locked segments and of those in another label plane are disabled.
+/// Which other segments an action can be carried out with.
+enum class OtherSegment {
+    Changed, ///< it changes the other one, too: not locked, and in the same label plane
+    Overlapping, ///< it compares the voxels of both: in another label plane
+    Any,
+};
+
+/// Fills a menu with all segments except one, in the order of the list of segments. Entries of
+/// segments that are not of the kind are disabled.
 /// @param but the label of the segment that is left out
 /// @param choose is called with the label of the chosen segment
-/// @param changes whether the action changes the chosen segment's voxels
 /// @return why no segment can be chosen; empty if at least one can
 QString listOtherSegments(QMenu& menu, const core::Document& document, int but,
-    const std::function<void(int)>& choose, bool changes = true);
+    const std::function<void(int)>& choose, OtherSegment kind = OtherSegment::Changed);
 
 /// Returns the menu to which the entry of an action is to be added: @p menu itself, or its submenu
 /// with the action's submenu title. A missing submenu is appended.
 [[nodiscard]] QMenu& menuOf(QMenu& menu, const SegmentAction& action);
 
-/// Adds the submenus "Merge into", "Swap with" and "Measure distance to" to a menu. They are filled
-/// anew whenever the menu opens.
+/// Adds the submenus "Merge into", "Swap with" and "Measure distance to" to a menu, and "Add voxels
+/// of", "Subtract" and "Intersect with", which are shown while there are several label planes. They
+/// are filled anew whenever the menu opens.
 /// @param before the action before which they are inserted; null: at the end
 /// @param label returns the label of the segment that the menu is about at that moment
 /// @param named whether their titles contain that segment's name, for menus outside the list of

@@ -330,4 +330,31 @@ void swapSegments(Workspace& workspace, int one, int other)
             .arg(nameOfSegment(workspace, one), nameOfSegment(workspace, other)));
 }
 
+void uniteSegments(Workspace& workspace, int label, int with)
+{
+    carryOut(workspace,
+        core::CombineSegments{
+            .segment = label, .with = with, .how = core::CombineSegments::How::Union},
+        QObject::tr("no voxel of '%1' is free beside '%2'")
+            .arg(nameOfSegment(workspace, with), nameOfSegment(workspace, label)));
+}
+
+void subtractSegment(Workspace& workspace, int label, int with)
+{
+    carryOut(workspace,
+        core::CombineSegments{
+            .segment = label, .with = with, .how = core::CombineSegments::How::Subtract},
+        QObject::tr("'%1' and '%2' have no voxel in common")
+            .arg(nameOfSegment(workspace, label), nameOfSegment(workspace, with)));
+}
+
+void intersectSegments(Workspace& workspace, int label, int with)
+{
+    carryOut(workspace,
+        core::CombineSegments{
+            .segment = label, .with = with, .how = core::CombineSegments::How::Intersect},
+        QObject::tr("'%1' lies within '%2' as a whole")
+            .arg(nameOfSegment(workspace, label), nameOfSegment(workspace, with)));
+}
+
 } // namespace ui

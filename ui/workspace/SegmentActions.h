@@ -49,6 +49,11 @@ void removeSegment(Workspace& workspace, int label);
 /// voxels of two segments.
 void mergeSegments(Workspace& workspace, int from, int into);
 void swapSegments(Workspace& workspace, int one, int other);
+/// The following change a segment by one of another label plane, which stays as it is: they add its
+/// voxels, take those away that it has, and those that it has not.
+void uniteSegments(Workspace& workspace, int label, int with);
+void subtractSegment(Workspace& workspace, int label, int with);
+void intersectSegments(Workspace& workspace, int label, int with);
 
 /// Fills the holes of a segment, keeps only its largest island, or removes its small islands
 /// (smallIslandMm3()).

@@ -112,16 +112,20 @@ template <class Visitor> void visitFields(Visitor& visit, CleanSegment& edit)
 template <> inline constexpr const char* editName<CombineSegments> = "combineSegments";
 template <>
 inline constexpr const char* editMeaning<CombineSegments> =
-    "Gives a segment all voxels of another one, or exchanges theirs; neither may be locked. "
-    "Segments share no voxel, so there is nothing to copy, subtract or intersect.";
+    "Gives a segment voxels of another one, exchanges theirs, or takes some away by the other. The "
+    "segment may not be locked, nor may the other one for merge and swap.";
 template <class Visitor> void visitFields(Visitor& visit, CombineSegments& edit)
 {
     visitSegment(visit, edit.segment);
     visit.field("with", Presence::Required, edit.with, segmentNumber, "the other segment");
     visit.field("how", Presence::Required, edit.how,
-        editFields::Choice<CombineSegments::How, 2>{{"merge", "swap"}},
+        editFields::Choice<CombineSegments::How, 5>{
+            {"merge", "swap", "union", "subtract", "intersect"}},
         "merge gives the segment the voxels of the other, which stays in the list, empty; swap "
-        "gives each of them the voxels of the other");
+        "gives each of them the voxels of the other; both need segments of one label plane. The "
+        "others need segments of different planes (importMask, planes) and leave the other as it "
+        "is: union adds its voxels where no segment of the plane lies, subtract takes away what it "
+        "has, intersect what it has not");
     visitEditable(visit, edit.editable);
 }
 

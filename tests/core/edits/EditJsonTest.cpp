@@ -302,7 +302,7 @@ private Q_SLOTS:
                 "{'edit':'combineSegments','segment':2,'with':1}",
                 "{'edit':'combineSegments','segment':2,'how':'merge'}",
                 "{'edit':'combineSegments','segment':2,'with':0,'how':'merge'}",
-                "{'edit':'combineSegments','segment':2,'with':1,'how':'subtract'}",
+                "{'edit':'combineSegments','segment':2,'with':1,'how':'difference'}",
                 "{'edit':'splitIslands'}", "{'edit':'splitIslands','segment':2,'mm3':-1}",
                 "{'edit':'splitIslands','segment':2,'into':[]}",
                 "{'edit':'splitIslands','segment':2,'into':['One']}",

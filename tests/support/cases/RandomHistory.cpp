@@ -256,9 +256,10 @@ private:
             " remove small", " keep clicked", " remove clicked", " give clicked"};
         if (const auto* clean = edit.as<CleanSegment>())
             return editName(edit) + QLatin1String(rules[std::size_t(clean->rule)]);
+        static constexpr std::array<const char*, 5> hows{
+            " merge", " swap", " union", " subtract", " intersect"};
         if (const auto* both = edit.as<CombineSegments>())
-            return editName(edit)
-                + QLatin1String(both->how == CombineSegments::How::Swap ? " swap" : " merge");
+            return editName(edit) + QLatin1String(hows[std::size_t(both->how)]);
         // What stands in its place does not change what comes to be drawn next.
         if (edit.is<Annotate>() || edit.is<MoveMeasurement>())
             return editName(AddMeasurement());
@@ -600,6 +601,9 @@ private:
     {
         const int segment = any(document.segments).label;
         const int other = any(document.segments).label;
+        if (m_draws.planes && document.labelPlanes().size() > 1 && chance(40))
+            return CombineSegments{
+                .segment = segment, .with = other, .how = CombineSegments::How(between(2, 4))};
         if (chance(30))
             return CombineSegments{.segment = segment,
                 .with = other,

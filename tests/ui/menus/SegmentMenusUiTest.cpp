@@ -4,6 +4,7 @@
 #include "core/edits/kinds/segments/RemoveSegment.h"
 #include "core/metrics/SegmentGap.h"
 #include "core/session/questions/VoxelQuestions.h"
+#include "tests/support/cases/BoxedMasks.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/fixtures/WindowFixture.h"
 #include "tests/support/program/TestProgram.h"
@@ -178,6 +179,44 @@ private Q_SLOTS:
         QCOMPARE(fixture.session().history().rows().back().name,
             QStringLiteral("Swap segments 'Bone' and 'Brain', +%1 −%2 voxels")
                 .arg(spaced(brain), spaced(bone)));
+    }
+
+    /// Segments that overlap can be added, subtracted and intersected; the menus are there for
+    /// them.
+    void whatOverlapsIsSubtracted()
+    {
+        Fixture fixture;
+        for (const char* name : {"uniteSegments", "subtractSegment", "intersectSegments"})
+            QVERIFY(!fixture.ofBar(name).menuAction()->isVisible());
+        const core::VolumeGeometry& geometry = fixture.workspace.volume()->geometry;
+        const glm::ivec3 middle = geometry.size / 2;
+        core::ImportMask mask = test::importOfBoxes({{middle - 2, middle + 2}}, geometry.size);
+        mask.planes = std::vector<int>{1};
+        mask.overwriteUnlocked = false;
+        fixture.apply(test::eraseAt(1, {geometry.toWorld(glm::dvec3(middle))}, 6.0));
+        fixture.apply(mask);
+        const std::int64_t box = fixture.voxels(4);
+        QVERIFY(box > 0);
+        fixture.apply(test::paintAt(1, {geometry.toWorld(glm::dvec3(middle))}, 6.0));
+        const std::int64_t brain = fixture.voxels(1);
+        QMenu& subtract = fixture.ofBar("subtractSegment");
+        QVERIFY(subtract.menuAction()->isVisible() && subtract.menuAction()->isEnabled());
+        QCOMPARE(subtract.title(), QStringLiteral("Subtract from 'Brain'"));
+        QCOMPARE(subtract.actions().size(), 3);
+        QVERIFY(!subtract.actions().at(0)->isEnabled());
+        QVERIFY(subtract.actions().at(0)->toolTip().contains(QStringLiteral("same label plane")));
+        subtract.actions().at(2)->trigger();
+        QVERIFY(fixture.session().settle());
+        QCOMPARE(fixture.voxels(1), brain - box);
+        QCOMPARE(fixture.voxels(4), box);
+        QCOMPARE(fixture.session().history().rows().back().name,
+            QStringLiteral("Subtract 'S1' from 'Brain', −%1 voxels").arg(spaced(box)));
+        fixture.ofBar("uniteSegments").actions().at(2)->trigger();
+        QVERIFY(fixture.session().settle());
+        QCOMPARE(fixture.voxels(1), brain);
+        fixture.ofBar("intersectSegments").actions().at(2)->trigger();
+        QVERIFY(fixture.session().settle());
+        QCOMPARE(fixture.voxels(1), box);
     }
 
     /// The distance to another one, locked or not, becomes a measurement between both surfaces.

@@ -10,13 +10,19 @@ namespace core {
 
 struct MapLabels;
 
-/// Merge two segments, or swap their voxels. Neither may be locked, and both must be in one label
-/// plane, because two planes cannot be written in one step. Within one plane no voxel belongs to
-/// both, so copying, subtracting or intersecting them would have no effect.
+/// Give a segment voxels of another, or take some away by it.
+///
+/// Merging and swapping write to both segments: neither may be locked, and both must lie in one
+/// label plane, because two planes cannot be written in one step. The set operations write to the
+/// first segment alone and only read the other, which may be locked. Within one plane no voxel
+/// belongs to both, so there they would have no effect: they need segments of different planes.
 struct CombineSegments {
     enum class How : std::uint8_t {
         Merge, ///< the segment receives all voxels of the other, which stays in the list, empty
         Swap, ///< each receives the voxels of the other
+        Union, ///< the segment also receives the voxels of the other that are free in its plane
+        Subtract, ///< it loses the voxels that the other has
+        Intersect, ///< it keeps only the voxels that the other has
     };
     int segment = 0; ///< label
     int with = 0; ///< label of the other segment
@@ -34,7 +40,8 @@ Result<bool> apply(const CombineSegments& edit, Document& document);
 
 /// Converts the edit to an engine's command. Seeds at voxels that change their segment are removed,
 /// so no growth continues from there. Errors: UnknownSegment, SegmentLocked, InvalidField (a
-/// segment with itself, or with one of another label plane).
+/// segment with itself, a label plane that does not fit, an editable range inside segments where
+/// the operation itself has one).
 [[nodiscard]] Result<MapLabels> mapLabels(const CombineSegments& edit, const Document& document);
 
 } // namespace core

@@ -4,6 +4,8 @@
 #include "core/edits/kinds/filling/FloodFill.h"
 #include "core/edits/kinds/filling/MirrorSegment.h"
 #include "core/edits/kinds/history/RevertRows.h"
+#include "core/edits/kinds/parts/EditableRange.h"
+#include "core/edits/kinds/parts/GrowBox.h"
 #include "core/edits/kinds/segments/CombineSegments.h"
 #include "core/edits/kinds/segments/FillOutline.h"
 #include "core/edits/kinds/segments/ImportMask.h"
@@ -348,8 +350,101 @@ private Q_SLOTS:
         QVERIFY(refused(test::protectSegment(2)));
         QVERIFY(bench.tried(CombineSegments{.segment = 1, .with = 2})
                     .contains(QStringLiteral("another label plane")));
+        QCOMPARE(bench.tried(test::addSegment("Beside")), QString());
+        const QByteArray added = bench.session->stateHash();
+        QVERIFY(bench
+                    .tried(CombineSegments{
+                        .segment = 1, .with = 3, .how = CombineSegments::How::Subtract})
+                    .contains(QStringLiteral("no voxel belongs to both")));
+        QCOMPARE(bench.session->stateHash(), added);
+        QVERIFY(bench.session->undo() && bench.session->settle());
         QCOMPARE(bench.session->stateHash(), before);
         QCOMPARE(bench.tried(test::protectSegment(1)), QString());
+    }
+
+    /// Union, difference and intersection of what overlaps, voxel by voxel; the other one stays.
+    void setOperations_data()
+    {
+        QTest::addColumn<int>("how");
+        QTest::addColumn<bool>("locked"); // the other, which is only read
+        for (const auto& [name, how] : {std::pair{"union", CombineSegments::How::Union},
+                 std::pair{"subtract", CombineSegments::How::Subtract},
+                 std::pair{"intersect", CombineSegments::How::Intersect}}) {
+            QTest::newRow(name) << int(how) << false;
+            QTest::addRow("%s with a locked one", name) << int(how) << true;
+        }
+    }
+    void setOperations()
+    {
+        QFETCH(int, how);
+        QFETCH(bool, locked);
+        const Bench bench;
+        // A third one beside the second takes a part of what the first has.
+        ImportMask mask = importOf({one, two, {{2, 3, 4}, {6, 9, 8}}});
+        mask.planes = std::vector<int>{0, 1, 1};
+        QCOMPARE(bench.tried(mask), QString());
+        if (locked)
+            QCOMPARE(bench.tried(test::lockSegment(1)), QString());
+        const std::vector<std::uint8_t> first = bench.labels(0);
+        const std::vector<std::uint8_t> before = bench.labels(1);
+        const CombineSegments edit{.segment = 2, .with = 1, .how = CombineSegments::How(how)};
+        QCOMPARE(bench.tried(edit), QString());
+        const std::vector<std::uint8_t> after = bench.labels(1);
+        int changed = 0;
+        for (std::size_t i = 0; i < after.size(); ++i) {
+            const bool inOther = first[i] == 1;
+            int expected = before[i];
+            if (edit.how == CombineSegments::How::Union && before[i] == 0 && inOther)
+                expected = 2;
+            if (edit.how == CombineSegments::How::Subtract && before[i] == 2 && inOther)
+                expected = 0;
+            if (edit.how == CombineSegments::How::Intersect && before[i] == 2 && !inOther)
+                expected = 0;
+            QCOMPARE(int(after[i]), expected);
+            changed += after[i] != before[i] ? 1 : 0;
+        }
+        QVERIFY(changed > 0);
+        QCOMPARE(bench.labels(0), first);
+        const QByteArray hash = bench.session->stateHash();
+        QVERIFY(bench.session->undo() && bench.session->settle());
+        QCOMPARE(bench.labels(1), before);
+        QVERIFY(bench.session->redo() && bench.session->settle());
+        QCOMPARE(bench.session->stateHash(), hash);
+        const QJsonObject text = editToJson(Edit(edit));
+        QVERIFY(editFromJson(text) && editToJson(*editFromJson(text)) == text);
+    }
+
+    /// A range is kept as well, but for one that asks the same.
+    void setOperationsKeepToTheEditableRange()
+    {
+        const Bench bench;
+        QCOMPARE(bench.tried(twoPlanes()), QString());
+        CombineSegments subtract{
+            .segment = 2, .with = 1, .how = CombineSegments::How::Subtract, .editable = {}};
+        subtract.editable.emplace().box =
+            GrowBox{bench.at({10.0, 3.0, 4.0}), bench.at({11.0, 8.0, 7.0})};
+        QCOMPARE(bench.tried(subtract), QString());
+        QCOMPARE(bench.count(1, 2), std::int64_t(10 * 6 * 4 - 2 * 6 * 4));
+        subtract.editable = EditableRange{.inside = std::vector<int>{1}};
+        QVERIFY(bench.tried(subtract).contains(QStringLiteral("cannot be asked as well")));
+        CombineSegments intersect{
+            .segment = 2, .with = 1, .how = CombineSegments::How::Intersect, .editable = {}};
+        intersect.editable.emplace().inside = std::vector<int>{2};
+        QCOMPARE(bench.tried(intersect), QString());
+        QCOMPARE(bench.count(1, 2), std::int64_t(3 * 6 * 4));
+    }
+
+    /// Later steps that change what was read keep "undo only" from taking it back.
+    void whatASetOperationReadIsADependency()
+    {
+        const Bench bench;
+        QCOMPARE(bench.tried(twoPlanes()), QString());
+        QCOMPARE(bench.tried(test::paintAt(1, {bench.at({17, 6, 6})}, 2.0)), QString());
+        const RowId painted = bench.session->history().position();
+        QCOMPARE(bench.tried(CombineSegments{
+                     .segment = 2, .with = 1, .how = CombineSegments::How::Subtract}),
+            QString());
+        QVERIFY(bench.tried(RevertRows{{painted}}).contains(QStringLiteral("the same place")));
     }
 
     void whatIsRefused()
