@@ -215,15 +215,19 @@ void keepLargestIsland(Workspace& workspace, int label)
 
 void removeSmallIslands(Workspace& workspace, int label)
 {
-    core::EditSession* session = workspace.session();
+    const core::EditSession* session = workspace.session();
     const core::Segment* segment = session ? session->document().segment(label) : nullptr;
-    if (!segment)
-        return;
+    if (segment)
+        removeSmallIslands(workspace, label, smallIslandMm3(workspace, *segment));
+}
+
+void removeSmallIslands(Workspace& workspace, int label, double belowMm3)
+{
     carryOut(workspace,
-        core::CleanSegment{.segment = label,
-            .rule = core::IslandRule::RemoveSmall,
-            .mm3 = smallIslandMm3(workspace, *segment)},
-        QObject::tr("'%1' has no island that is so small").arg(segment->name));
+        core::CleanSegment{
+            .segment = label, .rule = core::IslandRule::RemoveSmall, .mm3 = belowMm3},
+        QObject::tr("'%1' has no island below %2 mm³")
+            .arg(nameOfSegment(workspace, label), numberText(belowMm3, 1)));
 }
 
 void mirrorSegment(Workspace& workspace, const core::MirrorSegment& edit)

@@ -55,11 +55,12 @@ void uniteSegments(Workspace& workspace, int label, int with);
 void subtractSegment(Workspace& workspace, int label, int with);
 void intersectSegments(Workspace& workspace, int label, int with);
 
-/// Fills the holes of a segment, keeps only its largest island, or removes its small islands
-/// (smallIslandMm3()).
+/// Fills the holes of a segment, keeps only its largest island, or removes its small islands.
+/// @param belowMm3 the size that islands must have to stay; without it smallIslandMm3()
 void fillHoles(Workspace& workspace, int label);
 void keepLargestIsland(Workspace& workspace, int label);
 void removeSmallIslands(Workspace& workspace, int label);
+void removeSmallIslands(Workspace& workspace, int label, double belowMm3);
 
 /// mirrorSegment() replaces a segment by its mirror image; invertSegment() replaces it by all
 /// voxels that belong to no segment.

@@ -6,12 +6,15 @@
 #include "ui/base/Theme.h"
 #include "ui/menus/SegmentEntries.h"
 #include "ui/menus/SegmentMenus.h"
+#include "ui/widgets/fields/NumberField.h"
 #include "ui/workspace/CuttingPlane.h"
+#include "ui/workspace/SegmentActions.h"
 #include "ui/workspace/Workspace.h"
 
 #include <QCoreApplication>
 #include <QGridLayout>
 #include <QPushButton>
+#include <QSignalBlocker>
 
 #include <algorithm>
 #include <array>
@@ -25,16 +28,17 @@ struct ShortName {
     const char* id;
     const char* text;
 };
+constexpr const char* removeSmall = "segments.removeSmall";
 constexpr std::array<ShortName, 9> shortNames{{
     {"segments.fillHoles", QT_TRANSLATE_NOOP("ui::CleanUpPanel", "Fill holes")},
     {"segments.fillBetween", QT_TRANSLATE_NOOP("ui::CleanUpPanel", "Between slices …")},
     {"segments.keepLargest", QT_TRANSLATE_NOOP("ui::CleanUpPanel", "Keep largest")},
-    {"segments.removeSmall", QT_TRANSLATE_NOOP("ui::CleanUpPanel", "Remove small")},
     {"segments.splitIslands", QT_TRANSLATE_NOOP("ui::CleanUpPanel", "Split islands …")},
-    {"segments.splitByPlane", QT_TRANSLATE_NOOP("ui::CleanUpPanel", "Split by plane")},
+    {removeSmall, QT_TRANSLATE_NOOP("ui::CleanUpPanel", "Remove small")},
     {"segments.smooth", QT_TRANSLATE_NOOP("ui::CleanUpPanel", "Smooth …")},
     {"segments.margin", QT_TRANSLATE_NOOP("ui::CleanUpPanel", "Margin …")},
     {"segments.hollow", QT_TRANSLATE_NOOP("ui::CleanUpPanel", "Hollow …")},
+    {"segments.splitByPlane", QT_TRANSLATE_NOOP("ui::CleanUpPanel", "Split by plane")},
 }};
 
 const SegmentAction* actionOf(const char* id)
@@ -63,6 +67,19 @@ CleanUpPanel::CleanUpPanel(Workspace& workspace, QWidget* parent)
     grid->setSpacing(theme::smallPadding);
     grid->setColumnStretch(0, 1);
     grid->setColumnStretch(1, 1);
+    constexpr double mostMm3 = 1e7; // ten litres
+    m_smallMm3 = new NumberField(this);
+    m_smallMm3->setObjectName(QStringLiteral("cleanUp.smallMm3"));
+    m_smallMm3->setAccessibleName(tr("Islands below this size are small"));
+    m_smallMm3->setToolTip(tr("“Remove small” takes away islands of the segment below this size"));
+    m_smallMm3->setFixedHeight(theme::rowHeight);
+    m_smallMm3->setRange(0.1, mostMm3);
+    m_smallMm3->setDecimals(1);
+    m_smallMm3->setSingleStep(10.0);
+    m_smallMm3->setPrefix(tr("below "));
+    m_smallMm3->setSuffix(tr(" mm³"));
+    connect(m_smallMm3, &QDoubleSpinBox::valueChanged, this, [this] { m_isSetByHand = true; });
+    int place = 0;
     for (const ShortName& each : shortNames) {
         const SegmentAction* action = actionOf(each.id);
         if (!action)
@@ -72,13 +89,19 @@ CleanUpPanel::CleanUpPanel(Workspace& workspace, QWidget* parent)
         button->setObjectName(QStringLiteral("cleanUp.") + QLatin1String(each.id));
         button->setProperty("role", QStringLiteral("narrow"));
         button->setFixedHeight(theme::rowHeight);
-        connect(button, &QPushButton::clicked, this,
-            [this, action] { action->run(m_workspace, m_workspace.activeSegment()); });
-        const int place = int(m_buttons.size());
+        connect(button, &QPushButton::clicked, this, [this, action] { run(*action); });
         grid->addWidget(button, place / 2, place % 2);
         m_buttons.push_back({button, action});
+        ++place;
+        if (QLatin1String(each.id) != QLatin1String(removeSmall))
+            continue;
+        grid->addWidget(m_smallMm3, place / 2, place % 2);
+        ++place;
     }
-    connect(&m_workspace, &Workspace::sessionChanged, this, &CleanUpPanel::refresh);
+    connect(&m_workspace, &Workspace::sessionChanged, this, [this] {
+        m_isSetByHand = false;
+        refresh();
+    });
     connect(&m_workspace, &Workspace::activeSegmentChanged, this, &CleanUpPanel::refresh);
     connect(&m_workspace, &Workspace::documentChanged, this,
         [this](const core::DocumentChange& change) {
@@ -115,6 +138,20 @@ void CleanUpPanel::showPossible()
         each.button->setEnabled(why.isEmpty());
         each.button->setToolTip(why.isEmpty() ? plainText(namedText(*each.action, segment)) : why);
     }
+    m_smallMm3->setEnabled(segment && !segment->locked);
+    if (!segment || m_isSetByHand)
+        return;
+    const QSignalBlocker quiet(m_smallMm3);
+    m_smallMm3->setValue(smallIslandMm3(m_workspace, *segment));
+}
+
+void CleanUpPanel::run(const SegmentAction& action)
+{
+    const int label = m_workspace.activeSegment();
+    if (QLatin1String(action.id) == QLatin1String(removeSmall))
+        removeSmallIslands(m_workspace, label, m_smallMm3->value());
+    else
+        action.run(m_workspace, label);
 }
 
 void CleanUpPanel::refresh()

@@ -9,6 +9,7 @@ class QPushButton;
 
 namespace ui {
 
+class NumberField;
 class Workspace;
 struct SegmentAction;
 
@@ -34,8 +35,13 @@ private:
     void refresh();
     /// Enables the possible buttons; tool tips of the others say why they are disabled.
     void showPossible();
+    /// Runs an action for the active segment, with the size that the field asks for.
+    void run(const SegmentAction& action);
 
     Workspace& m_workspace;
+    /// What is a small island: as is usual for the active segment until it is set by hand.
+    NumberField* m_smallMm3 = nullptr;
+    bool m_isSetByHand = false;
     std::vector<Button> m_buttons;
     QString m_summary;
     bool m_hadSomething = false;

@@ -34,6 +34,14 @@ glm::dvec3 normalOf(const ViewContext& view)
     return glm::cross(slice.rightLps, slice.downLps);
 }
 
+/// Whether the slice is one of voxels.
+bool liesAlongVoxels(const ViewContext& view)
+{
+    constexpr double parallel = 0.9999;
+    const glm::dvec3 normal = glm::abs(normalOf(view));
+    return std::max({normal.x, normal.y, normal.z}) > parallel;
+}
+
 /// The widgets of the option bar.
 struct FloodOptions {
     QComboBox* reach;
@@ -190,11 +198,7 @@ void FloodFillTool::changeRadius(int steps)
 
 bool FloodFillTool::worksIn(const ViewContext& view) const
 {
-    if (!view.isSlice())
-        return false;
-    constexpr double parallel = 0.9999;
-    const glm::dvec3 normal = glm::abs(normalOf(view));
-    return std::max({normal.x, normal.y, normal.z}) > parallel;
+    return view.isSlice();
 }
 
 void FloodFillTool::press(const PointerSample& sample, const ViewContext& view)
@@ -210,6 +214,9 @@ void FloodFillTool::press(const PointerSample& sample, const ViewContext& view)
         .erase = m_erases};
     if (!geometry.contains(glm::ivec3(glm::floor(geometry.toIndex(edit.placeLps) + 0.5))))
         return m_workspace.say(tr("Click inside the volume"));
+    if (!m_settings.in3D && !liesAlongVoxels(view))
+        return m_workspace.say(
+            tr("An oblique slice has no voxels of its own: choose “in 3D” to fill from here"));
     if (m_erases && m_workspace.session()->document().segments.empty())
         return m_workspace.say(tr("There is no segment to erase"));
     // An impatient second click would do it all once more.
@@ -262,7 +269,8 @@ void FloodFillTool::paintOverlay(QPainter& painter, const ViewContext& view) con
     painter.setBrush(toolColour());
     painter.setPen(Qt::NoPen);
     painter.drawEllipse(cursor(), 2.0, 2.0);
-    QStringList lines{action(m_erases)};
+    const bool isPossible = m_settings.in3D || liesAlongVoxels(view);
+    QStringList lines{isPossible ? action(m_erases) : tr("on an oblique slice only “in 3D”")};
     const QString reach = m_settings.in3D ? tr("in 3D") : tr("in the slice");
     if (m_erases) {
         lines += reach;

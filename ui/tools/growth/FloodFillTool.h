@@ -32,7 +32,7 @@ public:
     [[nodiscard]] QWidget* createOptions(QWidget* parent) override;
     [[nodiscard]] QJsonObject settingsJson() const override;
     void applySettings(const QJsonObject& settings) override;
-    /// Works in slices along the patient's axes. An oblique slice has no voxels of its own.
+    /// Works in slices. In an oblique one, which has no voxels of its own, only in 3D.
     [[nodiscard]] bool worksIn(const ViewContext& view) const override;
 
     void press(const PointerSample& sample, const ViewContext& view) override;

@@ -11,9 +11,12 @@
 #include "ui/workspace/CuttingPlane.h"
 
 #include <QComboBox>
+#include <QDoubleSpinBox>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QtTest>
+
+#include <cmath>
 
 namespace cleanUpPanelUiTest {
 
@@ -98,6 +101,36 @@ private Q_SLOTS:
         QVERIFY(fixture.session().undo());
         QVERIFY(fixture.session().settle());
         QCOMPARE(fixture.voxels(1), fixture.one + fixture.other);
+    }
+
+    /// The size is offered for the segment, and what is typed counts.
+    void removesIslandsBelowASize()
+    {
+        Fixture fixture;
+        fixture.addDabs();
+        QTRY_VERIFY(fixture.panel->isVisible());
+        auto* size = fixture.panel->findChild<QDoubleSpinBox*>(QStringLiteral("cleanUp.smallMm3"));
+        QVERIFY(size && size->isEnabled());
+        const double voxelMm3 = fixture.workspace.volume()->geometry.voxelVolumeMm3();
+        const double offered = 0.01 * double(fixture.one + fixture.other) * voxelMm3;
+        QVERIFY(std::abs(size->value() - offered) <= 0.05);
+        QSignalSpy said(&fixture.workspace, &ui::Workspace::said);
+        QTest::mouseClick(&fixture.button("removeSmall"), Qt::LeftButton);
+        QVERIFY(fixture.session().settle());
+        QTRY_COMPARE(said.size(), 1);
+        QVERIFY(said.front().front().toString().contains(QStringLiteral("has no island below")));
+        size->selectAll();
+        QTest::keyClicks(size, QString::number(double(fixture.one) * voxelMm3 + 1.0, 'f', 1));
+        QTest::keyClick(size, Qt::Key_Return);
+        QTest::mouseClick(&fixture.button("removeSmall"), Qt::LeftButton);
+        QVERIFY(fixture.session().settle());
+        QCOMPARE(fixture.voxels(1), fixture.other);
+        // It stays, whichever segment comes next.
+        const double typed = size->value();
+        fixture.workspace.setActiveSegment(2);
+        QCOMPARE(size->value(), typed);
+        fixture.apply(test::lockSegment(2));
+        QVERIFY(!size->isEnabled());
     }
 
     void itIsTheActiveSegments()

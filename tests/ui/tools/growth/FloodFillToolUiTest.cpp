@@ -213,12 +213,31 @@ private Q_SLOTS:
         fixture.click(fixture.views.axial(), {20.0, 20.0, 20.0}, false);
         QCOMPARE(failed.size(), 1);
         QCOMPARE(fixture.rows(), std::size_t(2));
-        // Slices of voxels alone: neither the 3D view nor an oblique plane.
         QVERIFY(fixture.tool.worksIn(fixture.views.sagittal().context()));
+        QVERIFY(!fixture.tool.worksIn(fixture.views.volume().context()));
+    }
+
+    /// An oblique slice has no voxels of its own: what is filled from there is filled in 3D.
+    void fromAnObliqueSliceItFillsIn3D()
+    {
+        Fixture fixture;
         ui::ViewContext oblique = fixture.views.axial().context();
         auto& scene = std::get<gpu::SliceScene>(oblique.scene);
         scene.downLps = glm::normalize(scene.downLps + glm::dvec3(0.0, 0.0, 0.3));
-        QVERIFY(!fixture.tool.worksIn(oblique));
+        QVERIFY(fixture.tool.worksIn(oblique));
+        ui::PointerSample sample;
+        sample.position = oblique.toPixel(fixture.place({20.0, 20.0, 20.0}));
+        QSignalSpy said(&fixture.workspace, &ui::Workspace::said);
+        fixture.tool.press(sample, oblique);
+        QCOMPARE(said.size(), 1);
+        QVERIFY(said.back().front().toString().contains(QStringLiteral("choose “in 3D”")));
+        QCOMPARE(fixture.rows(), std::size_t(0));
+        fixture.tool.setSettings({.in3D = true, .corners = false, .tolerance = 10.0});
+        fixture.tool.press(sample, oblique);
+        QVERIFY(fixture.session().settle());
+        QCOMPARE(fixture.rows(), std::size_t(2));
+        QVERIFY(!fixture.lastEdit().within);
+        QCOMPARE(fixture.labels(), Fixture::filledBy(fixture.lastEdit()));
     }
 
     /// Esc abandons what is being worked out.
