@@ -73,10 +73,11 @@ CleanUpPanel::CleanUpPanel(Workspace& workspace, QWidget* parent)
     m_smallMm3->setAccessibleName(tr("Islands below this size are small"));
     m_smallMm3->setToolTip(tr("“Remove small” takes away islands of the segment below this size"));
     m_smallMm3->setFixedHeight(theme::rowHeight);
+    m_smallMm3->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed); // both columns alike
     m_smallMm3->setRange(0.1, mostMm3);
     m_smallMm3->setDecimals(1);
     m_smallMm3->setSingleStep(10.0);
-    m_smallMm3->setPrefix(tr("below "));
+    m_smallMm3->setPrefix(tr("< "));
     m_smallMm3->setSuffix(tr(" mm³"));
     connect(m_smallMm3, &QDoubleSpinBox::valueChanged, this, [this] { m_isSetByHand = true; });
     int place = 0;
