@@ -214,8 +214,10 @@ void ReferenceMasksTest::untouchedAndPushed(
     const BoundaryForce boundary(BoxMask::of(segment.voxels, size), geometry, 4.0);
     glm::dvec3 centre(0.0);
     Result<EnclosedVoxels> pushed = *untouched;
-    for (VertexId id = 0; id < mesh.vertexSlots() && pushed->now == untouched->now;
-         id += mesh.vertexSlots() / 16) {
+    const std::size_t places = test::longRun() ? 512 : 16;
+    VoxelRuns moved;
+    for (VertexId id = 0; id < mesh.vertexSlots() && moved.empty();
+         id += VertexId(std::max<std::size_t>(mesh.vertexSlots() / places, 1))) {
         if (!mesh.hasVertex(id))
             continue;
         centre = mesh.position(id) - 0.5 * radiusMm * frameAt(mesh, id).normalLps;
@@ -226,8 +228,8 @@ void ReferenceMasksTest::untouchedAndPushed(
         pushed = enclosedVoxels(
             mesh, {.rows = {{.what = SurfacePast::What::Deformed, .step = step}}}, geometry, false);
         QVERIFY(pushed.has_value());
+        moved = differing(pushed->now, pushed->agreed);
     }
-    const VoxelRuns moved = differing(pushed->now, pushed->agreed);
     QVERIFY(!moved.empty());
     const VoxelRuns changed = changedBy(writeBackOf(*pushed, labels, size, target), size);
     const VoxelRuns written = differing(segment.voxels, changed);
