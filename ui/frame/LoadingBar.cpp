@@ -83,6 +83,13 @@ void LoadingBar::progress(const QString& step, int done, int total)
     m_step->setText(text);
 }
 
+void LoadingBar::percent(int done)
+{
+    m_bar->setRange(0, 100);
+    m_bar->setValue(done);
+    m_step->setText(tr("%1 %").arg(done));
+}
+
 void LoadingBar::end()
 {
     m_later.stop();

@@ -28,6 +28,8 @@ public:
 
     void begin(const QString& what);
     void progress(const QString& step, int done, int total);
+    /// The same for work of a single step.
+    void percent(int done);
     void end();
 
 Q_SIGNALS:

@@ -14,6 +14,7 @@
 #include "ui/frame/Panel.h"
 #include "ui/frame/PanelColumn.h"
 #include "ui/frame/PanelSection.h"
+#include "ui/frame/SegmentWorkWatch.h"
 #include "ui/frame/StartPage.h"
 #include "ui/frame/ToolColumn.h"
 #include "ui/frame/WindowHeader.h"
@@ -228,6 +229,11 @@ void MainWindow::buildCentre()
     m_pictures->addWidget(m_pages, 0, 0);
     m_pictures->addWidget(m_loading, 0, 0, Qt::AlignBottom);
     m_loading->raise();
+    auto* work = new LoadingBar(this);
+    work->setObjectName(QStringLiteral("segmentWork"));
+    m_pictures->addWidget(work, 0, 0, Qt::AlignBottom);
+    work->raise();
+    new SegmentWorkWatch(m_workspace, *work);
     m_middle->addLayout(m_pictures, 1);
     connect(m_pages, &QStackedWidget::currentChanged, this, &MainWindow::placeMessages);
     // A low window scrolls the start page instead of growing to it.

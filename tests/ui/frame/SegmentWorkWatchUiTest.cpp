@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/frame/SegmentWorkWatch.h"
+
+#include "core/edits/kinds/filling/MirrorSegment.h"
+#include "core/session/SegmentWork.h"
+#include "tests/support/faults/FailingLog.h"
+#include "tests/support/fixtures/WindowFixture.h"
+#include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/PlainEdits.h"
+#include "tests/support/scenes/SmallStudy.h"
+#include "ui/frame/LoadingBar.h"
+
+#include <QLabel>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QtTest>
+
+#include <algorithm>
+
+namespace segmentWorkWatchUiTest {
+
+namespace {
+
+/// A window with a segment that is being mirrored: the session does not go on until it is asked to.
+struct Fixture : test::WindowFixture {
+    Fixture()
+        : WindowFixture(test::smallStudy())
+        , bar(window.findChild<ui::LoadingBar*>(QStringLiteral("segmentWork")))
+    {
+        apply(test::addSegment("Organ"));
+        apply(test::paintAt(1, {test::pointsInBrain().back()}, 3.0));
+        before = session().stateHash();
+    }
+    ui::LoadingBar* bar;
+    QByteArray before;
+};
+
+} // namespace
+
+/// Edits of whole segments can be watched and abandoned from the window, not only in their dialogs.
+class SegmentWorkWatchUiTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { test::failOnUnexpectedMessages(); }
+
+    void whatTakesLongIsShownAndAbandoned()
+    {
+        Fixture fixture;
+        QVERIFY(fixture.bar && !fixture.bar->isVisible());
+        const std::size_t rows = fixture.session().history().rows().size();
+        QVERIFY(fixture.session().apply(core::MirrorSegment{.segment = 1}));
+        QVERIFY(fixture.session().segmentWork().percent());
+        QTRY_VERIFY(fixture.bar->isVisible());
+        const auto labels = fixture.bar->findChildren<QLabel*>();
+        QVERIFY(std::any_of(labels.begin(), labels.end(), [](const QLabel* each) {
+            return each->text() == QStringLiteral("A segment is being worked out");
+        }));
+        QSignalSpy failed(&fixture.workspace, &ui::Workspace::failed);
+        QTest::mouseClick(fixture.bar->findChild<QPushButton*>(), Qt::LeftButton);
+        static_cast<void>(fixture.session().settle());
+        QTRY_VERIFY(!fixture.bar->isVisible());
+        QCOMPARE(fixture.session().history().rows().size(), rows);
+        QCOMPARE(fixture.session().stateHash(), fixture.before);
+    }
+
+    void whatIsDoneSoonShowsNoBar()
+    {
+        Fixture fixture;
+        QVERIFY(fixture.session().apply(core::MirrorSegment{.segment = 1}));
+        QVERIFY(fixture.session().settle());
+        QTest::qWait(700);
+        QVERIFY(!fixture.bar->isVisible());
+        QVERIFY(fixture.session().stateHash() != fixture.before);
+    }
+
+    /// It goes with the study.
+    void aClosedSessionShowsNone()
+    {
+        Fixture fixture;
+        QVERIFY(fixture.session().apply(core::MirrorSegment{.segment = 1}));
+        QTRY_VERIFY(fixture.bar->isVisible());
+        fixture.workspace.setSession(nullptr);
+        QVERIFY(!fixture.bar->isVisible());
+    }
+};
+
+BURIN_WINDOW_TEST(SegmentWorkWatchUiTest)
+
+} // namespace segmentWorkWatchUiTest
+
+#include "SegmentWorkWatchUiTest.moc"

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QObject>
+#include <QTimer>
+
+namespace ui {
+
+class LoadingBar;
+class Workspace;
+
+/// Shows in a bar how far an edit of a whole segment is that is being computed
+/// (core/session/SegmentWork.h), wherever it was asked for, and abandons it when the bar's Abort is
+/// pressed. What takes less than about half a second shows no bar.
+class SegmentWorkWatch : public QObject {
+    Q_OBJECT
+
+public:
+    /// @param bar becomes its parent
+    SegmentWorkWatch(Workspace& workspace, LoadingBar& bar);
+
+private:
+    void look();
+
+    Workspace& m_workspace;
+    LoadingBar& m_bar;
+    QTimer m_looks; ///< runs while a session is open
+    bool m_works = false;
+};
+
+} // namespace ui
