@@ -280,8 +280,8 @@ void addExport(ui::MainWindow& window, ui::MendingSteps& mending, ui::Statistics
         .possible = [&workspace] { return workspace.session() != nullptr; }});
     QMenu& menu = window.fileMenu();
     for (QAction* each : {&action, &carved, &picture})
-        menu.insertAction(&window.actionTable()[QStringLiteral("file.close")], each);
-    menu.insertAction(&action, &deidentified);
+        menu.insertAction(&window.actionTable()[QStringLiteral("file.toPacs")], each);
+    menu.insertAction(&window.actionTable()[QStringLiteral("file.auditReport")], &deidentified);
     window.views().addToMenus([saving = &picture](QMenu& ofView) { ofView.addAction(saving); });
     window.actionTable().refresh();
 }
@@ -302,8 +302,10 @@ void addTimes(ui::MainWindow& window, ui::TimeSteps& steps)
         .tip = ui::Actions::tr("Opens it with its own session; this one stays with its point"),
         .run = [&steps] { steps.go(1); },
         .possible = [&steps] { return steps.hasPoint(1); }});
+    QAction* import = &actions[QStringLiteral("file.importMask")];
     for (QAction* each : {&toPrevious, &toNext})
-        window.fileMenu().insertAction(&actions[QStringLiteral("file.importMask")], each);
+        window.fileMenu().insertAction(import, each);
+    window.fileMenu().insertSeparator(import);
     const ui::TimeSlider& points = window.findChild<ui::SeriesDoctorPanel*>()->times();
     QObject::connect(&points, &ui::TimeSlider::requested, &steps, &ui::TimeSteps::openPoint);
     QObject::connect(&points, &ui::TimeSlider::playRequested, &steps, &ui::TimeSteps::play);

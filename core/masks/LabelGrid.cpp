@@ -3,6 +3,7 @@
 
 #include "core/base/ParallelFor.h"
 #include "core/masks/LatticeMap.h"
+#include "core/masks/MaskParts.h"
 
 #include <cmath>
 #include <optional>
@@ -125,8 +126,7 @@ Result<std::vector<std::uint16_t>> labelsFrom(std::span<const char> bytes, Scala
         const std::size_t place = voxel * std::size_t(layers) + std::size_t(layer);
         const double value = slope * stored(bytes.data(), place) + intercept;
         if (!(value >= 0.0 && value <= 65535.0) || value != std::floor(value))
-            return failure(ErrorCode::UnsupportedFormat, path,
-                Clause::saying("its values are not labels: %1 is among them", value));
+            return holdsNoLabels(path, value);
         labels[voxel] = std::uint16_t(value);
     }
     return labels;

@@ -11,8 +11,6 @@ namespace core {
 
 namespace {
 
-constexpr int mostLabels = 255;
-
 /// What a header says of a segment.
 struct NamedSegment {
     int layer = 0;
@@ -157,9 +155,8 @@ Result<MaskOnVolume> readLabelMask(
             return tl::unexpected(values.error());
         const std::set<std::uint16_t> present(values->begin(), values->end());
         labels += present.size() - present.count(0);
-        if (labels > mostLabels)
-            return failure(ErrorCode::UnsupportedFormat, path,
-                Clause::saying("it holds more than %1 labels", mostLabels));
+        if (labels > mostSegments)
+            return holdsTooManyLabels(path);
         Result<LabelsOnVolume> placed = labelsOn(
             volume.geometry, {.geometry = stored->geometry, .labels = *std::move(values)}, path);
         if (!placed)

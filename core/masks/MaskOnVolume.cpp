@@ -20,8 +20,8 @@ namespace core {
 namespace {
 
 constexpr const char* rtStructClass = "1.2.840.10008.5.1.4.1.1.481.3";
-/// As many labels as a session has.
-constexpr std::size_t mostSegments = 255;
+/// More files that were left out are only counted.
+constexpr int mostNamed = 3;
 
 } // namespace
 
@@ -75,10 +75,16 @@ tl::unexpected<Error> hasNoLabel(const QString& path)
     return failure(ErrorCode::UnsupportedFormat, path, Clause::saying("it has no label"));
 }
 
-bool saysNoLabel(const Error& error, const QString& path)
+tl::unexpected<Error> holdsNoLabels(const QString& path, double value)
 {
-    const Error known = hasNoLabel(path).value();
-    return error.code == known.code && error.arguments == known.arguments;
+    return failure(ErrorCode::UnsupportedFormat, path,
+        Clause::saying("its values are not labels: %1 is among them", value));
+}
+
+tl::unexpected<Error> holdsTooManyLabels(const QString& path)
+{
+    return failure(ErrorCode::UnsupportedFormat, path,
+        Clause::saying("it holds more than %1 labels", mostSegments));
 }
 
 QStringList maskFilesIn(const QString& path)
@@ -92,16 +98,48 @@ QStringList maskFilesIn(const QString& path)
 
 namespace {
 
+/// Whether two failures differ at most in the file and the numbers that they name.
+bool isAlike(const Error& one, const Error& other)
+{
+    return one.code == other.code
+        && qstrcmp(one.arguments.value(1).form(), other.arguments.value(1).form()) == 0;
+}
+
+bool saysNoLabel(const Error& error)
+{
+    return isAlike(error, hasNoLabel({}).value());
+}
+
+/// Whether a file was refused because its values are those of an image.
+bool saysImage(const Error& error)
+{
+    return isAlike(error, holdsNoLabels({}, 0.0).value())
+        || isAlike(error, holdsTooManyLabels({}).value());
+}
+
+bool isLabelMapName(const QString& path)
+{
+    return isNiftiName(path) || isNrrdName(path) || isMetaImageName(path);
+}
+
+/// Whether it is a DICOM file of something else than a mask, such as a slice.
+bool isOtherDicom(const QString& path)
+{
+    if (isLabelMapName(path) || isMeshName(path))
+        return false;
+    const Result<QString> sopClass = sopClassOf(path);
+    return sopClass && !isMaskClass(*sopClass);
+}
+
 /// One file; without a segment if it lies wholly outside the study.
 Result<MaskOnVolume> readFile(const QString& path, const Volume& volume, const Progress& progress)
 {
     if (const Result<void> isFile = checkIsFile(path); !isFile)
         return tl::unexpected(isFile.error());
-    const bool labels = isNiftiName(path) || isNrrdName(path) || isMetaImageName(path);
     auto read = readLabelMask;
     if (isMeshName(path)) {
         read = readSurfaceMask;
-    } else if (!labels) {
+    } else if (!isLabelMapName(path)) {
         const Result<QString> sopClass = sopClassOf(path);
         if (!sopClass)
             return tl::unexpected(sopClass.error());
@@ -136,12 +174,25 @@ Result<MaskOnVolume> readFolder(const QString& path, const Volume& volume, const
             Clause::saying("no mask file lies in this folder (%1)", maskNamePatterns().join(u' ')));
     MaskOnVolume mask;
     std::uint64_t empty = 0;
+    QStringList images;
+    std::optional<Error> whyNoMask;
     for (int i = 0; i < files.size(); ++i) {
         if (progress.cancelled())
             return failure(ErrorCode::Cancelled);
         progress.report(ProgressStep::PlacingMask, i, int(files.size()));
+        const QString name = QFileInfo(files[i]).fileName();
+        if (isOtherDicom(files[i])) {
+            images.append(name);
+            continue;
+        }
         Result<MaskOnVolume> one = readFile(files[i], volume, progress);
-        if (!one && !saysNoLabel(one.error(), files[i]))
+        if (!one && saysImage(one.error())) {
+            images.append(name);
+            if (!whyNoMask)
+                whyNoMask = one.error();
+            continue;
+        }
+        if (!one && !saysNoLabel(one.error()))
             return one;
         if (!one || one->segments.empty()) {
             ++empty;
@@ -154,6 +205,14 @@ Result<MaskOnVolume> readFolder(const QString& path, const Volume& volume, const
         for (const MaskNote& note : one->notes)
             addNote(mask.notes, note);
     }
+    if (images.size() == files.size())
+        return whyNoMask ? tl::unexpected(*whyNoMask)
+                         : failure(ErrorCode::UnsupportedFormat, path,
+                             Clause::saying("its DICOM files are images and no masks"));
+    if (!images.isEmpty())
+        mask.notes.push_back({.code = MaskNote::Code::ImagesLeftOut,
+            .names = images.mid(0, mostNamed),
+            .some = std::uint64_t(images.size())});
     if (empty > 0 && !mask.segments.empty())
         mask.notes.push_back({.code = MaskNote::Code::FilesWithoutVoxel,
             .some = empty,

@@ -42,9 +42,18 @@ struct ProbabilitiesOnVolume {
 [[nodiscard]] Result<MaskOnVolume> readSurfaceMask(
     const QString& path, const Volume& volume, const Progress& progress);
 
+/// As many labels as a session has.
+constexpr std::size_t mostSegments = 255;
+
 /// The error of a label map without a label. In a folder such a file is left out.
 [[nodiscard]] tl::unexpected<Error> hasNoLabel(const QString& path);
-[[nodiscard]] bool saysNoLabel(const Error& error, const QString& path);
+
+/// The failure of a file whose values cannot be labels, as those of an image.
+/// @param value one of them
+[[nodiscard]] tl::unexpected<Error> holdsNoLabels(const QString& path, double value);
+
+/// The failure of a file with more labels than a session has segments.
+[[nodiscard]] tl::unexpected<Error> holdsTooManyLabels(const QString& path);
 
 /// A name for a segment without one: "liver.nii.gz" → "liver".
 [[nodiscard]] QString maskNameOf(const QString& path);

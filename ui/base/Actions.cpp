@@ -52,8 +52,9 @@ std::vector<QAction*> Actions::all() const
     return actions;
 }
 
-void Actions::fill(QMenu& menu, const QStringList& ids) const
+void Actions::fill(QMenu& menu, const QStringList& ids)
 {
+    connect(&menu, &QMenu::aboutToShow, this, &Actions::refresh, Qt::UniqueConnection);
     for (const QString& id : ids) {
         if (id.isEmpty())
             menu.addSeparator();

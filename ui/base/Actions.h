@@ -41,8 +41,9 @@ public:
     [[nodiscard]] QAction& operator[](const QString& id) const;
     /// In the order they were added.
     [[nodiscard]] std::vector<QAction*> all() const;
-    /// Fills a menu with these actions in this order; an empty id is a separator.
-    void fill(QMenu& menu, const QStringList& ids) const;
+    /// Fills a menu with these actions in this order; an empty id is a separator. Whenever the menu
+    /// opens, they are refreshed.
+    void fill(QMenu& menu, const QStringList& ids);
     /// Updates every action: whether it is possible, whether it is checked, and its present text.
     void refresh();
 

@@ -75,8 +75,8 @@ void WindowHeader::fillMenus(Actions& actions, const QStringList& plane, const Q
     m_fileMenu = m_menuBar->addMenu(QStringLiteral("&File"));
     actions.fill(*m_fileMenu,
         ids({"file.openFolder", "file.openFile", "file.openSession", "file.fromPacs",
-            "file.demonstration", "", "file.importMask", "file.importMaskFolder", "file.toPacs",
-            "file.saveAs", "file.auditReport", "file.close", "file.quit"}));
+            "file.demonstration", "", "file.importMask", "file.importMaskFolder", "", "file.saveAs",
+            "file.auditReport", "", "file.toPacs", "", "file.close", "file.quit"}));
     m_editMenu = m_menuBar->addMenu(QStringLiteral("&Edit"));
     actions.fill(
         *m_editMenu, ids({"edit.undo", "edit.redo", "", "edit.author", "edit.historyMemory"}));

@@ -46,7 +46,7 @@ QString maskNoteText(const core::MaskNote& note)
         return MaskTexts::tr("The mask names another frame of reference than the study; its "
                              "millimetres are taken for the study's.");
     case Code::SegmentsOverlap:
-        return MaskTexts::tr("Segments of the file overlap in %1 voxels.").arg(grouped(note.some));
+        return MaskTexts::tr("Segments overlap in %1 voxels.").arg(grouped(note.some));
     case Code::GoesBefore:
         return MaskTexts::tr("'%1' goes before '%2' in %3 voxels (%4) that both have.")
             .arg(note.names.value(0), note.names.value(1), grouped(note.some), inMl(note.hereMl));
@@ -58,6 +58,11 @@ QString maskNoteText(const core::MaskNote& note)
                              "left out.")
             .arg(note.some)
             .arg(note.all);
+    case Code::ImagesLeftOut:
+        return note.some > std::uint64_t(note.names.size())
+            ? MaskTexts::tr("Left out, since they are images and no masks: %1 and %2 more files.")
+                  .arg(names, grouped(note.some - std::uint64_t(note.names.size())))
+            : MaskTexts::tr("Left out, since they are images and no masks: %1.").arg(names);
     case Code::FilesWithoutVoxel:
         return MaskTexts::tr("%1 of the folder's %2 mask files have no voxel inside the study and "
                              "are left out.")

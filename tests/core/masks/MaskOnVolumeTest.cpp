@@ -6,6 +6,7 @@
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/SmallStudy.h"
+#include "tests/support/series/SyntheticSeries.h"
 
 #include <QDir>
 #include <QFile>
@@ -38,6 +39,10 @@ public:
                 for (int x = box.minimum.x; x < box.maximum.x; ++x)
                     labels[test::smallIndexOf({x, y, z})] = label;
         QVERIFY(writeNifti(path(name), {.geometry = geometry, .voxels = labels}, false));
+    }
+    void addImage(const QString& name, const std::vector<std::int16_t>& values) const
+    {
+        QVERIFY(writeNifti(path(name), {.geometry = test::smallGrid(), .voxels = values}, false));
     }
     void addText(const QString& name, const QByteArray& text) const
     {
@@ -141,6 +146,33 @@ private Q_SLOTS:
         folder.addText(QStringLiteral("spleen.nii"), "no NIfTI at all");
         QVERIFY2(
             refusal().startsWith(folder.path(QStringLiteral("spleen.nii"))), qPrintable(refusal()));
+    }
+
+    /// The study itself and other images often lie beside the masks.
+    void imagesBesideMasksAreLeftOut()
+    {
+        const MaskFolder folder;
+        std::vector<std::int16_t> values(test::smallGrid().voxelCount());
+        for (std::size_t i = 0; i < values.size(); ++i)
+            values[i] = std::int16_t(i % 1000); // more values than there can be labels
+        folder.addImage(QStringLiteral("mr.nii"), values);
+        values[7] = -1000; // no label
+        folder.addImage(QStringLiteral("ct.nii"), values);
+        const Result<MaskOnVolume> images = folder.read();
+        QVERIFY(!images);
+        QCOMPARE(QString(images.error().arguments[0]), folder.path(QStringLiteral("ct.nii")));
+        const test::SyntheticSeries slices{.size = {8, 8, 3},
+            .fileName = [](int k) { return QStringLiteral("slice%1.dcm").arg(k); }};
+        QCOMPARE(test::writeSeries(slices, folder.path()).size(), 3);
+        folder.add(QStringLiteral("liver.nii"), liver);
+        const Result<MaskOnVolume> mask = folder.read();
+        QVERIFY2(mask, qPrintable(mask ? QString() : mask.error().arguments.join(u' ')));
+        QCOMPARE(mask->segments.size(), std::size_t(1));
+        const std::vector<MaskNote> notes{{.code = MaskNote::Code::ImagesLeftOut,
+            .names = {QStringLiteral("ct.nii"), QStringLiteral("mr.nii"),
+                QStringLiteral("slice0.dcm")},
+            .some = 5}};
+        QCOMPARE(mask->notes, notes);
     }
 
     void aFolderHasNoMoreSegmentsThanASession()

@@ -210,7 +210,7 @@ private Q_SLOTS:
         QCOMPARE(fixture.labelOfSlice(4), 0);
         QCOMPARE(fixture.labelOfSlice(10), int(segments[2].label));
         const QString sentence = fixture.window.messages().sentence();
-        for (const char* part : {"Segments of the file overlap in 3 072 voxels.",
+        for (const char* part : {"Segments overlap in 3 072 voxels.",
                  "'High' goes before 'Low' in 3 072 voxels (36.9 mL) that both have."})
             QVERIFY2(sentence.contains(QLatin1String(part)), qPrintable(sentence));
     }

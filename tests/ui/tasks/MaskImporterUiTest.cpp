@@ -13,6 +13,7 @@
 #include <QDir>
 #include <QDropEvent>
 #include <QFile>
+#include <QMenu>
 #include <QMimeData>
 #include <QSignalSpy>
 #include <QTemporaryDir>
@@ -167,6 +168,20 @@ private Q_SLOTS:
         QVERIFY2(
             sentence.contains(outside ? QStringLiteral("far.nii") : QStringLiteral("none.nii")),
             qPrintable(sentence));
+    }
+
+    /// Nothing that the window is told of changes when an import is refused.
+    void whoeverOpensTheMenuMayTryAgain()
+    {
+        ImportFixture fixture;
+        QMenu& menu = fixture.window.fileMenu();
+        QAction& import = fixture.window.actionTable()[QStringLiteral("file.importMask")];
+        fixture.window.importer().import(fixture.mask("far.nii", {5000.0, 0.0, 0.0}));
+        Q_EMIT menu.aboutToShow();
+        QVERIFY(!import.isEnabled()); // one at a time
+        fixture.finish();
+        Q_EMIT menu.aboutToShow();
+        QVERIFY(import.isEnabled());
     }
 
     void whatIsLikeAMask()
