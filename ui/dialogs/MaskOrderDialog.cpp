@@ -2,6 +2,7 @@
 #include "ui/dialogs/MaskOrderDialog.h"
 
 #include "core/masks/ReadImport.h"
+#include "core/titles/TitleLanguage.h"
 #include "ui/base/TabOrder.h"
 #include "ui/base/Theme.h"
 #include "ui/tasks/MaskImporter.h"
@@ -68,7 +69,9 @@ MaskOrderDialog::MaskOrderDialog(
     setMinimumWidth(leastWidth);
     auto* heading = new FittingLabel(Qt::AlignLeft, this);
     heading->setFont(theme::headingFont());
-    heading->setText(tr("Segments of '%1' overlap").arg(m_read->edit.file));
+    heading->setText(
+        tr("Segments of '%1' overlap in %2 voxels")
+            .arg(m_read->edit.file, core::grouped(std::int64_t(core::voxelsOf(m_read->overlaps)))));
     const bool fits = m_read->planesNeeded() <= core::mostLabelPlanes;
     m_keep->setObjectName(QStringLiteral("maskOrderKeep"));
     m_keep->setEnabled(fits);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/texts/MaskTexts.h"
 
+#include "core/titles/TitleLanguage.h"
 #include "ui/texts/ProblemTexts.h"
 
 #include <QCoreApplication>
@@ -15,10 +16,7 @@ struct MaskTexts {
 
 QString grouped(std::uint64_t count)
 {
-    QString text = QString::number(count);
-    for (qsizetype place = text.size() - 3; place > 0; place -= 3)
-        text.insert(place, QLatin1Char(' '));
-    return text;
+    return core::grouped(std::int64_t(count));
 }
 
 QString inMl(double ml)

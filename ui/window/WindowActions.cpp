@@ -61,6 +61,8 @@ void addFileActions(MainWindow& window)
     QObject::connect(&importer, &MaskImporter::failed, &workspace, &Workspace::fail);
     QObject::connect(&importer, &MaskImporter::imported, &window,
         [&window, &workspace](const QString& rowName, const QStringList& notes) {
+            if (!workspace.session()->document().segments.empty())
+                static_cast<void>(ensureActiveSegment(workspace)); // it can be cleaned up at once
             const auto kind =
                 notes.isEmpty() ? MessageBar::Kind::Notice : MessageBar::Kind::Caution;
             window.messages().show(kind,

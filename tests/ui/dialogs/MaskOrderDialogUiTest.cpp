@@ -8,6 +8,7 @@
 #include "tests/support/program/TestProgram.h"
 #include "ui/frame/MessageBar.h"
 #include "ui/tasks/MaskImporter.h"
+#include "ui/widgets/FittingLabel.h"
 
 #include <QFile>
 #include <QListWidget>
@@ -125,6 +126,8 @@ private Q_SLOTS:
         QVERIFY(dialog->findChild<QRadioButton*>(QStringLiteral("maskOrderKeep"))->isChecked());
         QVERIFY(!listOf(*dialog, "maskOrder").isEnabled());
         QVERIFY(!dialog->findChild<QPushButton*>(QStringLiteral("maskOrderDown"))->isEnabled());
+        QVERIFY(dialog->findChild<ui::FittingLabel*>()->text().endsWith(
+            QStringLiteral("overlap in 3 072 voxels")));
         QListWidget& given = listOf(*dialog, "maskOrderGiven");
         QCOMPARE(given.count(), 1);
         QCOMPARE(given.item(0)->text(),

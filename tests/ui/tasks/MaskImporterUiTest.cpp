@@ -87,6 +87,7 @@ private Q_SLOTS:
         const auto& segments = fixture.session().document().segments;
         QCOMPARE(segments.size(), std::size_t(2));
         QVERIFY(imported[0][1].toStringList().isEmpty());
+        QCOMPARE(fixture.workspace.activeSegment(), int(segments[0].label)); // none was before
         const QString sentence = fixture.window.messages().sentence();
         QVERIFY2(sentence.contains(QStringLiteral("2 segments")), qPrintable(sentence));
         reference::DenseFields fields = fixture.engine.fields();
