@@ -49,7 +49,7 @@ SliceScene lookOf(const ScenePlane& plane, const VolumeScene& scene)
         .window = plane.window,
         .inverted = plane.inverted,
         .colours = plane.colours,
-        .cubic = true,
+        .interpolation = plane.interpolation,
         .showCarved = plane.showCarved,
         .chunks = scene.chunks};
 }

@@ -52,6 +52,12 @@ void setPieces(Program& program, const std::vector<const PieceTextures::Entry*>&
         .set("pieceShift", std::span<const glm::vec4>(shift));
 }
 
+bool isCubic(const SliceScene& scene, const PassTarget& target)
+{
+    return scene.interpolation == Interpolation::Cubic && scene.slab.mode == SlabMode::Off
+        && target.cubic;
+}
+
 /// @param perMm index per mm along the slice's normal
 void setSlab(Program& program, const SceneSlab& slab, const glm::dvec3& perMm)
 {
@@ -82,6 +88,7 @@ Program& SlicePass::programFor(unsigned form, unsigned variant)
                     {"CHUNKS", has(chunked)}, {"PIECES", has(pieces)},
                     {"LABEL_PLANES", int(variant / oneMorePlane) + 1},
                     {"CUBIC", (form & Cubic) != 0 ? 1 : 0},
+                    {"NEAREST", (form & Nearest) != 0 ? 1 : 0},
                     {"PLANE", (form & OnPlane) != 0 ? 1 : 0},
                     {"SLAB", (form & Slab) != 0 ? 1 : 0}}});
     };
@@ -100,11 +107,8 @@ void SlicePass::prepare(VolumeTextures& volume, const SliceScene& scene,
     const glm::dvec3 base = glm::dvec3(worldToIndex * glm::dvec4(scene.centreLps, 1.0))
         - perX * middle.x - perY * middle.y;
     const bool slab = scene.slab.mode != SlabMode::Off;
-    const bool cubic = scene.cubic && scene.interpolated && target.cubic;
-    Program& program = prepareForm(slab ? Slab
-            : cubic                     ? Cubic
-                                        : Plain,
-        volume, scene, segments, palette, target, chunks);
+    Program& program =
+        prepareForm(slab ? Slab : 0, volume, scene, segments, palette, target, chunks);
     if (slab)
         setSlab(program, scene.slab, directions * glm::cross(scene.rightLps, scene.downLps));
     program.set("base", glm::vec3(base))
@@ -117,14 +121,15 @@ Program& SlicePass::prepareOnPlane(VolumeTextures& volume, const SliceScene& loo
     const SegmentDisplay& segments, const Palette& palette, const PassTarget& target,
     const ChunkTextures* chunks)
 {
-    return prepareForm(
-        target.cubic ? CubicOnPlane : OnPlane, volume, look, segments, palette, target, chunks);
+    return prepareForm(OnPlane, volume, look, segments, palette, target, chunks);
 }
 
-Program& SlicePass::prepareForm(unsigned form, VolumeTextures& volume, const SliceScene& scene,
+Program& SlicePass::prepareForm(unsigned where, VolumeTextures& volume, const SliceScene& scene,
     const SegmentDisplay& segments, const Palette& palette, const PassTarget& target,
     const ChunkTextures* chunks)
 {
+    const unsigned form = where + (isCubic(scene, target) ? Cubic : 0)
+        + (scene.interpolation == Interpolation::Nearest ? Nearest : 0);
     volume.intensity().bindUnit(0);
     volume.radiation().bindUnit(1);
     volume.labels().bindUnit(3);
@@ -181,7 +186,6 @@ Program& SlicePass::prepareForm(unsigned form, VolumeTextures& volume, const Sli
         .set("pixelJitter", target.pixelJitter)
         .set("window", glm::vec2(greyOfTexel(volume.encoding(), scene.window)))
         .set("inverted", scene.inverted)
-        .set("interpolated", scene.interpolated)
         .set("showCarved", scene.showCarved)
         .set("carvedAsHole", scene.carvedAsHole)
         .set("warnAfter", segments.warnAfterGeneration)

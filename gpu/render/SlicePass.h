@@ -21,8 +21,9 @@ class VolumeTextures;
 /// each piece that was cut out, at its true place, stripes where growth is barred, a warning colour
 /// for members of late generations, hatching over what a cut would remove, and chunks in their
 /// colours. A segment is shown as it would be at a tolerance if the scene asks for it and the field
-/// is valid. Outside the volume the picture is black. Interpolation is cubic if both scene and
-/// target say so. The grey values may be those of a slab (SceneSlab).
+/// is valid. Outside the volume the picture is black. Grey values are interpolated as the scene
+/// says, cubic ones linearly while the target is not cubic. They may be those of a slab
+/// (SceneSlab).
 class SlicePass {
 public:
     /// Throws ShaderError. @param library outlives the pass
@@ -43,10 +44,12 @@ public:
         const ChunkTextures* chunks);
 
 private:
-    /// Where the plane is drawn, and how it is interpolated.
-    enum Form : unsigned { Plain = 0, Cubic = 1, OnPlane = 2, CubicOnPlane = 3, Slab = 4 };
+    /// Where the plane is drawn, and how its grey values come about: a sum of these bits; 0 is a
+    /// slice that is interpolated linearly.
+    enum Form : unsigned { Cubic = 1, OnPlane = 2, Slab = 4, Nearest = 8 };
 
-    [[nodiscard]] Program& prepareForm(unsigned form, VolumeTextures& volume,
+    /// @param where OnPlane, Slab or 0
+    [[nodiscard]] Program& prepareForm(unsigned where, VolumeTextures& volume,
         const SliceScene& scene, const SegmentDisplay& segments, const Palette& palette,
         const PassTarget& target, const ChunkTextures* chunks);
     /// @param variant a sum of bits: 1 labels, 2 carved, 4 barriers, 8 members that warn, 16 a

@@ -1,8 +1,8 @@
 // Draws one pixel of a slice view. LABELED, CARVED, BARRIERS, WARNED, CUT_PREVIEW, CHUNKS, PIECES:
 // whether there is anything of this kind to draw. LABEL_PLANES: how many label planes there are (1 … 4).
 // AT_TOLERANCE: one segment is drawn as it would be at a
-// tolerance. CUBIC: cubic interpolation. PLANE: draws the cutting plane in the 3D view.
-// SLAB: the grey values are those of a slab about the slice.
+// tolerance. CUBIC: cubic interpolation of the grey values; NEAREST: none of them. PLANE: draws the
+// cutting plane in the 3D view. SLAB: the grey values are those of a slab about the slice.
 
 /* Textures */
 layout(binding = 0) uniform sampler3D intensity; // code / 65535
@@ -56,7 +56,6 @@ uniform float pixelScale;
 uniform vec2 pixelJitter; // frame pixels
 uniform vec2 window; // grey = code / 65535 · x + y
 uniform bool inverted;
-uniform bool interpolated;
 uniform bool showCarved;
 uniform bool carvedAsHole;
 uniform float fillOpacity;
@@ -171,6 +170,20 @@ float footprintAt(int piece, vec3 index)
 }
 #endif
 
+/// The value (code / 65535) at a position.
+float valueAt(vec3 index)
+{
+#if NEAREST
+    // Fetched, because filtering hardware rounds places as well as weights.
+    const ivec3 last = textureSize(intensity, 0) - 1;
+    return texelFetch(intensity, clamp(ivec3(floor(index + 0.5)), ivec3(0), last), 0).r;
+#elif CUBIC
+    return cubicAt(intensity, index);
+#else
+    return textureLod(intensity, (index + 0.5) / vec3(textureSize(intensity, 0)), 0.0).r;
+#endif
+}
+
 #if SLAB
 /// The slab's value (code / 65535) about a position in the slice; negative where no sample counts.
 float slabAt(vec3 index)
@@ -190,8 +203,7 @@ float slabAt(vec3 index)
 #endif
         if (!counts)
             continue;
-        const vec3 place = interpolated ? there : floor(there + 0.5);
-        const float value = textureLod(intensity, (place + 0.5) / size, 0.0).r;
+        const float value = valueAt(there);
         greatest = max(greatest, value);
         least = min(least, value);
         sum += value;
@@ -254,13 +266,10 @@ void main()
     const vec3 size = vec3(textureSize(intensity, 0));
     const bool isInside = all(greaterThanEqual(index, vec3(-0.5))) && all(lessThan(index, size - 0.5));
     const ivec3 voxel = nearestVoxel(index);
-    const vec3 place = interpolated ? index : vec3(voxel);
 #if SLAB
     const float value = slabAt(index);
-#elif CUBIC
-    const float value = cubicAt(intensity, place);
 #else
-    const float value = texture(intensity, (place + 0.5) / size).r;
+    const float value = valueAt(index);
 #endif
     const float grey = clamp(value * window.x + window.y, 0.0, 1.0);
     vec3 result = shownGrey(inverted ? 1.0 - grey : grey);

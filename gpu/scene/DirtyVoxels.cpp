@@ -78,9 +78,9 @@ bool showsChange(const Scene& scene, const core::VolumeGeometry& geometry, const
 bool wantsCubics(const Scene& scene)
 {
     if (const auto* slice = std::get_if<SliceScene>(&scene))
-        return slice->cubic && slice->interpolated && slice->slab.mode == SlabMode::Off;
+        return slice->interpolation == Interpolation::Cubic && slice->slab.mode == SlabMode::Off;
     const auto& plane = std::get<VolumeScene>(scene).plane;
-    return plane && plane->opacity > 0.0f;
+    return plane && plane->opacity > 0.0f && plane->interpolation == Interpolation::Cubic;
 }
 
 bool showsSurface(const Scene& scene, const WorldBox& box)

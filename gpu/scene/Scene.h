@@ -91,6 +91,12 @@ struct SceneChunks {
     float opacity = 0.3f;
 };
 
+/// What grey values lie between the centres of voxels. Nearest: the value of the voxel in which a
+/// place lies, unchanged. Linear: trilinear. Cubic: tri-cubic (Catmull-Rom) once nothing moves and
+/// no edit runs, linear until then.
+enum class Interpolation : std::uint8_t { Nearest, Linear, Cubic };
+inline constexpr std::size_t interpolations = 3;
+
 /// Which of the values across a slab is shown.
 enum class SlabMode { Off, Maximum, Minimum, Mean };
 
@@ -113,13 +119,12 @@ struct SliceScene {
     core::WindowLevel window;
     bool inverted = false; ///< high values are dark
     ColourMap colours = ColourMap::Grey; ///< of the grey values, after they were inverted
-    bool interpolated = true; ///< false: nearest voxel
-    /// Cubic interpolation (Catmull-Rom) once nothing moves.
-    bool cubic = false;
+    Interpolation interpolation = Interpolation::Linear; ///< of the grey values alone
     bool showCarved = true; ///< carved voxels as a tinted outline
     bool carvedAsHole = false; ///< carved voxels black; with or without the outline
     std::optional<SceneContour> contour{}; ///< none: not drawn
-    /// Of the grey values, which are then never cubic; all else is that of the slice.
+    /// Of the grey values, which are then linear where they would be cubic; all else is that of the
+    /// slice.
     SceneSlab slab{};
     /// Drawn under the segments, their rims over them; null: none. Changed chunks must be a new
     /// pointer.
@@ -128,7 +133,7 @@ struct SliceScene {
 };
 
 /// The cutting plane (seed B §4.1, §5.1) in the 3D view: a rectangle that shows what a slice would
-/// show there, with segments tinted as in slices. Interpolation is cubic once nothing moves.
+/// show there, with segments tinted as in slices.
 struct ScenePlane {
     glm::dvec3 centreLps{0.0};
     glm::dvec3 rightLps{1.0, 0.0, 0.0}; ///< unit
@@ -137,6 +142,7 @@ struct ScenePlane {
     core::WindowLevel window;
     bool inverted = false; ///< high values are dark
     ColourMap colours = ColourMap::Grey; ///< as in slices
+    Interpolation interpolation = Interpolation::Cubic; ///< as in slices
     float opacity = 1.0f; ///< 0: only the contour is shown
     /// How much of it shines through what hides it, in surface and volume rendering.
     float behindOpacity = 0.0f;

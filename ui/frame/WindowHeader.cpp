@@ -115,6 +115,9 @@ void WindowHeader::fillViewMenu(
     actions.fill(*view->addMenu(tr("Colours")),
         ids({"view.coloursGrey", "view.coloursHotIron", "view.coloursHotMetalBlue",
             "view.coloursPet20Step", "view.coloursEvenLightness", "", "view.inverted"}));
+    actions.fill(*view->addMenu(tr("Interpolation")),
+        ids({"view.interpolationUsual", "", "view.interpolationNearest", "view.interpolationLinear",
+            "view.interpolationCubic"}));
     actions.fill(*view->addMenu(tr("Flip and turn slice")),
         ids({"view.flipLeftRight", "view.flipTopBottom", "view.quarterRight", "view.quarterLeft",
             "", "view.upright", "", "view.alongPatient"}));

@@ -26,8 +26,14 @@ public:
     {
         return at.x >= -0.5 && at.y >= -0.5 && at.x < m_size.x - 0.5 && at.y < m_size.y - 0.5;
     }
+    /// The value of the voxel there. @pre isInside()
+    [[nodiscard]] double nearest(const glm::dvec2& index) const
+    {
+        const glm::ivec2 pixel(glm::floor(index + 0.5));
+        return code(pixel.x, pixel.y);
+    }
     /// @pre isInside()
-    [[nodiscard]] double at(const glm::dvec2& index) const
+    [[nodiscard]] double linear(const glm::dvec2& index) const
     {
         const glm::dvec2 low = glm::floor(index);
         const glm::dvec2 share = index - low;
@@ -80,6 +86,8 @@ QImage earlyPicture(
         - perX * (0.5 * pixels.width()) - perY * (0.5 * pixels.height());
     const glm::dvec2 window = gpu::greyOfTexel(early.volume.encoding, scene.window);
     const CodeSampler codes(early);
+    const auto codeAt = scene.interpolation == gpu::Interpolation::Nearest ? &CodeSampler::nearest
+                                                                           : &CodeSampler::linear;
     QImage picture(pixels, QImage::Format_Grayscale8);
     for (int y = 0; y < pixels.height(); ++y) {
         uchar* line = picture.scanLine(y);
@@ -87,7 +95,7 @@ QImage earlyPicture(
             const glm::dvec2 index = base + perX * (x + 0.5) + perY * (y + 0.5);
             double grey = 0.0;
             if (codes.isInside(index)) {
-                grey = std::clamp(codes.at(index) / 65535.0 * window.x + window.y, 0.0, 1.0);
+                grey = std::clamp((codes.*codeAt)(index) / 65535.0 * window.x + window.y, 0.0, 1.0);
                 grey = scene.inverted ? 1.0 - grey : grey;
             }
             line[x] = uchar(std::lround(255.0 * grey));

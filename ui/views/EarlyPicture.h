@@ -9,8 +9,8 @@
 namespace ui {
 
 /// The picture of a slice that is drawn without the engine (by the rules of gpu/render/slice.frag)
-/// while the other slices of a study are still being loaded. Null if the scene's plane is not that
-/// slice.
+/// while the other slices of a study are still being loaded; linear where it would be cubic. Null
+/// if the scene's plane is not that slice.
 [[nodiscard]] QImage earlyPicture(
     const core::EarlySlice& early, const gpu::SliceScene& scene, const QSize& pixels);
 

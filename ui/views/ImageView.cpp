@@ -33,6 +33,17 @@ gpu::Scene scaled(gpu::Scene scene, double mmFactor)
     return scene;
 }
 
+/// Whether a slice that is cubic once nothing moves lies elsewhere than it did.
+bool movesCubics(const gpu::Scene& before, const gpu::Scene& now)
+{
+    const auto* was = std::get_if<gpu::SliceScene>(&before);
+    const auto* is = std::get_if<gpu::SliceScene>(&now);
+    return was && is && is->interpolation == gpu::Interpolation::Cubic
+        && is->slab.mode == gpu::SlabMode::Off
+        && (is->centreLps != was->centreLps || is->rightLps != was->rightLps
+            || is->downLps != was->downLps || is->mmPerPixel != was->mmPerPixel);
+}
+
 bool takesText(const QWidget* widget)
 {
     return qobject_cast<const QLineEdit*>(widget) || qobject_cast<const QAbstractSpinBox*>(widget);
@@ -253,6 +264,9 @@ void ImageView::requestFrame(bool interacting)
         request.segments.voxelTrue = false; // slices have no bodies
         request.segments.suspendedBodies = false;
     }
+    // Else each turn of the wheel would be seen in two ways.
+    if (m_requested && movesCubics(m_request.scene, request.scene))
+        m_rest.start();
     request.interacting = interacting || m_rest.isActive() || (m_pointer.isAtWork() && !m_penRests);
     const bool same = m_requested && request.sizePixels == m_request.sizePixels
         && request.scene == m_request.scene && request.segments == m_request.segments

@@ -37,7 +37,8 @@ void PlaneView::follow()
 gpu::Scene PlaneView::scene() const
 {
     gpu::Scene scene = SliceView::scene();
-    std::get<gpu::SliceScene>(scene).cubic = true;
+    std::get<gpu::SliceScene>(scene).interpolation =
+        workspace().viewOptions().interpolation.value_or(gpu::Interpolation::Cubic);
     return scene;
 }
 

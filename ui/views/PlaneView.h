@@ -6,7 +6,8 @@
 namespace ui {
 
 /// Shows the cutting plane as a slice (the pen view, seed B §3), for precise drawing on any plane.
-/// The wheel moves the plane along its normal. Interpolation is tri-cubic once nothing moves.
+/// The wheel moves the plane along its normal. If the user has not chosen an interpolation it is
+/// tri-cubic once nothing moves.
 class PlaneView : public SliceView {
     Q_OBJECT
 

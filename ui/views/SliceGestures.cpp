@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What pointer, wheel and keys do to a slice when no tool takes them.
 #include "ui/menus/ColourMapEntries.h"
+#include "ui/menus/InterpolationEntries.h"
 #include "ui/menus/SegmentLookEntries.h"
 #include "ui/menus/SegmentViews.h"
 #include "ui/menus/SliceTurnEntries.h"
@@ -225,6 +226,7 @@ void SliceView::listTurns(QMenu& menu)
         action->setEnabled(each.after(m_turn) != m_turn);
     }
     addColourMaps(menu, workspace());
+    addInterpolations(menu, workspace());
     QMenu* segments = menu.addMenu(tr("Segments in this view"));
     segments->setObjectName(QStringLiteral("segmentsOfView"));
     segments->setToolTipsVisible(true);

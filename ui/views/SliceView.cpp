@@ -243,6 +243,8 @@ gpu::Scene SliceView::scene() const
     scene.downLps = onScreen.downLps;
     scene.mmPerPixel = m_mmPerPixel;
     scene.window = windowLevel();
+    scene.interpolation =
+        workspace().viewOptions().interpolation.value_or(gpu::Interpolation::Linear);
     scene.inverted = early() ? early()->volume.displayInverted : workspace().viewOptions().inverted;
     scene.showCarved = workspace().viewOptions().showCarved;
     scene.carvedAsHole = workspace().viewOptions().carvedAsHole;

@@ -153,7 +153,8 @@ private:
     void holdLens(bool held);
     /// Moves the lens to the pointer.
     void moveLens();
-    /// Adds the ways to lay the slice, its colours and how it draws segments, to the context menu.
+    /// Adds the ways to lay the slice, its colours and interpolation, and how it draws segments, to
+    /// the context menu.
     void listTurns(QMenu& menu);
     /// Draws the legend of the colours if grey values are shown in colours.
     void paintColours(QPainter& painter, const gpu::SliceScene& slice) const;

@@ -3,6 +3,7 @@
 
 #include "ui/input/HeldKey.h"
 #include "ui/menus/ColourMapEntries.h"
+#include "ui/menus/InterpolationEntries.h"
 #include "ui/menus/SliceTurnEntries.h"
 #include "ui/views/ViewGrid.h"
 #include "ui/window/BookmarkMenu.h"
@@ -101,6 +102,20 @@ void addColours(MainWindow& window)
             .run = [&workspace, &each] { showColours(workspace, each.map); },
             .checked = [&workspace,
                            &each] { return workspace.viewOptions().colours == each.map; }}));
+}
+
+void addInterpolationActions(MainWindow& window)
+{
+    Workspace& workspace = window.workspace();
+    auto* onlyOne = new QActionGroup(&window);
+    for (const InterpolationEntry& each : interpolationEntries())
+        onlyOne->addAction(&window.actionTable().add({.id = QLatin1String(each.id),
+            .text = each.text,
+            .run = [&workspace, &each] { interpolate(workspace, each.interpolation); },
+            .checked =
+                [&workspace, &each] {
+                    return workspace.viewOptions().interpolation == each.interpolation;
+                }}));
 }
 
 void addTurns(MainWindow& window)
@@ -216,6 +231,7 @@ void addViewActions(MainWindow& window)
     addToggle(
         window, "view.inverted", "Inverted grey scale", "I", &Workspace::ViewOptions::inverted);
     addColours(window);
+    addInterpolationActions(window);
     addToggle(window, "view.crosshair", "Crosshair", "F7", &Workspace::ViewOptions::showCrosshair);
     addToggle(window, "view.referenceLines", "Reference lines in slices", "",
         &Workspace::ViewOptions::referenceLines);

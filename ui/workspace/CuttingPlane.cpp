@@ -208,6 +208,8 @@ std::optional<gpu::ScenePlane> CuttingPlane::scene() const
         .window = m_workspace.windowLevel(),
         .inverted = m_workspace.viewOptions().inverted,
         .colours = m_workspace.viewOptions().colours,
+        .interpolation =
+            m_workspace.viewOptions().interpolation.value_or(gpu::Interpolation::Cubic),
         .opacity = m_look.opacity,
         .contour = m_workspace.refinement().contour(),
         .mask = m_workspace.refinement().mask(),

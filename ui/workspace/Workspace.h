@@ -117,6 +117,8 @@ public:
         bool showBarriers = true; ///< barriers, in slices and in the 3D view
         bool inverted = false; ///< inverts the grey scale of slices
         gpu::ColourMap colours = gpu::ColourMap::Grey; ///< of slices, and of MIP in the 3D view
+        /// Of slices and the cutting plane; none is the usual way: slices linear, the plane cubic.
+        std::optional<gpu::Interpolation> interpolation{};
         gpu::SlabMode slabMode = gpu::SlabMode::Off; ///< of all slices
         double slabMm = 10.0; ///< thickness; each view rounds it to an odd number of its slices
         bool referenceLines = false; ///< in slices: where the other slices cut them

@@ -130,6 +130,7 @@ private:
             .showBarriers = false,
             .inverted = true,
             .colours = gpu::ColourMap::HotIron,
+            .interpolation = gpu::Interpolation::Nearest,
             .slabMode = gpu::SlabMode::Minimum,
             .slabMm = 12.25,
             .referenceLines = true,
@@ -363,6 +364,39 @@ private Q_SLOTS:
         QVERIFY(!named(*application));
     }
 
+    /// What the user has chosen in the menu comes back; a session with the usual way does not speak
+    /// of it.
+    void theInterpolationComesBack()
+    {
+        const auto choose = [](app::Application& application, const char* id) {
+            application.window().actionTable()[QLatin1String(id)].trigger();
+        };
+        const auto chosen = [](app::Application& application) {
+            return application.workspace().viewOptions().interpolation;
+        };
+        {
+            const auto application = opened();
+            QVERIFY(!chosen(*application));
+            choose(*application, "view.interpolationCubic");
+        }
+        QCOMPARE(kept()[QLatin1String("views")][QLatin1String("interpolation")].toString(),
+            QStringLiteral("cubic"));
+        {
+            const auto application = opened();
+            QVERIFY(chosen(*application) == gpu::Interpolation::Cubic);
+            ui::MainWindow& window = application->window();
+            QVERIFY(window.actionTable()[QStringLiteral("view.interpolationCubic")].isChecked());
+            QVERIFY(std::get<gpu::SliceScene>(window.views().axial().context().scene).interpolation
+                == gpu::Interpolation::Cubic);
+            QCOMPARE(application->workspace().session()->stateHash(), m_hash);
+            choose(*application, "view.interpolationUsual");
+        }
+        QVERIFY(
+            !kept()[QLatin1String("views")].toObject().contains(QLatin1String("interpolation")));
+        const auto application = opened();
+        QVERIFY(!chosen(*application));
+    }
+
     /// Views that draw segments in their own way do so again; one that no longer does is as all.
     void looksOfViewsComeBack()
     {
@@ -504,20 +538,20 @@ private Q_SLOTS:
             << QByteArray("{'crosshairLps':'here','window':7,'inverted':'yes','volume':[1,2],"
                           "'views':'four','activeSegment':'one','tool':9,'drill':[],"
                           "'growth':null,'tools':[3]}");
-        QTest::newRow("out of range")
-            << QByteArray("{'crosshairLps':[1,2],'window':{'centre':'x','width':-1},"
-                          "'activeSegment':99,'tool':'chainsaw','clip':{'box':{'minimum':[9,9,9],'"
-                          "maximum':[1,1,1],'on':true},"
-                          "'planes':[{'normalLps':[0,0,0],'on':true}]},'volume':{'mode':'hologram',"
-                          "'transferFunction':[{'value':3,'color':'#fff','opacity':2}]},"
-                          "'views':{'alone':'ceiling','axial':{'mmPerPixel':-1},"
-                          "'segments':[3,{'segment':700,'opacityPercent':9},"
-                          "{'segment':1,'opacityPercent':'half'}],'volume':"
-                          "{'up':[0,0,0],'towardsViewer':[1,1,1],'heightMm':-3}},"
-                          "'drill':{'shape':9,'sweep':-1,'rate':'often','freehand':true,"
-                          "'outline':[[0,0],[1,'far']]},"
-                          "'tools':{'peel':{'depthMm':'deep'},'carve-scissors':7},"
-                          "'growth':{'lower':9,'upper':-9}}");
+        QTest::newRow("out of range") << QByteArray(
+            "{'crosshairLps':[1,2],'window':{'centre':'x','width':-1},"
+            "'activeSegment':99,'tool':'chainsaw','clip':{'box':{'minimum':[9,9,9],'"
+            "maximum':[1,1,1],'on':true},"
+            "'planes':[{'normalLps':[0,0,0],'on':true}]},'volume':{'mode':'hologram',"
+            "'transferFunction':[{'value':3,'color':'#fff','opacity':2}]},"
+            "'views':{'alone':'ceiling','interpolation':'sinc','axial':{'mmPerPixel':-1},"
+            "'segments':[3,{'segment':700,'opacityPercent':9},"
+            "{'segment':1,'opacityPercent':'half'}],'volume':"
+            "{'up':[0,0,0],'towardsViewer':[1,1,1],'heightMm':-3}},"
+            "'drill':{'shape':9,'sweep':-1,'rate':'often','freehand':true,"
+            "'outline':[[0,0],[1,'far']]},"
+            "'tools':{'peel':{'depthMm':'deep'},'carve-scissors':7},"
+            "'growth':{'lower':9,'upper':-9}}");
     }
     void passesOverWhatMakesNoSense()
     {

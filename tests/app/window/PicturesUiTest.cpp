@@ -5,6 +5,7 @@
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/CutEdits.h"
 #include "tests/support/scenes/PlainEdits.h"
+#include "ui/base/Actions.h"
 #include "ui/base/Theme.h"
 #include "ui/geometry/OrientationLetters.h"
 #include "ui/tools/aim/PickQuestion.h"
@@ -138,6 +139,7 @@ private Q_SLOTS:
     void crosshairIsOneVoxelInEveryView();
     void whatTheVolumeViewShowsIsInTheSlices_data();
     void whatTheVolumeViewShowsIsInTheSlices();
+    void slicesAreInterpolatedAsChosen();
     void continuedSessionLooksAsItWasLeft();
 };
 
@@ -326,6 +328,61 @@ void PicturesUiTest::whatTheVolumeViewShowsIsInTheSlices()
     const QPointF beside = shown.toPixel(scene.targetLps + 58.0 * glm::normalize(scene.up));
     QVERIFY(greyAt(view, beside) < 10);
     QVERIFY(seen >= 2); // one marker may stand before another
+}
+
+void PicturesUiTest::slicesAreInterpolatedAsChosen()
+{
+    RealWindow real(patient(test::oblique()));
+    const core::VolumeGeometry& geometry = real.workspace.volume()->geometry;
+    const std::array<ui::SliceView*, 3> slices{&real.window.views().axial(),
+        &real.window.views().sagittal(), &real.window.views().coronal()};
+    const auto* status = real.window.findChild<ui::StatusLine*>();
+    QTRY_VERIFY(!status->readout().isEmpty());
+    const QString readout = status->readout();
+    const auto pictures = [&](const char* way) {
+        real.window.actionTable()[QStringLiteral("view.interpolation%1").arg(QLatin1String(way))]
+            .trigger();
+        std::vector<QImage> all;
+        if (!real.waitUntilRefined())
+            return all;
+        for (const ui::SliceView* slice : slices)
+            all.push_back(slice->picture().copy());
+        return all;
+    };
+    const std::vector<QImage> nearest = pictures("Nearest");
+    QCOMPARE(nearest.size(), slices.size());
+    const core::WindowLevel window = real.workspace.windowLevel();
+    for (std::size_t each = 0; each < slices.size(); ++each) {
+        const ui::ViewContext shown = slices[each]->shownContext();
+        int compared = 0;
+        int edges = 0;
+        for (int y = 0; y < nearest[each].height(); ++y) {
+            for (int x = 0; x < nearest[each].width(); ++x) {
+                const dvec3 index = geometry.toIndex(shown.toLps({x + 0.5, y + 0.5}));
+                const dvec3 voxel = glm::round(index);
+                const dvec3 beside = glm::abs(index - voxel);
+                const bool isInside = glm::all(glm::greaterThanEqual(voxel, dvec3(0.0)))
+                    && glm::all(glm::lessThan(voxel, dvec3(geometry.size)));
+                if (!isInside || std::max({beside.x, beside.y, beside.z}) > 0.499)
+                    continue;
+                const int expected = greyOf(valueAt(geometry.toWorld(voxel)), window);
+                ++compared;
+                edges += std::abs(expected - greyOf(valueAt(geometry.toWorld(index)), window)) > 20;
+                QVERIFY2(std::abs(qGray(nearest[each].pixel(x, y)) - expected) <= 2,
+                    qPrintable(slices[each]->title()));
+            }
+        }
+        QVERIFY(compared > 10000 && edges > 50);
+    }
+    const std::vector<QImage> linear = pictures("Linear");
+    const std::vector<QImage> cubic = pictures("Cubic");
+    const std::vector<QImage> usual = pictures("Usual");
+    QVERIFY(linear.size() == slices.size() && cubic.size() == slices.size());
+    for (std::size_t each = 0; each < slices.size(); ++each)
+        QVERIFY(linear[each] != nearest[each] && cubic[each] != linear[each]);
+    QVERIFY(usual == linear);
+    // What is read is the voxel's value, whatever is drawn between voxels.
+    QCOMPARE(status->readout(), readout);
 }
 
 void PicturesUiTest::continuedSessionLooksAsItWasLeft()

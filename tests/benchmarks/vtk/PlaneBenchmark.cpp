@@ -95,7 +95,7 @@ gpu::SliceScene oblique(int turn)
     scene.downLps = glm::normalize(glm::cross(glm::dvec3(-0.8, -1.0, -0.25), scene.rightLps));
     scene.mmPerPixel = 0.2;
     scene.window = {60.0, 400.0};
-    scene.cubic = true;
+    scene.interpolation = gpu::Interpolation::Cubic;
     scene.contour = gpu::SceneContour{};
     scene.contour->colours = {.rgb = 0xFF0000, .markOpacity = 0.0f};
     return scene;

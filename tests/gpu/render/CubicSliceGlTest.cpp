@@ -24,7 +24,7 @@ SliceScene oblique()
     scene.downLps = glm::normalize(glm::cross(scene.rightLps, glm::dvec3(0.3, -1.0, 0.2)));
     scene.mmPerPixel = 0.31;
     scene.window = {2000.0, 4001.0};
-    scene.cubic = true;
+    scene.interpolation = Interpolation::Cubic;
     return scene;
 }
 
@@ -125,17 +125,21 @@ private Q_SLOTS:
     {
         open();
         SliceScene plain = oblique();
-        plain.cubic = false;
+        plain.interpolation = Interpolation::Linear;
         const std::vector<Frame> frames = ask(plain, false);
         QVERIFY(!any(frames, Frame::Quality::Full));
         QCOMPARE(frames.back().quality, Frame::Quality::Refined);
-        // Nearest voxels stay so.
+        // Nearest voxels are final at once, too, and the same while something moves.
         SliceScene nearest = oblique();
-        nearest.interpolated = false;
+        nearest.interpolation = Interpolation::Nearest;
         const std::vector<Frame> voxels = ask(nearest, false);
         QVERIFY(!any(voxels, Frame::Quality::Full));
-        nearest.cubic = false;
-        QVERIFY(*ask(nearest, false).back().rgba == *voxels.back().rgba);
+        QCOMPARE(voxels.back().quality, Frame::Quality::Refined);
+        QVERIFY(*voxels.back().rgba != *frames.back().rgba);
+        (void)ask(plain, true);
+        const std::vector<Frame> moving = ask(nearest, true);
+        QCOMPARE(moving.size(), std::size_t(1));
+        QVERIFY(*moving.back().rgba == *voxels.back().rgba);
         // The full picture of a cubic one is the plain one.
         const std::vector<Frame> cubic = ask(oblique(), false);
         const auto full = std::find_if(cubic.begin(), cubic.end(),
@@ -181,6 +185,18 @@ private Q_SLOTS:
         const std::vector<Frame> frames = m_fixture->settle();
         QVERIFY(!frames.empty());
         QCOMPARE(frames.back().quality, Frame::Quality::Refined);
+    }
+
+    /// Each sample would take 64 voxels.
+    void slabsAreLinear()
+    {
+        open();
+        SliceScene slab = oblique();
+        slab.slab = {.mode = SlabMode::Mean, .reach = 2, .stepMm = 0.7};
+        const std::vector<Frame> cubic = ask(slab, false);
+        QVERIFY(!any(cubic, Frame::Quality::Full));
+        slab.interpolation = Interpolation::Linear;
+        QVERIFY(*ask(slab, false).back().rgba == *cubic.back().rgba);
     }
 
     /// The same in the 3D view with a cutting plane.

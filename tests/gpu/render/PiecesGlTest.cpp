@@ -176,7 +176,6 @@ private Q_SLOTS:
         cover(1, {{4, 4, 4}, {60, 60, 60}});
         SliceScene slice;
         slice.window = {1500.0, 3000.0};
-        slice.cubic = false;
         const Frame plain = m_fixture->draw(slice, {64, 64});
         VolumeScene view = scene(RenderMode::Surface);
         view.pieces = {{.id = 1, .layer = 1, .shownFromTrue = pose({30, -17, 21})}};
@@ -222,7 +221,6 @@ private Q_SLOTS:
         m_fixture->put(m_state);
         SliceScene slice;
         slice.window = {1500.0, 3000.0};
-        slice.cubic = false;
         const Frame plain = m_fixture->draw(slice, {64, 64});
         m_fixture->draw(view, frameSize);
         const Frame outlined = m_fixture->draw(slice, {64, 64});

@@ -55,11 +55,14 @@ std::optional<double> slabOf(const test::VoxelNoise& noise, const SliceScene& sc
     const glm::dvec3& lps, const Counts& counts)
 {
     const glm::dvec3 normal = glm::cross(scene.rightLps, scene.downLps);
+    const Interpolation sampled = scene.interpolation == Interpolation::Nearest
+        ? Interpolation::Nearest
+        : Interpolation::Linear;
     std::vector<double> values;
     for (int k = -scene.slab.reach; k <= scene.slab.reach; ++k) {
         const glm::dvec3 at = lps + normal * (scene.slab.offsetMm + k * scene.slab.stepMm);
         if (noise.depthOf(at) >= 0.0 && counts(at))
-            values.push_back(noise.linearAt(at));
+            values.push_back(noise.at(at, sampled));
     }
     if (values.empty())
         return std::nullopt;
@@ -74,14 +77,17 @@ std::optional<double> slabOf(const test::VoxelNoise& noise, const SliceScene& sc
     return sum / double(values.size());
 }
 
-/// Whether a sample lies so near to the volume's border that rounding decides on which side.
+/// Whether a sample lies so near to a border that rounding decides on which side: the volume's, or
+/// one between voxels where those are seen.
 bool isDoubtful(const test::VoxelNoise& noise, const SliceScene& scene, const glm::dvec3& lps)
 {
     const glm::dvec3 normal = glm::cross(scene.rightLps, scene.downLps);
     bool doubtful = std::abs(noise.depthOf(lps)) < edge;
     for (int k = -scene.slab.reach; k <= scene.slab.reach; ++k) {
         const glm::dvec3 at = lps + normal * (scene.slab.offsetMm + k * scene.slab.stepMm);
-        doubtful = doubtful || std::abs(noise.depthOf(at)) < edge;
+        doubtful = doubtful || std::abs(noise.depthOf(at)) < edge
+            || (scene.interpolation == Interpolation::Nearest && noise.depthOf(at) >= 0.0
+                && noise.besideBorder(at) < edge);
     }
     return doubtful;
 }
@@ -100,15 +106,28 @@ private Q_SLOTS:
         QTest::addColumn<int>("reach");
         QTest::addColumn<double>("stepMm");
         QTest::addColumn<double>("offsetMm");
-        QTest::newRow("axial MIP") << false << SlabMode::Maximum << 2 << 2.0 << 0.0;
-        QTest::newRow("axial MinIP") << false << SlabMode::Minimum << 2 << 2.0 << 0.0;
-        QTest::newRow("axial mean") << false << SlabMode::Mean << 3 << 2.0 << 0.0;
-        QTest::newRow("beside the slice") << false << SlabMode::Maximum << 1 << 2.0 << 2.0;
-        QTest::newRow("beyond the volume") << false << SlabMode::Mean << 15 << 2.0 << 0.0;
-        QTest::newRow("oblique MIP") << true << SlabMode::Maximum << 4 << 0.7 << 0.0;
-        QTest::newRow("oblique MinIP") << true << SlabMode::Minimum << 4 << 0.7 << 0.2;
-        QTest::newRow("oblique mean") << true << SlabMode::Mean << 6 << 0.7 << 0.0;
-        QTest::newRow("one sample") << true << SlabMode::Mean << 0 << 0.7 << 0.0;
+        QTest::addColumn<Interpolation>("interpolation");
+        const auto row = [](const char* name, bool isOblique, const SceneSlab& slab,
+                             Interpolation interpolation = Interpolation::Linear) {
+            QTest::newRow(name) << isOblique << slab.mode << slab.reach << slab.stepMm
+                                << slab.offsetMm << interpolation;
+        };
+        row("axial MIP", false, {SlabMode::Maximum, 2, 2.0, 0.0});
+        row("axial MinIP", false, {SlabMode::Minimum, 2, 2.0, 0.0});
+        row("axial mean", false, {SlabMode::Mean, 3, 2.0, 0.0});
+        row("beside the slice", false, {SlabMode::Maximum, 1, 2.0, 2.0});
+        row("beyond the volume", false, {SlabMode::Mean, 15, 2.0, 0.0});
+        row("oblique MIP", true, {SlabMode::Maximum, 4, 0.7, 0.0});
+        row("oblique MinIP", true, {SlabMode::Minimum, 4, 0.7, 0.2});
+        row("oblique mean", true, {SlabMode::Mean, 6, 0.7, 0.0});
+        row("one sample", true, {SlabMode::Mean, 0, 0.7, 0.0});
+        row("axial mean of voxels", false, {SlabMode::Mean, 3, 2.0, 0.0}, Interpolation::Nearest);
+        row("oblique MIP of voxels", true, {SlabMode::Maximum, 4, 0.7, 0.0},
+            Interpolation::Nearest);
+        row("oblique MinIP of voxels", true, {SlabMode::Minimum, 4, 0.7, 0.2},
+            Interpolation::Nearest);
+        row("oblique mean of voxels", true, {SlabMode::Mean, 6, 0.7, 0.0}, Interpolation::Nearest);
+        row("oblique MIP, cubic", true, {SlabMode::Maximum, 4, 0.7, 0.0}, Interpolation::Cubic);
     }
     void valuesAreThoseOfTheSamples()
     {
@@ -117,11 +136,13 @@ private Q_SLOTS:
         QFETCH(int, reach);
         QFETCH(double, stepMm);
         QFETCH(double, offsetMm);
+        QFETCH(Interpolation, interpolation);
         const test::VoxelNoise noise(isOblique ? test::tiltedGeometry(voxels)
                                                : test::centredGeometry(voxels, {0.7, 1.1, 2.0}));
         m_fixture->open(noise.geometry(), noise.codes());
         SliceScene scene = isOblique ? oblique() : axial(noise.geometry());
         scene.slab = {mode, reach, stepMm, offsetMm};
+        scene.interpolation = interpolation;
         const Frame frame = m_fixture->draw(scene, size);
         double worst = 0.0;
         int inside = 0;
@@ -154,7 +175,7 @@ private Q_SLOTS:
         const test::VoxelNoise noise(test::centredGeometry(voxels, {0.7, 1.1, 2.0}));
         m_fixture->open(noise.geometry(), noise.codes());
         SliceScene scene = axial(noise.geometry());
-        scene.interpolated = false;
+        scene.interpolation = Interpolation::Nearest;
         scene.slab = {SlabMode::Maximum, 3, 2.0, 0.0};
         const Frame frame = m_fixture->draw(scene, size);
         int compared = 0;

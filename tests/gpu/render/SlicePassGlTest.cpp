@@ -3,6 +3,7 @@
 #include "gpu/kernels/spread/ToleranceKernel.h"
 #include "tests/reference/growth/Tolerance.h"
 #include "tests/support/fixtures/frames/FrameTest.h"
+#include "tests/support/fixtures/frames/VoxelNoise.h"
 #include "tests/support/program/TestProgram.h"
 
 #include <QTest>
@@ -134,14 +135,72 @@ private Q_SLOTS:
         SliceScene scene;
         scene.mmPerPixel = 0.1;
         scene.window = {100.5, 201.0};
-        scene.interpolated = false;
+        scene.interpolation = Interpolation::Nearest;
         Frame frame = m_fixture->draw(scene, {40, 40});
         QCOMPARE(test::pixel(frame, 16, 20).r, 255);
         QCOMPARE(test::pixel(frame, 14, 20).r, 0);
-        scene.interpolated = true;
+        scene.interpolation = Interpolation::Linear;
         frame = m_fixture->draw(scene, {40, 40});
         QVERIFY(test::pixel(frame, 16, 20).r < 200);
         QVERIFY(test::pixel(frame, 14, 20).r > 50);
+    }
+
+    /// A narrow window over the whole range of codes: a 256th of a neighbour would be seen.
+    void nearestIsTheVoxelsOwnValue_data()
+    {
+        QTest::addColumn<bool>("tilted");
+        QTest::addColumn<bool>("isOblique");
+        QTest::addColumn<double>("mmPerPixel");
+        QTest::newRow("axial, anisotropic") << false << false << 0.31;
+        QTest::newRow("oblique, anisotropic") << false << true << 0.31;
+        QTest::newRow("oblique, tilted gantry") << true << true << 0.31;
+        QTest::newRow("oblique, magnified") << true << true << 0.02;
+        QTest::newRow("oblique, small") << true << true << 1.3;
+    }
+    void nearestIsTheVoxelsOwnValue()
+    {
+        QFETCH(bool, tilted);
+        QFETCH(bool, isOblique);
+        QFETCH(double, mmPerPixel);
+        const test::VoxelNoise noise(tilted ? test::tiltedGeometry({40, 30, 24})
+                                            : test::centredGeometry({40, 30, 24}, {0.7, 1.1, 2.0}),
+            65535);
+        m_fixture->open(noise.geometry(), noise.codes());
+        SliceScene scene;
+        scene.centreLps = {1.3, -0.7, 2.1};
+        if (isOblique) {
+            scene.rightLps = glm::normalize(glm::dvec3(1, 0.4, 0.2));
+            scene.downLps = glm::normalize(glm::cross(scene.rightLps, glm::dvec3(0.3, -1, 0.2)));
+        }
+        scene.mmPerPixel = mmPerPixel;
+        scene.interpolation = Interpolation::Nearest;
+        const glm::ivec2 size(151, 149);
+        int inside = 0;
+        int graded = 0;
+        for (const double centre : {9000.0, 31000.0, 52000.0}) {
+            scene.window = {centre, 6001.0};
+            const Frame frame = m_fixture->draw(scene, size);
+            for (int y = 0; y < size.y; ++y) {
+                for (int x = 0; x < size.x; ++x) {
+                    const glm::dvec3 lps = lpsOf(scene, size, x + 0.5, y + 0.5);
+                    if (noise.depthOf(lps) < -1e-3)
+                        QCOMPARE(test::pixel(frame, x, y), glm::ivec3(0));
+                    if (noise.depthOf(lps) < 1e-3 || noise.besideBorder(lps) < 1e-3)
+                        continue;
+                    ++inside;
+                    const double expected = test::greyOf(noise.nearestAt(lps), scene.window);
+                    graded += expected > 0.0 && expected < 255.0 ? 1 : 0;
+                    QVERIFY2(std::abs(test::pixel(frame, x, y).g - expected) < 0.65,
+                        qPrintable(QStringLiteral("(%1, %2): %3, not %4")
+                                       .arg(x)
+                                       .arg(y)
+                                       .arg(test::pixel(frame, x, y).g)
+                                       .arg(expected)));
+                }
+            }
+        }
+        qInfo("%d pixels, of which %d are neither black nor white", inside, graded);
+        QVERIFY(inside > 1000 && graded > 100);
     }
 
     void widthOneIsAStep()

@@ -259,6 +259,19 @@ private Q_SLOTS:
         QVERIFY(fixture.workspace.viewOptions().colours == gpu::ColourMap::HotIron);
     }
 
+    void aSliceOffersItsInterpolation()
+    {
+        Dabs fixture;
+        QMenu* menu = fixture.clickedAt({20, 5, 10});
+        QVERIFY(menu);
+        auto* ways = menu->findChild<QMenu*>(QStringLiteral("interpolationOfSlices"));
+        QVERIFY(ways);
+        QVERIFY(ways->actions().front()->isChecked()); // the usual way
+        QVERIFY(!ways->actions().back()->isChecked());
+        choose(*menu, *ways->actions().back());
+        QVERIFY(fixture.workspace.viewOptions().interpolation == gpu::Interpolation::Cubic);
+    }
+
     /// Outside of the volume no voxel can be meant, but the view can.
     void besideTheVolumeItIsAboutTheView()
     {

@@ -49,11 +49,15 @@ void EarlyPictureGlTest::isWhatTheEngineDraws_data()
     QTest::addColumn<bool>("inverted");
     QTest::addColumn<double>("mmPerPixel");
     QTest::addColumn<double>("turnDegrees"); ///< of the slices, in their plane
-    QTest::newRow("as it is") << false << 0.31 << 0.0;
-    QTest::newRow("dark is high") << true << 0.31 << 0.0;
-    QTest::newRow("small") << false << 1.7 << 0.0;
-    QTest::newRow("on its face") << false << 0.4 << 180.0;
-    QTest::newRow("turned in its plane") << false << 0.4 << 17.0;
+    QTest::addColumn<gpu::Interpolation>("interpolation");
+    using gpu::Interpolation;
+    QTest::newRow("as it is") << false << 0.31 << 0.0 << Interpolation::Linear;
+    QTest::newRow("dark is high") << true << 0.31 << 0.0 << Interpolation::Linear;
+    QTest::newRow("small") << false << 1.7 << 0.0 << Interpolation::Linear;
+    QTest::newRow("on its face") << false << 0.4 << 180.0 << Interpolation::Linear;
+    QTest::newRow("turned in its plane") << false << 0.4 << 17.0 << Interpolation::Linear;
+    QTest::newRow("voxels") << false << 0.31 << 0.0 << Interpolation::Nearest;
+    QTest::newRow("voxels, turned") << true << 0.4 << 17.0 << Interpolation::Nearest;
 }
 
 void EarlyPictureGlTest::isWhatTheEngineDraws()
@@ -61,6 +65,7 @@ void EarlyPictureGlTest::isWhatTheEngineDraws()
     QFETCH(bool, inverted);
     QFETCH(double, mmPerPixel);
     QFETCH(double, turnDegrees);
+    QFETCH(gpu::Interpolation, interpolation);
     core::VolumeGeometry geometry;
     geometry.size = {44, 36, 9};
     const double turn = glm::radians(turnDegrees);
@@ -83,6 +88,7 @@ void EarlyPictureGlTest::isWhatTheEngineDraws()
     scene.mmPerPixel = mmPerPixel;
     scene.window = {.centre = 9000.0, .width = 2500.0};
     scene.inverted = inverted;
+    scene.interpolation = interpolation;
     const glm::ivec2 size(201, 140);
     const QImage drawn = test::imageOf(m_fixture->draw(scene, size));
     const QImage foretold = ui::earlyPicture(early, scene, {size.x, size.y});
@@ -93,7 +99,8 @@ void EarlyPictureGlTest::isWhatTheEngineDraws()
         for (int x = 0; x < size.x; ++x) {
             const int off = qGray(drawn.pixel(x, y)) - qGray(foretold.pixel(x, y));
             lit += qGray(drawn.pixel(x, y)) > 20 ? 1 : 0;
-            // Where the volume ends a pixel may fall on either side, by the float's last bit.
+            // Where the volume, or a voxel, ends a pixel may fall on either side, by the float's
+            // last bit.
             onTheRim += std::abs(off) > 1 ? 1 : 0;
         }
     }

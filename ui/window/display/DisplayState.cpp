@@ -27,6 +27,7 @@ namespace {
 using displayJson::apply;
 using displayJson::coloursNamed;
 using displayJson::contextNamed;
+using displayJson::interpolationNamed;
 using displayJson::nameOf;
 using displayJson::opacitiesFrom;
 using displayJson::opacitiesToJson;
@@ -134,6 +135,8 @@ QJsonObject DisplayState::composedViews() const
                 {QStringLiteral("mm"), options.slabMm}};
     if (options.colours != gpu::ColourMap::Grey)
         object[QStringLiteral("colours")] = nameOf(options.colours);
+    if (options.interpolation)
+        object[QStringLiteral("interpolation")] = nameOf(*options.interpolation);
     if (!m_workspace.segmentOpacities().empty())
         object[QStringLiteral("segments")] = opacitiesToJson(m_workspace.segmentOpacities());
     if (options.suspendedBodies)
@@ -215,6 +218,7 @@ void DisplayState::applyShown(const QJsonObject& state)
     options.referenceLines = views[QLatin1String("referenceLines")].toBool();
     options.linkedPlaces = views[QLatin1String("linkedPlaces")].toBool();
     options.colours = coloursNamed(views[QLatin1String("colours")].toString());
+    options.interpolation = interpolationNamed(views[QLatin1String("interpolation")].toString());
     const QJsonValue slab = views[QLatin1String("slab")];
     options.slabMode = slabNamed(slab[QLatin1String("mode")].toString());
     read(slab[QLatin1String("mm")], options.slabMm, 0.001, 1000.0);

@@ -15,6 +15,9 @@ constexpr std::array<const char*, 4> slabNames{"off", "mip", "minip", "mean"}; /
 constexpr std::array<const char*, gpu::colourMaps> colourNames{
     "grey", "hotIron", "hotMetalBlue", "pet20Step", "evenLightness"}; ///< gpu::ColourMap
 
+constexpr std::array<const char*, gpu::interpolations> interpolationNames{
+    "nearest", "linear", "cubic"}; ///< gpu::Interpolation
+
 constexpr std::array<const char*, 3> drawingNames{
     "fillAndOutline", "fill", "outline"}; ///< Workspace::SegmentDrawing
 
@@ -49,6 +52,20 @@ gpu::ColourMap coloursNamed(const QString& name)
             return gpu::ColourMap(i);
     }
     return gpu::ColourMap::Grey;
+}
+
+QString nameOf(gpu::Interpolation interpolation)
+{
+    return QLatin1String(interpolationNames[std::size_t(interpolation)]);
+}
+
+std::optional<gpu::Interpolation> interpolationNamed(const QString& name)
+{
+    for (std::size_t i = 0; i < interpolationNames.size(); ++i) {
+        if (name == QLatin1String(interpolationNames[i]))
+            return gpu::Interpolation(i);
+    }
+    return std::nullopt;
 }
 
 QJsonObject toJson(const SliceView::Place& place)

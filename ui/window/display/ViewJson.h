@@ -9,6 +9,8 @@
 #include <QJsonValue>
 #include <QString>
 
+#include <optional>
+
 namespace ui {
 class VolumeView;
 } // namespace ui
@@ -23,6 +25,9 @@ namespace ui::displayJson {
 [[nodiscard]] QString nameOf(gpu::ColourMap map);
 /// The colour map with a name; Grey if there is none.
 [[nodiscard]] gpu::ColourMap coloursNamed(const QString& name);
+[[nodiscard]] QString nameOf(gpu::Interpolation interpolation);
+/// The interpolation with a name; none if there is none, which is the usual way.
+[[nodiscard]] std::optional<gpu::Interpolation> interpolationNamed(const QString& name);
 
 [[nodiscard]] QJsonObject toJson(const SliceView::Place& place);
 void apply(const QJsonValue& json, SliceView& view);

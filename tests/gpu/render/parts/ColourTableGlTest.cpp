@@ -39,7 +39,7 @@ SliceScene wholeSlice(ColourMap map)
     SliceScene scene;
     scene.mmPerPixel = 1.0 / pixelsPerVoxel;
     scene.window = everyValue;
-    scene.interpolated = false;
+    scene.interpolation = Interpolation::Nearest;
     scene.colours = map;
     return scene;
 }

@@ -214,8 +214,9 @@ private Q_SLOTS:
         QVERIFY(!fixture.views.axial().isVisible() && !fixture.views.coronal().isVisible());
         QTRY_VERIFY(std::abs(pen.width() - fixture.views.volume().width()) <= 2);
         const auto scene = [&] { return std::get<gpu::SliceScene>(pen.context().scene); };
-        QVERIFY(scene().cubic);
-        QVERIFY(!std::get<gpu::SliceScene>(fixture.views.axial().context().scene).cubic);
+        QVERIFY(scene().interpolation == gpu::Interpolation::Cubic);
+        QVERIFY(std::get<gpu::SliceScene>(fixture.views.axial().context().scene).interpolation
+            == gpu::Interpolation::Linear);
         QVERIFY(isNear(scene().rightLps, fixture.plane.pose().rightLps));
 
         const QPointF middle = pen.rect().toRectF().center();
