@@ -106,7 +106,9 @@ bool ContourEvolution::isAtFront(Place place, bool isWide) const
         return false;
     bool isThere = false;
     visitNeighbours(place, isWide, [&](Place next) {
-        isThere = isThere || ((m_ground.voxels[next] ^ own) & ContourGround::inside);
+        const std::uint8_t other = m_ground.voxels[next];
+        isThere = isThere
+            || (((other ^ own) & ContourGround::inside) && !(other & ContourGround::absent));
     });
     return isThere;
 }
@@ -161,6 +163,8 @@ bool ContourEvolution::wantsOtherSide(Place place)
                     || glm::any(glm::greaterThanEqual(to, m_ground.volumeSize))))
                 continue;
             const auto next = Place(place + m_steps[each]);
+            if (m_ground.voxels[next] & ContourGround::absent)
+                continue;
             const int weight = steps[each].weight * (edge + edgeAt(next));
             around += m_ground.voxels[next] & ContourGround::inside ? weight : -weight;
         }

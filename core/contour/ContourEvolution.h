@@ -28,6 +28,8 @@ struct ContourGround {
     /// editable range excludes it. The rule treats it as any other voxel. ContourTrial.h sets this
     /// flag, and ContourState counts and shows accordingly.
     static constexpr std::uint8_t held = 16;
+    /// Counts for neither side, as if the volume ended before it; it is neither inside nor open.
+    static constexpr std::uint8_t absent = 32;
 
     glm::ivec3 volumeSize{0};
     /// Contains every voxel that the contour can reach, and contourMargin() around these, cut to

@@ -46,7 +46,9 @@ int regionSpeed(const ContourRule& rule, int code)
 {
     constexpr std::int64_t full = 256;
     const std::int64_t inside = std::min(code - rule.lowCode, rule.highCode - code);
-    return int(std::clamp(full * (2 * inside + 1) / (2 * rule.softness + 1), -full, full));
+    const auto speed =
+        int(std::clamp(full * (2 * inside + 1) / (2 * rule.softness + 1), -full, full));
+    return rule.erase ? -speed : speed;
 }
 
 int edgeWeight(const ContourRule& rule, std::uint64_t squaredMagnitude)

@@ -34,25 +34,27 @@ struct ContourKernel {
 ///
 /// x(v) is 1 where the voxel v belongs to the segment and −1 elsewhere, also where it belongs to
 /// another one; W = kernel.total. A voxel may change if it is free, the segment's own, or another
-/// segment's that may be overwritten. Where a rule reads the code of a voxel outside the volume,
-/// the nearest one inside is read instead.
+/// segment's that may be overwritten; with `erase` only the segment's own. Where a rule reads the
+/// code of a voxel outside the volume, the nearest one inside is read instead.
 ///
 /// 1. Region. With d = 2 · min(code(v) − lowCode, highCode − code(v)) + 1
 ///      r(v) = clamp(256 · d / (2 · softness + 1), −256, 256), rounded towards 0:
 ///    positive within the interval, negative outside it, and the full ±256 from `softness` codes
-///    away from its ends.
+///    away from its ends. With `erase` it has the opposite sign.
 /// 2. Edges. With ta = min(⌊gradientWeights[a] · |code(v + ea) − code(v − ea)| / 1024⌋, 32767)
 ///    along each axis a, as in growth, m = tx² + ty² + tz² and k = halfGradient²,
 ///      h(v) = 1 + ⌊254 · k / (k + m)⌋,   g(v) = 255 − ⌊edge · (255 − h(v)) / 100⌋:
 ///    255 where the image is flat, and smaller the steeper it is.
-/// 3. Smoothness. Summed over the kernel's steps d that stay within the volume,
+/// 3. Smoothness. Summed over the kernel's steps d that stay within the volume and lead to no voxel
+///    that is absent (ContourGround::absent),
 ///      a(v) = Σ w(d) · (g(v) + g(v + d)) · x(v + d).
 /// 4. The speed of v is F(v) = region · W · r(v) + smoothness · a(v). v wants to belong to the
 ///    segment if F(v) > 0, not to belong to it if F(v) < 0, and stays as it is if F(v) = 0.
-/// 5. v is at the front if it may change and one of its neighbours in the volume is on the other
-///    side: of the six that share a face with it; in a wide generation, of the eighteen that share
-///    a face or an edge. With `round`, a generation is wide if its number, counted from 1, is even,
-///    or if it would change nothing as a narrow one. Without `round` no generation is wide.
+/// 5. v is at the front if it may change and one of its neighbours in the volume, which is not
+///    absent, is on the other side: of the six that share a face with it; in a wide generation, of
+///    the eighteen that share a face or an edge. With `round`, a generation is wide if its number,
+///    counted from 1, is even, or if it would change nothing as a narrow one. Without `round` no
+///    generation is wide.
 /// 6. A generation examines the voxels that are at the front when it begins, class by class. The
 ///    class of (x, y, z) is (x mod p.x) + p.x · ((y mod p.y) + p.y · (z mod p.z)), with the periods
 ///    p = max(kernel.extent, 1) + 1, and classes are taken in ascending order. All voxels of a
@@ -93,6 +95,7 @@ struct ContourRule {
     glm::ivec3 gradientWeights{0}; ///< as in GrowLimits
     int halfGradient = 1; ///< the gradient magnitude at which h(v) is about half, 1 … 65535
     bool round = false; ///< every second generation is wide
+    bool erase = false; ///< voxels leave the segment where values lie in the interval
     ContourKernel kernel{};
 };
 

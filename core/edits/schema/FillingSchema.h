@@ -153,7 +153,13 @@ template <class Visitor> void visitFields(Visitor& visit, EvolveContour& edit)
         "whether a contour that nothing stops grows round, since it crosses edges of voxels too in "
         "every second generation",
         "false, so that it becomes an octahedron");
-    visitOverwrite(visit, edit.overwriteUnlocked);
+    visit.maybe("erase", edit.erase, Flag{},
+        "whether a part of the segment evolves instead, which is taken away from it: outwards "
+        "where "
+        "values lie in the interval, within the segment, from the bubble, or from all around the "
+        "segment without one",
+        "false");
+    visit.when(!edit.erase.value_or(false), [&] { visitOverwrite(visit, edit.overwriteUnlocked); });
     visitEditable(visit, edit.editable);
 }
 

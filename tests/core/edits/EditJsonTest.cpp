@@ -239,6 +239,12 @@ private Q_SLOTS:
         QVERIFY(round);
         QVERIFY(round->get<EvolveContour>() == (EvolveContour{.segment = 2, .round = true}));
         QVERIFY(editToJson(*round)[QLatin1String("round")].toBool());
+        QVERIFY(!editToJson(*round).contains(QLatin1String("erase")));
+        const Result<Edit> erasing =
+            editFromJson(parse("{'edit':'evolveContour','segment':2,'erase':true}"));
+        QVERIFY(erasing);
+        QVERIFY(erasing->get<EvolveContour>() == (EvolveContour{.segment = 2, .erase = true}));
+        QVERIFY(!editToJson(*erasing).contains(QLatin1String("overwriteUnlocked")));
         QVERIFY(bubble->get<EvolveContour>().lower == 1.0 && !bubble->get<EvolveContour>().upper);
         const Result<Edit> flood = editFromJson(parse("{'edit':'floodFill','segment':2,"
                                                       "'placeLps':[1,2,3],'tolerance':40}"));
@@ -333,6 +339,7 @@ private Q_SLOTS:
                 "{'edit':'evolveContour','segment':2,'bubbleMm':10}",
                 "{'edit':'evolveContour','segment':2,'bubbleLps':[1,2,3]}",
                 "{'edit':'evolveContour','segment':2,'generations':0}",
+                "{'edit':'evolveContour','segment':2,'erase':true,'overwriteUnlocked':true}",
                 "{'edit':'fillBetweenSlices'}",
                 "{'edit':'fillBetweenSlices','segment':2,'axis':'axial'}",
                 "{'edit':'fillBetweenSlices','segment':2,'axis':1}", "{'edit':'thresholdSegment'}",

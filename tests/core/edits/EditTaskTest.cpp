@@ -109,6 +109,8 @@ private Q_SLOTS:
         QVERIFY(!effectsOf(contour).boundToStudy);
         contour.bubbleLps = glm::dvec3(0.0);
         QVERIFY(effectsOf(contour).boundToStudy); // it names a place
+        contour.erase = true;
+        QVERIFY(!effectsOf(contour).fills.label && effectsOf(contour).writesTo == 4);
         SplitIslands islands{.segment = 3};
         QVERIFY(effectsOf(islands).fills.added && effectsOf(islands).writesTo == 3);
         QVERIFY(!effectsOf(islands).boundToStudy);

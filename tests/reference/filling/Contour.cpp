@@ -76,9 +76,8 @@ std::int64_t regionAt(const Contour& contour, const ContourGrid& grid, const glm
     const int code = contour.study->codes[grid.at(voxel)];
     const std::int64_t within = std::min(code - contour.rule.lowCode, contour.rule.highCode - code);
     const std::int64_t speed = 256 * (2 * within + 1) / (2 * contour.rule.softness + 1);
-    if (speed > 256)
-        return 256;
-    return speed < -256 ? -256 : speed;
+    const std::int64_t full = speed > 256 ? 256 : speed < -256 ? -256 : speed;
+    return contour.rule.erase ? -full : full;
 }
 
 std::int64_t evennessAt(const Contour& contour, const ContourGrid& grid, const glm::ivec3& voxel)
@@ -110,7 +109,8 @@ bool isAtFront(
     for (int step = 0; step < 27; ++step) {
         const glm::ivec3 to(step % 3 - 1, step / 3 % 3 - 1, step / 9 - 1);
         const int axes = std::abs(to.x) + std::abs(to.y) + std::abs(to.z);
-        if (axes == 0 || axes > (isWide ? 2 : 1) || !grid.holds(voxel + to))
+        if (axes == 0 || axes > (isWide ? 2 : 1) || !grid.holds(voxel + to)
+            || contour.isAbsent(grid.at(voxel + to)))
             continue;
         if (contour.inside[grid.at(voxel + to)] != contour.inside[own])
             return true;
@@ -148,7 +148,7 @@ std::size_t askFront(Contour& contour, bool isWide)
             const std::int64_t g = evennessAt(contour, grid, voxel);
             std::int64_t around = 0;
             weights.visitSteps([&](const glm::ivec3& to, std::int64_t weight) {
-                if (grid.holds(voxel + to))
+                if (grid.holds(voxel + to) && !contour.isAbsent(grid.at(voxel + to)))
                     around += weight * (g + evennessAt(contour, grid, voxel + to))
                         * (inside[grid.at(voxel + to)] ? 1 : -1);
             });
@@ -186,11 +186,13 @@ double Contour::energy() const
     double values = 0.0;
     double pairs = 0.0; // each twice
     grid.visitAll([&](const glm::ivec3& voxel) {
+        if (isAbsent(grid.at(voxel)))
+            return;
         const double x = inside[grid.at(voxel)] ? 1.0 : -1.0;
         values += double(regionAt(*this, grid, voxel)) * x;
         const std::int64_t g = evennessAt(*this, grid, voxel);
         weights.visitSteps([&](const glm::ivec3& to, std::int64_t weight) {
-            if (grid.holds(voxel + to))
+            if (grid.holds(voxel + to) && !isAbsent(grid.at(voxel + to)))
                 pairs += double(weight * (g + evennessAt(*this, grid, voxel + to))) * x
                     * (inside[grid.at(voxel + to)] ? 1.0 : -1.0);
         });
@@ -211,13 +213,16 @@ Contour contourOf(const core::EvolveContour& edit, const core::ContourRule& rule
     grid.visitAll([&](const glm::ivec3& voxel) {
         const int label = labels[grid.at(voxel)];
         const bool isOwn = label == edit.segment;
-        const bool mayChange = isOwn || label == 0 || mayTake(label);
+        const bool erases = edit.erase == true;
+        const bool mayChange = isOwn || (!erases && (label == 0 || mayTake(label)));
         bool isInside = isOwn;
         if (edit.bubbleLps && mayChange) {
             const glm::dvec3 to =
                 geometry.toWorld(glm::dvec3(voxel)) - geometry.toWorld(glm::dvec3(middle));
-            isInside = isInside || glm::length(to) <= edit.bubbleMm;
+            if (glm::length(to) <= edit.bubbleMm)
+                isInside = !erases;
         }
+        contour.absent.push_back(erases && edit.bubbleLps && !isOwn);
         contour.open.push_back(mayChange);
         contour.inside.push_back(isInside);
     });

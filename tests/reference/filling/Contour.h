@@ -20,12 +20,14 @@ struct Contour {
     core::ContourRule rule{};
     std::vector<bool> inside{};
     std::vector<bool> open{}; ///< may change
+    std::vector<bool> absent{}; ///< counts for neither side; empty: none does
     int generation = 0; ///< how many there have been
 
     /// One generation more. @return how many voxels it changed
     std::size_t step();
     /// E of the rule. A generation that changes anything lowers it.
     [[nodiscard]] double energy() const;
+    [[nodiscard]] bool isAbsent(std::size_t at) const { return !absent.empty() && absent[at]; }
 };
 
 /// The start of an edit. @param mayTake whether voxels of a label may become the segment's

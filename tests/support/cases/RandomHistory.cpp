@@ -1109,6 +1109,10 @@ private:
         // Of the row's number, as in randomGrowth().
         if (m_session->history().rows().size() % 3 != 0)
             contour.round = m_session->history().rows().size() % 3 == 1;
+        if (m_session->history().rows().size() % 4 == 2) {
+            contour.erase = true;
+            contour.overwriteUnlocked = false;
+        }
         return contour;
     }
     ThresholdSegment randomThreshold(const Document& document)
@@ -1200,8 +1204,8 @@ private:
             stroke.edgeTolerance = 120.0;
         if (stroke.edgeTolerance && stroke.path.pressures)
             stroke.toleranceByPressure = m_session->history().rows().size() % 8 == 1;
-        const bool isPlainDisc = stroke.path.shape == BrushPath::Shape::Disc
-            && !stroke.path.pressures && !stroke.edgeTolerance;
+        const bool isPlainDisc =
+            stroke.path.shape == BrushPath::Shape::Disc && !stroke.edgeTolerance;
         if (isPlainDisc && m_session->history().rows().size() % 2 == 0)
             stroke.tool = PaintStroke::Tool::Nudge;
         return stroke;

@@ -76,6 +76,8 @@ public:
         {Code::MirrorSegment, QT_TR_NOOP("Mirror '%1'")},
         {Code::ContourEvolved, QT_TR_NOOP("Evolve the contour of '%1'")},
         {Code::ContourFromBubble, QT_TR_NOOP("Evolve the contour of '%1' from a bubble")},
+        {Code::ContourErased, QT_TR_NOOP("Erase '%1' by a contour from outside")},
+        {Code::ContourErasedFromBubble, QT_TR_NOOP("Erase '%1' by a contour from a bubble")},
         {Code::FloodSlice, QT_TR_NOOP("Flood fill '%1' in a slice")},
         {Code::FloodVolume, QT_TR_NOOP("Flood fill '%1' in 3D")},
         {Code::FloodEraseSlice, QT_TR_NOOP("Erase a region of '%1' in a slice")},

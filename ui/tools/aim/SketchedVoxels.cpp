@@ -13,6 +13,48 @@
 
 namespace ui {
 
+namespace {
+
+/// Points along a path and, where it is wide, on a grid beside it, each once.
+std::vector<glm::dvec2> pointsCovered(const SketchPath& path, double stepPixels)
+{
+    std::vector<glm::dvec2> points;
+    std::set<std::array<int, 2>> taken;
+    const auto dab = [&](const glm::dvec2& centre, double radius) {
+        points.push_back(centre);
+        const glm::ivec2 low(glm::ceil((centre - radius) / stepPixels));
+        const glm::ivec2 high(glm::floor((centre + radius) / stepPixels));
+        for (int y = low.y; y <= high.y; ++y) {
+            for (int x = low.x; x <= high.x; ++x) {
+                const glm::dvec2 point = stepPixels * glm::dvec2(x, y);
+                if (glm::distance(point, centre) <= radius && taken.insert({x, y}).second)
+                    points.push_back(point);
+            }
+        }
+    };
+    for (std::size_t i = 0; i < path.points.size(); ++i) {
+        if (i > 0) {
+            const glm::dvec2 way = path.points[i] - path.points[i - 1];
+            const double wider = path.radii[i] - path.radii[i - 1];
+            const int pieces = std::max(1, int(std::ceil(glm::length(way) / stepPixels)));
+            for (int piece = 1; piece < pieces; ++piece) {
+                const double share = double(piece) / pieces;
+                dab(path.points[i - 1] + way * share, path.radii[i - 1] + wider * share);
+            }
+        }
+        dab(path.points[i], path.radii[i]);
+    }
+    return points;
+}
+
+} // namespace
+
+void SketchPath::clear()
+{
+    points.clear();
+    radii.clear();
+}
+
 std::vector<glm::ivec3> uniqueVoxels(const std::vector<glm::ivec3>& voxels)
 {
     std::set<std::array<int, 3>> seen;
@@ -31,16 +73,12 @@ double sketchStepPixels(const core::Volume& volume, const ViewContext& view)
 }
 
 std::vector<glm::ivec3> voxelsUnder(
-    const std::vector<glm::dvec2>& path, const ViewContext& slice, const core::Volume& volume)
+    const SketchPath& path, const ViewContext& slice, const core::Volume& volume)
 {
-    return voxelsAt(alongPath(path, sketchStepPixels(volume, slice)), slice, volume);
-}
-
-std::vector<glm::ivec3> voxelsAt(
-    const std::vector<glm::dvec2>& pixels, const ViewContext& slice, const core::Volume& volume)
-{
+    const double step = sketchStepPixels(volume, slice);
     std::vector<glm::ivec3> voxels;
-    for (const glm::dvec2& pixel : pixels) {
+    for (const glm::dvec2& pixel :
+        path.radii.empty() ? alongPath(path.points, step) : pointsCovered(path, step)) {
         const glm::dvec3 lps = slice.toLps({pixel.x, pixel.y});
         const glm::ivec3 voxel(glm::round(volume.geometry.toIndex(lps)));
         if (volume.geometry.contains(voxel))
@@ -49,43 +87,14 @@ std::vector<glm::ivec3> voxelsAt(
     return uniqueVoxels(voxels);
 }
 
-std::vector<glm::dvec2> pointsCovered(
-    const std::vector<glm::dvec2>& path, const std::vector<double>& radiiPixels, double stepPixels)
-{
-    std::vector<glm::dvec2> points;
-    std::set<std::array<int, 2>> taken;
-    const auto dab = [&](const glm::dvec2& centre, double radius) {
-        points.push_back(centre);
-        const glm::ivec2 low(glm::ceil((centre - radius) / stepPixels));
-        const glm::ivec2 high(glm::floor((centre + radius) / stepPixels));
-        for (int y = low.y; y <= high.y; ++y) {
-            for (int x = low.x; x <= high.x; ++x) {
-                const glm::dvec2 point = stepPixels * glm::dvec2(x, y);
-                if (glm::distance(point, centre) <= radius && taken.insert({x, y}).second)
-                    points.push_back(point);
-            }
-        }
-    };
-    for (std::size_t i = 0; i < path.size(); ++i) {
-        if (i > 0) {
-            const glm::dvec2 way = path[i] - path[i - 1];
-            const double wider = radiiPixels[i] - radiiPixels[i - 1];
-            const int pieces = std::max(1, int(std::ceil(glm::length(way) / stepPixels)));
-            for (int piece = 1; piece < pieces; ++piece) {
-                const double share = double(piece) / pieces;
-                dab(path[i - 1] + way * share, radiiPixels[i - 1] + wider * share);
-            }
-        }
-        dab(path[i], radiiPixels[i]);
-    }
-    return points;
-}
-
 std::vector<glm::dvec2> planePointsUnder(
-    const std::vector<glm::dvec2>& path, const ViewContext& view, const core::Volume& volume)
+    const SketchPath& path, const ViewContext& view, const core::Volume& volume)
 {
+    const double step = sketchStepPixels(volume, view);
     std::vector<glm::dvec2> planeMm;
-    for (const glm::dvec2& pixel : alongPath(path, sketchStepPixels(volume, view)))
+    // Where it is wide, a ray for each voxel's width, since each of them is asked about.
+    for (const glm::dvec2& pixel :
+        path.radii.empty() ? alongPath(path.points, step) : pointsCovered(path, 2.0 * step))
         planeMm.push_back(view.toViewPlaneMm({pixel.x, pixel.y}));
     return planeMm;
 }
@@ -112,7 +121,7 @@ void SketchedVoxels::end()
     m_asking = false;
 }
 
-void SketchedVoxels::follow(const std::vector<glm::dvec2>& path)
+void SketchedVoxels::follow(const SketchPath& path)
 {
     if (!m_view || !m_workspace.volume())
         return;
@@ -123,12 +132,14 @@ void SketchedVoxels::follow(const std::vector<glm::dvec2>& path)
 
 void SketchedVoxels::askNext()
 {
-    if (m_looked >= m_path.size())
+    if (m_looked >= m_path.points.size())
         return;
     // The way from the last point that was looked at belongs to what is new.
-    const auto from = m_path.begin() + std::ptrdiff_t(m_looked == 0 ? 0 : m_looked - 1);
-    const std::vector<glm::dvec2> added(from, m_path.end());
-    m_looked = m_path.size();
+    const auto from = std::ptrdiff_t(m_looked == 0 ? 0 : m_looked - 1);
+    SketchPath added{.points = {m_path.points.begin() + from, m_path.points.end()}};
+    if (!m_path.radii.empty())
+        added.radii.assign(m_path.radii.begin() + from, m_path.radii.end());
+    m_looked = m_path.points.size();
     const core::Volume& volume = *m_workspace.volume();
     if (m_view->isSlice())
         return add(voxelsUnder(added, *m_view, volume));

@@ -23,25 +23,22 @@ class Workspace;
 /// no voxel is skipped.
 [[nodiscard]] double sketchStepPixels(const core::Volume& volume, const ViewContext& view);
 
+/// A path that is sketched in a view, in logical pixels.
+struct SketchPath {
+    std::vector<glm::dvec2> points{};
+    /// Half of its width at each point, interpolated linearly between them; empty: it is a line.
+    std::vector<double> radii{};
+
+    void clear();
+};
+
 /// The voxels under a path on a slice, each once, without those outside the volume.
-/// @param path logical pixels
 [[nodiscard]] std::vector<glm::ivec3> voxelsUnder(
-    const std::vector<glm::dvec2>& path, const ViewContext& slice, const core::Volume& volume);
+    const SketchPath& path, const ViewContext& slice, const core::Volume& volume);
 
-/// Returns the points covered by a path whose width follows the pen's pressure: points along it
-/// and, on a grid, beside it, each once. In logical pixels.
-/// @param radiiPixels half of the width at each point of the path, interpolated linearly between
-/// them
-[[nodiscard]] std::vector<glm::dvec2> pointsCovered(
-    const std::vector<glm::dvec2>& path, const std::vector<double>& radiiPixels, double stepPixels);
-
-/// Returns the voxels of a slice at these points, each once, without those outside the volume.
-[[nodiscard]] std::vector<glm::ivec3> voxelsAt(
-    const std::vector<glm::dvec2>& pixels, const ViewContext& slice, const core::Volume& volume);
-
-/// The points of the view plane along a path on the 3D view, as askWhatIsSeen() takes them.
+/// The points of the view plane under a path on the 3D view, as askWhatIsSeen() takes them.
 [[nodiscard]] std::vector<glm::dvec2> planePointsUnder(
-    const std::vector<glm::dvec2>& path, const ViewContext& view, const core::Volume& volume);
+    const SketchPath& path, const ViewContext& view, const core::Volume& volume);
 
 /// The voxels of a sketch while the pen is down: the same that a commit would find. For the 3D view
 /// the engine is asked about the new part of the path, one question at a time.
@@ -53,12 +50,12 @@ public:
 
     void begin(const ViewContext& view);
     /// @param path the whole path, longer than before
-    void follow(const std::vector<glm::dvec2>& path);
+    void follow(const SketchPath& path);
     /// Ends the sketch; answers that are still under way are dropped.
     void end();
     [[nodiscard]] const std::vector<glm::ivec3>& voxels() const { return m_voxels; }
     /// Whether voxels() covers the whole path so far.
-    [[nodiscard]] bool isComplete() const { return !m_asking && m_looked >= m_path.size(); }
+    [[nodiscard]] bool isComplete() const { return !m_asking && m_looked >= m_path.points.size(); }
 
 Q_SIGNALS:
     void grew();
@@ -69,7 +66,7 @@ private:
 
     Workspace& m_workspace;
     std::optional<ViewContext> m_view;
-    std::vector<glm::dvec2> m_path;
+    SketchPath m_path;
     std::size_t m_looked = 0; ///< number of path points that were asked about
     std::vector<glm::ivec3> m_voxels; ///< each once
     bool m_asking = false;

@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/tools/common/SketchTool.h"
 
+#include "ui/base/NumberText.h"
 #include "ui/tools/aim/CursorLabel.h"
 #include "ui/tools/aim/LookingDirection.h"
 #include "ui/tools/aim/SeenVoxels.h"
-#include "ui/tools/aim/SketchedVoxels.h"
 #include "ui/tools/common/PenPressure.h"
 #include "ui/workspace/Workspace.h"
 
 #include <QPainter>
 #include <QPointer>
+#include <QToolButton>
 
 #include <algorithm>
 #include <utility>
@@ -23,6 +24,9 @@ glm::dvec2 pixelOf(const PointerSample& sample)
     return {sample.position.x(), sample.position.y()};
 }
 
+constexpr double leastReachMm = 0.5;
+constexpr double greatestReachMm = 10.0;
+
 } // namespace
 
 SketchTool::SketchTool(Workspace& workspace, QObject* parent)
@@ -32,7 +36,6 @@ SketchTool::SketchTool(Workspace& workspace, QObject* parent)
     connect(&workspace, &Workspace::sessionChanged, this, [this] {
         m_strokeView.reset();
         m_path.clear();
-        m_radii.clear();
         sketchOver();
         Q_EMIT overlayChanged();
     });
@@ -41,6 +44,49 @@ SketchTool::SketchTool(Workspace& workspace, QObject* parent)
 QString SketchTool::keys() const
 {
     return tr("Esc drops the sketch");
+}
+
+QToolButton* SketchTool::widthButton(QWidget* parent)
+{
+    QToolButton* button = pressureButton(parent);
+    button->setAccessibleName(tr("Pressure: width"));
+    button->setToolTip(
+        tr("Pressure: width, that is, a pen sketches as wide as it is pressed; how wide at most, "
+           "[ ] and Shift+wheel say. Off: pressure does nothing, as with a mouse."));
+    const auto show = [this, button] { button->setChecked(m_byPressure); };
+    show();
+    connect(this, &SketchTool::settingsChanged, button, show);
+    connect(button, &QToolButton::clicked, this, [this](bool checked) {
+        m_byPressure = checked;
+        Q_EMIT overlayChanged();
+    });
+    return button;
+}
+
+QJsonObject SketchTool::settingsJson() const
+{
+    return {{QStringLiteral("byPressure"), m_byPressure}, {QStringLiteral("reachMm"), m_reachMm}};
+}
+
+void SketchTool::applySettings(const QJsonObject& settings)
+{
+    m_byPressure = settings[QLatin1String("byPressure")].toBool(m_byPressure);
+    m_reachMm = std::clamp(
+        settings[QLatin1String("reachMm")].toDouble(m_reachMm), leastReachMm, greatestReachMm);
+    Q_EMIT settingsChanged();
+}
+
+void SketchTool::changeRadius(int steps)
+{
+    m_reachMm = std::clamp(m_reachMm + 0.5 * steps, leastReachMm, greatestReachMm);
+    Q_EMIT overlayChanged();
+}
+
+QStringList SketchTool::widthLines() const
+{
+    if (!m_byPressure)
+        return {};
+    return {tr("pressed fully %1 mm to each side").arg(numberText(m_reachMm, 1))};
 }
 
 bool SketchTool::worksIn(const ViewContext& view) const
@@ -53,16 +99,11 @@ void SketchTool::press(const PointerSample& sample, const ViewContext& view)
 {
     if (!m_workspace.volume() || !worksIn(view) || m_strokeView)
         return;
-    if (sample.eraserEnd && !takesEraser()) {
-        m_workspace.say(tr("A sketch has no use for the eraser end; turn the pen"));
-        return;
-    }
     m_modifiers = sample.modifiers;
     m_withEraser = sample.eraserEnd;
     m_strokeView = view;
     m_path.clear();
-    m_radii.clear();
-    m_pressedPixels = sample.isPen ? pressedMm() / view.mmPerPixel() : 0.0;
+    m_pressedPixels = sample.isPen && m_byPressure ? m_reachMm / view.mmPerPixel() : 0.0;
     addPoint(sample);
     sketchBegan(view);
     sketchGrew(m_path);
@@ -80,14 +121,14 @@ void SketchTool::drag(const PointerSample& sample, const ViewContext& view)
 
 void SketchTool::addPoint(const PointerSample& sample)
 {
-    m_path.push_back(pixelOf(sample));
+    m_path.points.push_back(pixelOf(sample));
     if (m_pressedPixels > 0.0)
-        m_radii.push_back(m_pressedPixels * pressedShare(sample));
+        m_path.radii.push_back(m_pressedPixels * pressedShare(sample));
 }
 
 double SketchTool::widestPixels() const
 {
-    return m_radii.empty() ? 0.0 : *std::max_element(m_radii.begin(), m_radii.end());
+    return m_path.radii.empty() ? 0.0 : *std::max_element(m_path.radii.begin(), m_path.radii.end());
 }
 
 void SketchTool::release(const PointerSample&, const ViewContext&)
@@ -95,12 +136,11 @@ void SketchTool::release(const PointerSample&, const ViewContext&)
     if (!m_strokeView)
         return;
     // On the 3D view the sketch is not over before it is known what was seen.
-    const bool waits = !finishOtherwise(m_path, *m_strokeView) && !commitOnSlice();
+    const bool waits = !finishOtherwise(m_path.points, *m_strokeView) && !commitOnSlice();
     if (waits)
         askWhatIsSeen();
     m_strokeView.reset();
     m_path.clear();
-    m_radii.clear();
     m_modifiers = {};
     m_withEraser = false;
     if (!waits)
@@ -114,7 +154,6 @@ void SketchTool::cancel()
         return;
     m_strokeView.reset();
     m_path.clear();
-    m_radii.clear();
     sketchOver();
     m_workspace.say(tr("The sketch was dropped"));
     Q_EMIT overlayChanged();
@@ -125,10 +164,7 @@ bool SketchTool::commitOnSlice()
     if (!m_strokeView->isSlice())
         return false;
     const core::Volume& volume = *m_workspace.volume();
-    const std::vector<glm::ivec3> voxels = m_radii.empty()
-        ? voxelsUnder(m_path, *m_strokeView, volume)
-        : voxelsAt(pointsCovered(m_path, m_radii, sketchStepPixels(volume, *m_strokeView)),
-            *m_strokeView, volume);
+    const std::vector<glm::ivec3> voxels = voxelsUnder(m_path, *m_strokeView, volume);
     if (voxels.empty())
         m_workspace.say(outsideText());
     else
@@ -139,17 +175,8 @@ bool SketchTool::commitOnSlice()
 void SketchTool::askWhatIsSeen()
 {
     const auto& scene = std::get<gpu::VolumeScene>(m_strokeView->scene);
-    const core::Volume& volume = *m_workspace.volume();
-    std::vector<glm::dvec2> planeMm;
-    if (m_radii.empty()) {
-        planeMm = planePointsUnder(m_path, *m_strokeView, volume);
-    } else {
-        // A ray for each voxel's width, since each of them is asked about.
-        const double step = 2.0 * sketchStepPixels(volume, *m_strokeView);
-        for (const glm::dvec2& pixel : pointsCovered(m_path, m_radii, step))
-            planeMm.push_back(m_strokeView->toViewPlaneMm({pixel.x, pixel.y}));
-    }
-    ui::askWhatIsSeen(m_workspace, scene, planeMm,
+    ui::askWhatIsSeen(m_workspace, scene,
+        planePointsUnder(m_path, *m_strokeView, *m_workspace.volume()),
         [tool = QPointer<SketchTool>(this), modifiers = m_modifiers, eraser = m_withEraser, scene](
             const core::Result<SeenVoxels>& seen) {
             if (!tool)
@@ -187,7 +214,7 @@ void SketchTool::commitSeen(const core::Result<SeenVoxels>& seen, const gpu::Vol
 void SketchTool::paintSketch(QPainter& painter) const
 {
     QPolygonF line;
-    for (const glm::dvec2& pixel : m_path)
+    for (const glm::dvec2& pixel : m_path.points)
         line.push_back({pixel.x, pixel.y});
     if (line.size() == 1)
         line.push_back(line.front());
@@ -197,9 +224,9 @@ void SketchTool::paintSketch(QPainter& painter) const
     painter.setPen(QPen(colour(), 3.0, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
     painter.drawPolyline(line);
     // As wide as it is pressed.
-    for (std::size_t i = 0; i < m_radii.size(); ++i) {
+    for (std::size_t i = 0; i < m_path.radii.size(); ++i) {
         const QPointF from = line[qsizetype(i == 0 ? 0 : i - 1)];
-        const double width = 2.0 * std::max(m_radii[i], 1.5);
+        const double width = 2.0 * std::max(m_path.radii[i], 1.5);
         painter.setPen(QPen(colour(), width, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
         painter.drawLine(from, line[qsizetype(i)]);
     }

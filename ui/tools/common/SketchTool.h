@@ -2,21 +2,25 @@
 #pragma once
 
 #include "ui/tools/aim/SeenVoxels.h"
+#include "ui/tools/aim/SketchedVoxels.h"
 #include "ui/tools/common/CursorTool.h"
 
 #include <QColor>
+#include <QJsonObject>
 #include <QStringList>
 
 #include <optional>
 #include <vector>
+
+class QToolButton;
 
 namespace ui {
 
 class Workspace;
 
 /// Base of the tools that sketch voxels: on a slice those under the path, on the 3D view those that
-/// are seen under it (seed A §5.1). Where a tool wants it, the path of a pen is as wide as the pen
-/// is pressed. Each tool decides what to do with them at pen-up.
+/// are seen under it (seed A §5.1). On request the path of a pen is as wide as the pen is pressed;
+/// a mouse always draws a line. Each tool decides what to do with them at pen-up.
 class SketchTool : public CursorTool {
     Q_OBJECT
 
@@ -24,23 +28,29 @@ public:
     explicit SketchTool(Workspace& workspace, QObject* parent = nullptr);
 
     [[nodiscard]] QString keys() const override;
+    [[nodiscard]] QJsonObject settingsJson() const override;
+    void applySettings(const QJsonObject& settings) override;
     [[nodiscard]] bool worksIn(const ViewContext& view) const override;
 
     void press(const PointerSample& sample, const ViewContext& view) override;
     void drag(const PointerSample& sample, const ViewContext& view) override;
     void release(const PointerSample& sample, const ViewContext& view) override;
     void cancel() override;
+    /// Changes how far to each side a pen reaches that is fully pressed.
+    void changeRadius(int steps) override;
 
     void paintOverlay(QPainter& painter, const ViewContext& view) const override;
 
+Q_SIGNALS:
+    void settingsChanged();
+
 protected:
-    /// Half of the width in mm of the sketch of a fully pressed pen; 0: pressure has no effect.
-    /// Asked at pen-down. A mouse always draws a line.
-    [[nodiscard]] virtual double pressedMm() const { return 0.0; }
+    /// Creates the switch for the width, for the tool's options.
+    [[nodiscard]] QToolButton* widthButton(QWidget* parent);
+    /// How wide a pen sketches that is fully pressed, in words; empty if pressure has no effect.
+    [[nodiscard]] QStringList widthLines() const;
     /// Half of the width of the present sketch at its widest point, pixels; 0: it is a line.
     [[nodiscard]] double widestPixels() const;
-    /// Whether the pen's eraser end has a meaning for the tool.
-    [[nodiscard]] virtual bool takesEraser() const { return false; }
     /// Handles a stroke that is not a sketch of voxels. If it returns true, commit() is not called.
     /// @param pixels path in the view at pen-down, at least one point
     virtual bool finishOtherwise(const std::vector<glm::dvec2>&, const ViewContext&)
@@ -49,10 +59,13 @@ protected:
     }
     // Called while the pen is down, for tools that show what they will do.
     virtual void sketchBegan(const ViewContext&) { }
-    virtual void sketchGrew(const std::vector<glm::dvec2>& /*pixels*/) { }
+    virtual void sketchGrew(const SketchPath&) { }
     virtual void sketchOver() { } ///< the sketch was dropped, or committed if it met any voxel
     /// The text at the cursor, the most important line first.
-    [[nodiscard]] virtual QStringList cursorLines() const { return {target()}; }
+    [[nodiscard]] virtual QStringList cursorLines() const
+    {
+        return QStringList{target()} + widthLines();
+    }
     /// Carries out the sketch.
     /// @param voxels at least one; each once, in the order of the sketch
     virtual void commit(const std::vector<glm::ivec3>& voxels) = 0;
@@ -65,7 +78,11 @@ protected:
     [[nodiscard]] Workspace& workspace() const { return m_workspace; }
     /// The modifiers at pen-down of the sketch that is drawn or committed.
     [[nodiscard]] Qt::KeyboardModifiers modifiers() const { return m_modifiers; }
-    [[nodiscard]] bool withEraser() const { return m_withEraser; }
+    /// Whether it is drawn with Ctrl or with the pen's eraser end.
+    [[nodiscard]] bool isInverse() const
+    {
+        return m_withEraser || m_modifiers.testFlag(Qt::ControlModifier);
+    }
     /// Voxels on which the user saw a surface, each with the direction of view
     /// (LookingDirection.h), while a sketch is committed; empty: it was drawn on a slice or on
     /// brightest voxels.
@@ -82,9 +99,10 @@ private:
 
     Workspace& m_workspace;
     std::optional<ViewContext> m_strokeView; ///< the view at pen-down, used for the whole sketch
-    std::vector<glm::dvec2> m_path; ///< logical pixels
-    double m_pressedPixels = 0.0; ///< pressedMm() at pen-down, in pixels
-    std::vector<double> m_radii; ///< for each point of the path, pixels; empty: it is a line
+    SketchPath m_path;
+    bool m_byPressure = false;
+    double m_reachMm = 3.0; ///< to each side, of a pen that is fully pressed
+    double m_pressedPixels = 0.0; ///< the same at pen-down, in pixels; 0: the sketch is a line
     Qt::KeyboardModifiers m_modifiers;
     bool m_withEraser = false;
     SeenAlong m_seenAlong;

@@ -29,7 +29,8 @@ ContourOptions::ContourOptions(Workspace& workspace, ContourTool& tool, QWidget*
     m_start->addItem(tr("from a bubble"));
     m_start->addItem(tr("from the segment"));
     m_start->setToolTip(tr("With what the contour begins: a ball that is clicked, or the segment "
-                           "as it stands"));
+                           "as it stands. With Ctrl or the pen's eraser end it erases: from the "
+                           "ball, or from all around the segment"));
     m_bubble->setObjectName(QStringLiteral("contourBubble"));
     m_bubble->setFixedHeight(theme::controlHeight);
     m_bubble->setKeyboardTracking(false);

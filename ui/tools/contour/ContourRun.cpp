@@ -396,10 +396,13 @@ void ContourRun::bringIntoSight()
 
 std::optional<core::EvolveContour> ContourRun::shownEdit() const
 {
-    if (!m_track || !m_trackStands || m_track->shown() == 0)
+    if (!m_track || !m_trackStands)
+        return std::nullopt;
+    const bool isRestingBubble = m_trackEdit.bubbleLps && rests() && m_track->known() == 0;
+    if (m_track->shown() == 0 && !isRestingBubble)
         return std::nullopt;
     core::EvolveContour edit = m_trackEdit;
-    edit.generations = m_track->shown();
+    edit.generations = std::max(m_track->shown(), 1);
     return edit;
 }
 

@@ -54,7 +54,8 @@ public:
     /// Whether state() is that of the shown generation.
     [[nodiscard]] bool isInSight() const { return m_track && m_stateAt == m_track->shown(); }
     /// The edit that leads to the shown generation, with the segment of begin(). None at generation
-    /// 0, before anything is known, or if labels have changed since.
+    /// 0, unless it is a bubble that rests as it is; before anything is known; or if labels have
+    /// changed since.
     [[nodiscard]] std::optional<core::EvolveContour> shownEdit() const;
 
     /// Stops playing and shows a generation, as soon as it is known.

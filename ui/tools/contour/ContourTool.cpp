@@ -4,6 +4,7 @@
 #include "core/session/SegmentWork.h"
 #include "ui/base/NumberText.h"
 #include "ui/base/StudyTexts.h"
+#include "ui/base/Theme.h"
 #include "ui/settings/SeedValues.h"
 #include "ui/tools/aim/CursorLabel.h"
 #include "ui/tools/contour/ContourOptions.h"
@@ -37,6 +38,11 @@ void readNumber(
         value = kept;
 }
 
+bool isInverseContour(const PointerSample& sample)
+{
+    return sample.eraserEnd || sample.modifiers.testFlag(Qt::ControlModifier);
+}
+
 } // namespace
 
 ContourTool::ContourTool(Workspace& workspace, QObject* parent)
@@ -56,7 +62,10 @@ ContourTool::ContourTool(Workspace& workspace, QObject* parent)
                            "is. What is shown can be accepted"));
     });
     connect(&m_run, &ContourRun::foundNothing, this, [this] {
-        m_workspace.say(tr("The segment has no voxels to begin with: click a bubble instead"));
+        m_workspace.say(!m_erases ? tr("The segment has no voxels to begin with: click a bubble "
+                                       "instead")
+                : m_bubbleLps     ? tr("The segment has no voxels in the bubble")
+                                  : tr("The segment has no voxels to erase"));
     });
     connect(&workspace, &Workspace::growSettingsChanged, this, &ContourTool::follow);
     connect(&workspace, &Workspace::brushSettingsChanged, this, &ContourTool::follow);
@@ -81,13 +90,15 @@ QString ContourTool::iconName() const
 QString ContourTool::hint() const
 {
     return m_settings.fromSegment
-        ? tr("Contour: click a slice, and the active segment's contour evolves until you accept it")
-        : tr("Contour: click a bubble into a region on a slice; it evolves until you accept it");
+        ? tr("Contour: click a slice, and the active segment's contour evolves until you accept "
+             "it; Ctrl or the eraser end erases, from all around the segment")
+        : tr("Contour: click a bubble into a region on a slice; it evolves until you accept it; "
+             "Ctrl or the eraser end erases");
 }
 
 QString ContourTool::keys() const
 {
-    return tr("Enter accepts, Esc aborts · ← → generations · Shift+wheel bubble");
+    return tr("Enter accepts, Esc aborts · ← → generations · Shift+wheel bubble · Ctrl erases");
 }
 
 QString ContourTool::target() const
@@ -97,8 +108,13 @@ QString ContourTool::target() const
         return {};
     const core::Segment* segment = session->document().segment(m_workspace.activeSegment());
     if (!segment)
-        return m_settings.fromSegment ? tr("no segment to begin with") : tr("fills a new segment");
-    return (segment->locked ? tr("%1 is locked") : tr("evolves %1")).arg(segment->name);
+        return m_isInverse           ? tr("no segment to erase")
+            : m_settings.fromSegment ? tr("no segment to begin with")
+                                     : tr("fills a new segment");
+    return (segment->locked ? tr("%1 is locked")
+            : m_isInverse   ? tr("erases %1")
+                            : tr("evolves %1"))
+        .arg(segment->name);
 }
 
 QWidget* ContourTool::createOptions(QWidget* parent)
@@ -173,10 +189,14 @@ core::EvolveContour ContourTool::edit() const
         edit.edgeGradient = edgeGradient();
     if (edit.bubbleLps)
         edit.bubbleMm = m_settings.bubbleMm;
+    if (m_erases) {
+        edit.erase = true;
+        edit.overwriteUnlocked = false;
+    }
     return edit;
 }
 
-void ContourTool::start(const glm::dvec3& placeLps)
+void ContourTool::start(const glm::dvec3& placeLps, bool erases)
 {
     core::EditSession* session = m_workspace.session();
     if (!session)
@@ -185,6 +205,8 @@ void ContourTool::start(const glm::dvec3& placeLps)
     const glm::ivec3 voxel(glm::floor(geometry.toIndex(placeLps) + 0.5));
     if (!m_settings.fromSegment && !geometry.contains(voxel))
         return m_workspace.say(tr("Click inside the volume"));
+    if (erases && session->foreseenDocument().segments.empty())
+        return m_workspace.say(tr("There is no segment to erase"));
     if (m_settings.fromSegment && session->foreseenDocument().segments.empty())
         return m_workspace.say(tr("There is no segment to begin with: click a bubble instead"));
     // What it would begin with is about to change.
@@ -199,6 +221,7 @@ void ContourTool::start(const glm::dvec3& placeLps)
             return m_workspace.fail(label.error());
         m_segment = *label;
     }
+    m_erases = erases;
     m_bubbleLps.reset();
     if (!m_settings.fromSegment)
         m_bubbleLps = placeLps;
@@ -262,7 +285,13 @@ void ContourTool::press(const PointerSample& sample, const ViewContext& view)
     if (!m_workspace.session() || !view.isSlice())
         return;
     hover(sample, view);
-    start(view.toLps(sample.position));
+    start(view.toLps(sample.position), isInverseContour(sample));
+}
+
+void ContourTool::hover(const PointerSample& sample, const ViewContext& view)
+{
+    m_isInverse = isInverseContour(sample);
+    CursorTool::hover(sample, view);
 }
 
 void ContourTool::cancel()
@@ -335,9 +364,17 @@ QString ContourTool::shownText() const
     if (!track || !volume)
         return {};
     const double ml = volume->geometry.voxelVolumeMm3() / mm3PerMillilitre;
+    if (m_erases)
+        return tr("generation %1 · erases %2")
+            .arg(QString::number(track->shown()), volumeText(double(track->lost()) * ml));
     return tr("generation %1 · +%2, −%3")
         .arg(QString::number(track->shown()), volumeText(double(track->gained()) * ml),
             volumeText(double(track->lost()) * ml));
+}
+
+QColor ContourTool::ringColour() const
+{
+    return m_isInverse ? theme::caution : toolColour();
 }
 
 void ContourTool::paintOverlay(QPainter& painter, const ViewContext& view) const
@@ -358,7 +395,7 @@ void ContourTool::paintOverlay(QPainter& painter, const ViewContext& view) const
         return;
     if (!m_settings.fromSegment && !m_run.isOpen())
         drawCursorRing(
-            painter, cursor(), m_settings.bubbleMm / view.mmPerPixel(), toolColour(), true);
+            painter, cursor(), m_settings.bubbleMm / view.mmPerPixel(), ringColour(), true);
     QStringList lines{m_run.track() ? shownText() : target()};
     lines += intervalText();
     if (const QString editable = m_workspace.editableText(); !editable.isEmpty())

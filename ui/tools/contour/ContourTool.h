@@ -16,8 +16,10 @@ class Workspace;
 /// Evolves a contour live, from a ball ("bubble") at a clicked place of a slice or from the active
 /// segment. The user watches it (ContourRun), plays it forwards and backwards and changes its
 /// settings. Accepting it makes one step that ends at the shown generation; aborting it leaves
-/// nothing. The interval is that of growth, which a bubble may set as a sketch does; which voxels
-/// may change is set as for painting. ContourPanel has the controls.
+/// nothing. With Ctrl, or the pen's eraser end, it erases: a part of the segment evolves, from the
+/// bubble or from all around the segment, which accepting takes away (core::EvolveContour::erase).
+/// The interval is that of growth, which a bubble may set as a sketch does; which voxels may change
+/// is set as for painting. ContourPanel has the controls.
 class ContourTool : public CursorTool {
     Q_OBJECT
 
@@ -59,6 +61,7 @@ public:
     }
 
     void press(const PointerSample& sample, const ViewContext& view) override;
+    void hover(const PointerSample& sample, const ViewContext& view) override;
     /// Ends an open contour. Without one, aborts an accepted contour that is still being computed.
     void cancel() override;
     /// Ends an open contour and tells the user. An accepted contour goes on.
@@ -76,7 +79,8 @@ public:
 
     /// Starts a contour by the settings.
     /// @param placeLps centre of a bubble, LPS mm
-    void start(const glm::dvec3& placeLps);
+    /// @param erases whether what evolves is taken away from the segment
+    void start(const glm::dvec3& placeLps, bool erases = false);
     /// Makes the shown generation a step. If there is no segment, one is added before, as a step of
     /// its own.
     void accept();
@@ -90,8 +94,8 @@ public:
     void setSettings(const Settings& settings);
     /// The chosen gradient of an edge, or else one that suits the volume; modality units per mm.
     [[nodiscard]] double edgeGradient() const;
-    /// A text about the shown generation: "generation 12 · +3.2 mL, −0.1 mL". Empty without a
-    /// contour.
+    /// A text about the shown generation: "generation 12 · +3.2 mL, −0.1 mL", or "generation 12 ·
+    /// erases 3.2 mL". Empty without a contour.
     [[nodiscard]] QString shownText() const;
 
 Q_SIGNALS:
@@ -100,6 +104,7 @@ Q_SIGNALS:
 private:
     [[nodiscard]] core::EvolveContour edit() const;
     [[nodiscard]] QString intervalText() const;
+    [[nodiscard]] QColor ringColour() const;
     void follow();
     void takeValues(const core::SketchedCodes& sketched);
     void showRun();
@@ -115,6 +120,8 @@ private:
     int m_segment = 0;
     /// Centre of its bubble; none: it starts from the segment.
     std::optional<glm::dvec3> m_bubbleLps;
+    bool m_erases = false; ///< likewise
+    bool m_isInverse = false; ///< a click under the pointer would erase
     bool m_wasOpen = false;
 };
 

@@ -3,8 +3,6 @@
 
 #include "core/session/StepFindings.h"
 #include "core/session/questions/VoxelQuestions.h"
-#include "ui/base/NumberText.h"
-#include "ui/tools/common/PenPressure.h"
 #include "ui/tools/common/SeedOptions.h"
 #include "ui/tools/growth/SeedMarks.h"
 #include "ui/workspace/PendingSeeds.h"
@@ -32,8 +30,6 @@ namespace ui {
 namespace {
 
 constexpr double reachPixels = 7.0; ///< logical, from the pointer to a seed's dot
-constexpr double leastSeedReachMm = 0.5;
-constexpr double greatestSeedReachMm = 10.0;
 
 double pixelsToPath(const glm::dvec2& point, const std::vector<glm::dvec2>& path)
 {
@@ -99,7 +95,7 @@ QString SeedTool::keys() const
 
 bool SeedTool::takesAway() const
 {
-    return drawing() && (withEraser() || modifiers().testFlag(Qt::ControlModifier));
+    return drawing() && isInverse();
 }
 
 bool SeedTool::moves() const
@@ -230,47 +226,8 @@ QWidget* SeedTool::createOptions(QWidget* parent)
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(theme::smallPadding);
     row->addWidget(new SeedOptions(workspace(), tr("Seeds for"), options));
-    QToolButton* pressure = pressureButton(options);
-    pressure->setAccessibleName(tr("Pressure: width"));
-    pressure->setToolTip(
-        tr("Pressure: width, that is, a pen sketches as wide as it is pressed; how wide at most, "
-           "[ ] and Shift+wheel say. Off: pressure does nothing, as with a mouse."));
-    row->addWidget(pressure);
-    const auto show = [this, pressure] { pressure->setChecked(m_byPressure); };
-    show();
-    connect(this, &SeedTool::settingsChanged, pressure, show);
-    connect(pressure, &QToolButton::clicked, this, [this](bool checked) {
-        m_byPressure = checked;
-        Q_EMIT overlayChanged();
-    });
+    row->addWidget(widthButton(options));
     return options;
-}
-
-QJsonObject SeedTool::settingsJson() const
-{
-    return {{QStringLiteral("byPressure"), m_byPressure}, {QStringLiteral("reachMm"), m_reachMm}};
-}
-
-void SeedTool::applySettings(const QJsonObject& settings)
-{
-    m_byPressure = settings[QLatin1String("byPressure")].toBool(m_byPressure);
-    m_reachMm = std::clamp(settings[QLatin1String("reachMm")].toDouble(m_reachMm), leastSeedReachMm,
-        greatestSeedReachMm);
-    Q_EMIT settingsChanged();
-}
-
-void SeedTool::changeRadius(int steps)
-{
-    m_reachMm = std::clamp(m_reachMm + 0.5 * steps, leastSeedReachMm, greatestSeedReachMm);
-    Q_EMIT overlayChanged();
-}
-
-QStringList SeedTool::cursorLines() const
-{
-    QStringList lines = SketchTool::cursorLines();
-    if (m_byPressure)
-        lines += tr("pressed fully %1 mm to each side").arg(numberText(m_reachMm, 1));
-    return lines;
 }
 
 void SeedTool::commit(const std::vector<glm::ivec3>& voxels)

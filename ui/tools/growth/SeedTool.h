@@ -22,20 +22,10 @@ public:
     [[nodiscard]] QString target() const override;
     [[nodiscard]] QString keys() const override;
     [[nodiscard]] QWidget* createOptions(QWidget* parent) override;
-    [[nodiscard]] QJsonObject settingsJson() const override;
-    void applySettings(const QJsonObject& settings) override;
-    /// How far to each side a pen reaches that is fully pressed.
-    void changeRadius(int steps) override;
 
     void paintOverlay(QPainter& painter, const ViewContext& view) const override;
 
-Q_SIGNALS:
-    void settingsChanged();
-
 private:
-    [[nodiscard]] double pressedMm() const override { return m_byPressure ? m_reachMm : 0.0; }
-    [[nodiscard]] QStringList cursorLines() const override;
-    [[nodiscard]] bool takesEraser() const override { return true; }
     bool finishOtherwise(const std::vector<glm::dvec2>& pixels, const ViewContext& view) override;
     void commit(const std::vector<glm::ivec3>& voxels) override;
     [[nodiscard]] bool takesAway() const;
@@ -48,9 +38,6 @@ private:
     [[nodiscard]] QColor colour() const override;
     [[nodiscard]] QString outsideText() const override;
     [[nodiscard]] QString nothingSeenText() const override;
-
-    bool m_byPressure = false;
-    double m_reachMm = 3.0;
 };
 
 } // namespace ui

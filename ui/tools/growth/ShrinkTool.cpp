@@ -6,12 +6,12 @@
 #include "core/session/questions/VoxelQuestions.h"
 #include "ui/base/RowTitleText.h"
 #include "ui/base/Theme.h"
-#include "ui/tools/aim/SketchedVoxels.h"
 #include "ui/tools/growth/HeldShrink.h"
 #include "ui/tools/growth/ShrinkPreview.h"
 #include "ui/workspace/Workspace.h"
 
 #include <QPointer>
+#include <QToolButton>
 
 namespace ui {
 
@@ -70,23 +70,28 @@ QString ShrinkTool::keys() const
         .arg(SketchTool::keys());
 }
 
+QWidget* ShrinkTool::createOptions(QWidget* parent)
+{
+    return widthButton(parent);
+}
+
 void ShrinkTool::sketchBegan(const ViewContext& view)
 {
     // The preview is said of a growth that stands; the edit would end it anyway.
     workspace().session()->closeOpen();
-    m_preview->begin(modifiers().testFlag(Qt::ControlModifier));
+    m_preview->begin(isInverse());
     m_sketched->begin(view);
     m_restsAt.reset();
 }
 
-void ShrinkTool::sketchGrew(const std::vector<glm::dvec2>& pixels)
+void ShrinkTool::sketchGrew(const SketchPath& path)
 {
     if (m_held->on())
         return; // it began with the sketch as it was
-    m_sketched->follow(pixels);
-    if (m_restsAt && glm::distance(*m_restsAt, pixels.back()) < stillPixels)
+    m_sketched->follow(path);
+    if (m_restsAt && glm::distance(*m_restsAt, path.points.back()) < stillPixels)
         return;
-    m_restsAt = pixels.back();
+    m_restsAt = path.points.back();
     m_rest.start();
 }
 
@@ -99,7 +104,7 @@ bool ShrinkTool::previewIsWhole() const
 void ShrinkTool::rest()
 {
     const bool takes = m_preview->upToDate() && m_preview->voxels().value_or(0) > 0;
-    if (!drawing() || modifiers().testFlag(Qt::ControlModifier) || !takes)
+    if (!drawing() || isInverse() || !takes)
         return; // a foresight that is late begins the rest anew
     if (!m_sketched->isComplete())
         return m_rest.start();
@@ -137,7 +142,7 @@ QStringList ShrinkTool::cursorLines() const
     if (m_held->on())
         return {m_held->words()};
     const QString cutPreview = m_preview->words();
-    return cutPreview.isEmpty() ? QStringList{target()} : QStringList{cutPreview};
+    return cutPreview.isEmpty() ? SketchTool::cursorLines() : QStringList{cutPreview};
 }
 
 void ShrinkTool::commit(const std::vector<glm::ivec3>& voxels)
@@ -145,7 +150,7 @@ void ShrinkTool::commit(const std::vector<glm::ivec3>& voxels)
     core::ShrinkAt shrink{.plane = core::namedPlane(workspace().growthPlane())};
     for (const glm::ivec3& voxel : voxels)
         shrink.pointsLps.push_back(workspace().volume()->geometry.toWorld(glm::dvec3(voxel)));
-    shrink.onlyHere = modifiers().testFlag(Qt::ControlModifier);
+    shrink.onlyHere = isInverse();
     core::EditSession& session = *workspace().session();
     const std::size_t rows = session.history().rows().size();
     if (const auto applied = session.apply(shrink); !applied) {

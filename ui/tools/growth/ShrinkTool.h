@@ -13,13 +13,12 @@ namespace ui {
 
 class HeldShrink;
 class ShrinkPreview;
-class SketchedVoxels;
 
 /// Takes back the sketched voxels and what grew through them (core::ShrinkAt). The growth is cut at
-/// its narrowest passage, or half-way to the seeds, and closed there; with Ctrl only the sketched
-/// voxels are removed. While the pen is down the tool shows what would be removed. Where the pen
-/// rests after that, the growth is taken back from the sketch, generation by generation, until it
-/// is lifted (HeldShrink).
+/// its narrowest passage, or half-way to the seeds, and closed there; with Ctrl or the pen's eraser
+/// end only the sketched voxels are removed. While the pen is down the tool shows what would be
+/// removed. Where the pen rests after that, the growth is taken back from the sketch, generation by
+/// generation, until it is lifted (HeldShrink).
 class ShrinkTool : public SketchTool {
     Q_OBJECT
 
@@ -31,6 +30,7 @@ public:
     [[nodiscard]] QString hint() const override;
     [[nodiscard]] QString target() const override;
     [[nodiscard]] QString keys() const override;
+    [[nodiscard]] QWidget* createOptions(QWidget* parent) override;
 
     [[nodiscard]] const ShrinkPreview& preview() const { return *m_preview; }
     /// Whether the preview covers the whole sketch so far. In the 3D view the voxels under a sketch
@@ -42,7 +42,7 @@ public:
 
 private:
     void sketchBegan(const ViewContext& view) override;
-    void sketchGrew(const std::vector<glm::dvec2>& pixels) override;
+    void sketchGrew(const SketchPath& path) override;
     void sketchOver() override;
     bool finishOtherwise(const std::vector<glm::dvec2>& pixels, const ViewContext& view) override;
     [[nodiscard]] QStringList cursorLines() const override;

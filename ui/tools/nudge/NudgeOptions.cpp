@@ -4,6 +4,7 @@
 #include "ui/base/Theme.h"
 #include "ui/tools/common/BrushTool.h"
 #include "ui/tools/common/PaintLimits.h"
+#include "ui/tools/common/PenPressure.h"
 #include "ui/tools/common/SeedOptions.h"
 #include "ui/tools/nudge/NudgeTool.h"
 #include "ui/widgets/fields/NumberField.h"
@@ -13,6 +14,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QSignalBlocker>
+#include <QToolButton>
 
 namespace ui {
 
@@ -21,6 +23,7 @@ NudgeOptions::NudgeOptions(Workspace& workspace, NudgeTool& tool, QWidget* paren
     , m_tool(tool)
     , m_radius(new NumberField(this))
     , m_fits(new QCheckBox(tr("fit to border"), this))
+    , m_pressure(pressureButton(this))
 {
     m_radius->setObjectName(QStringLiteral("nudgeRadius"));
     m_radius->setFixedHeight(theme::controlHeight);
@@ -40,12 +43,14 @@ NudgeOptions::NudgeOptions(Workspace& workspace, NudgeTool& tool, QWidget* paren
     layout->addWidget(new QLabel(tr("Radius"), this));
     layout->addWidget(m_radius);
     layout->addWidget(m_fits);
+    layout->addWidget(m_pressure);
     layout->addWidget(new PaintLimits(workspace, this));
 
     showSettings();
     connect(&m_tool, &NudgeTool::settingsChanged, this, &NudgeOptions::showSettings);
     connect(m_radius, &QDoubleSpinBox::valueChanged, this, &NudgeOptions::takeSettings);
     connect(m_fits, &QCheckBox::clicked, this, &NudgeOptions::takeSettings);
+    connect(m_pressure, &QToolButton::clicked, this, &NudgeOptions::takeSettings);
 }
 
 void NudgeOptions::showSettings()
@@ -53,11 +58,14 @@ void NudgeOptions::showSettings()
     const QSignalBlocker radius(m_radius);
     m_radius->setValue(m_tool.settings().radiusMm);
     m_fits->setChecked(m_tool.settings().fits);
+    m_pressure->setChecked(m_tool.settings().radiusByPressure);
 }
 
 void NudgeOptions::takeSettings()
 {
-    m_tool.setSettings({.radiusMm = m_radius->value(), .fits = m_fits->isChecked()});
+    m_tool.setSettings({.radiusMm = m_radius->value(),
+        .fits = m_fits->isChecked(),
+        .radiusByPressure = m_pressure->isChecked()});
 }
 
 } // namespace ui

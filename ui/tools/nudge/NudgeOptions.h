@@ -5,6 +5,7 @@
 
 class QCheckBox;
 class QDoubleSpinBox;
+class QToolButton;
 
 namespace ui {
 
@@ -25,6 +26,7 @@ private:
     NudgeTool& m_tool;
     QDoubleSpinBox* m_radius;
     QCheckBox* m_fits;
+    QToolButton* m_pressure;
 };
 
 } // namespace ui

@@ -9,6 +9,7 @@
 #include "ui/tools/aim/CursorLabel.h"
 #include "ui/tools/common/BrushTool.h"
 #include "ui/tools/common/PaintLimits.h"
+#include "ui/tools/common/PenPressure.h"
 #include "ui/tools/growth/PaintTool.h"
 #include "ui/tools/nudge/NudgeOptions.h"
 #include "ui/workspace/SegmentActions.h"
@@ -31,6 +32,12 @@ bool isInverseNudge(const PointerSample& sample)
 
 } // namespace
 
+/// Where the pen was, and how firmly it was pressed there.
+struct NudgeTool::Place {
+    glm::dvec3 lps{0.0};
+    double share = 1.0; ///< of the radius
+};
+
 /// From pen-down until the session has been told all of it.
 struct NudgeTool::Stroke {
     ViewContext view; ///< of pen-down; holds for the whole stroke
@@ -39,8 +46,20 @@ struct NudgeTool::Stroke {
     bool fits = false;
     bool isBegun = false; ///< in the session
     bool isReleased = false;
-    std::vector<glm::dvec3> waiting{}; ///< places that the session was not told yet
-    glm::dvec3 last{0.0}; ///< LPS
+    bool isPressed = false; ///< the radius follows the pressure
+    std::vector<Place> waiting{}; ///< that the session was not told yet
+    Place last{};
+
+    [[nodiscard]] core::PathPoints points(const std::vector<Place>& places) const
+    {
+        core::PathPoints points;
+        for (const Place& place : places) {
+            points.pointsLps.push_back(place.lps);
+            if (isPressed)
+                points.pressures.push_back(place.share);
+        }
+        return points;
+    }
 };
 
 NudgeTool::NudgeTool(Workspace& workspace, QObject* parent)
@@ -93,13 +112,15 @@ QWidget* NudgeTool::createOptions(QWidget* parent)
 QJsonObject NudgeTool::settingsJson() const
 {
     return {{QStringLiteral("radiusMm"), m_settings.radiusMm},
-        {QStringLiteral("fits"), m_settings.fits}};
+        {QStringLiteral("fits"), m_settings.fits},
+        {QStringLiteral("radiusByPressure"), m_settings.radiusByPressure}};
 }
 
 void NudgeTool::applySettings(const QJsonObject& settings)
 {
     Settings now = m_settings;
     now.fits = settings[QLatin1String("fits")].toBool(now.fits);
+    now.radiusByPressure = settings[QLatin1String("radiusByPressure")].toBool(now.radiusByPressure);
     const double radiusMm = settings[QLatin1String("radiusMm")].toDouble(now.radiusMm);
     if (radiusMm >= BrushTool::minimumRadiusMm && radiusMm <= BrushTool::maximumRadiusMm)
         now.radiusMm = radiusMm;
@@ -170,8 +191,11 @@ void NudgeTool::press(const PointerSample& sample, const ViewContext& view)
     m_stroke = std::make_unique<Stroke>(Stroke{.view = view,
         .edit = strokeAt(sample.position, view, *label),
         .isInverse = isInverseNudge(sample),
-        .fits = m_settings.fits});
-    m_stroke->last = view.toLps(sample.position);
+        .fits = m_settings.fits,
+        .isPressed = m_settings.radiusByPressure && sample.isPen});
+    m_stroke->last = {.lps = view.toLps(sample.position), .share = pressedShare(sample)};
+    if (m_stroke->isPressed)
+        m_stroke->edit.path.pressures = std::vector<double>{m_stroke->last.share};
     m_looksAgain = false;
     const core::Result<void> asked = m_aim.ask(m_stroke->edit.path, *label,
         [this](const core::Result<core::NudgeStart>& start) { begin(start); });
@@ -208,7 +232,7 @@ void NudgeTool::begin(const core::Result<core::NudgeStart>& start)
     }
     m_stroke->isBegun = true;
     if (!m_stroke->waiting.empty())
-        session->extend(core::PathPoints{.pointsLps = std::exchange(m_stroke->waiting, {})});
+        session->extend(m_stroke->points(std::exchange(m_stroke->waiting, {})));
     if (m_stroke->isReleased)
         finish();
     Q_EMIT overlayChanged();
@@ -218,10 +242,13 @@ void NudgeTool::drag(const PointerSample& sample, const ViewContext& view)
 {
     if (!m_stroke || m_stroke->isReleased || view.view != m_stroke->view.view)
         return;
-    const glm::dvec3 place = m_stroke->view.toLps(sample.position);
-    if (place != std::exchange(m_stroke->last, place)) {
+    const Place place{.lps = m_stroke->view.toLps(sample.position), .share = pressedShare(sample)};
+    const Place& last = m_stroke->last;
+    const bool widens = m_stroke->isPressed && pressesHarder(place.share, last.share);
+    if (place.lps != last.lps || widens) {
+        m_stroke->last = place;
         if (m_stroke->isBegun)
-            m_workspace.session()->extend(core::PathPoints{.pointsLps = {place}});
+            m_workspace.session()->extend(m_stroke->points({place}));
         else
             m_stroke->waiting.push_back(place);
     }
@@ -300,6 +327,7 @@ void NudgeTool::showCursor(const PointerSample& sample, const ViewContext& view)
     m_cursor = sample.position;
     m_view = view;
     m_isInverse = m_stroke ? m_stroke->isInverse : isInverseNudge(sample);
+    m_share = m_stroke && m_stroke->isPressed ? pressedShare(sample) : 1.0;
     Q_EMIT overlayChanged();
 }
 
@@ -341,7 +369,7 @@ void NudgeTool::paintOverlay(QPainter& painter, const ViewContext& view) const
     const std::optional<bool> outwards = pushesOutwards();
     // Outwards and inwards differ in colour, in line and in words.
     const QColor colour = !outwards ? toolColour() : *outwards ? theme::good : theme::caution;
-    const double radius = radiusMm() / view.mmPerPixel();
+    const double radius = m_share * radiusMm() / view.mmPerPixel();
     drawCursorRing(painter, m_cursor, radius, colour, outwards == false);
     drawCursorCross(painter, m_cursor, colour); // what lies under it decides
     const QString size = tr("radius %1 mm").arg(numberText(radiusMm(), 1));

@@ -22,10 +22,11 @@ class Workspace;
 
 /// Pushes the border of the active segment in a slice with a disc: outwards if it is pressed inside
 /// the segment, inwards if outside; with Ctrl or the pen's eraser end the other way round. The
-/// voxel under the centre at pen-down decides, and the cursor shows it before. Pressure does not
-/// change the disc's radius. By default the disc is made so small that it begins wholly on one side
-/// of the border (core/sculpt/labels/NudgeStart.h). Each stroke is one step, which is shown while
-/// the pen is down. Which voxels may change is set as for painting.
+/// voxel under the centre at pen-down decides, and the cursor shows it before. By default the disc
+/// is made so small that it begins wholly on one side of the border
+/// (core/sculpt/labels/NudgeStart.h). On request its radius follows the pressure of a pen, up to
+/// that one. Each stroke is one step, which is shown while the pen is down. Which voxels may change
+/// is set as for painting.
 ///
 /// The start of a stroke is worked out in the background (NudgeAim); until that is known the tool
 /// stores the path of the pen.
@@ -36,6 +37,7 @@ public:
     struct Settings {
         double radiusMm = 8.0;
         bool fits = true; ///< the radius is at most the distance to the border at pen-down
+        bool radiusByPressure = false; ///< of a pen; else its pressure does nothing
         bool operator==(const Settings&) const = default;
     };
 
@@ -69,7 +71,8 @@ public:
     /// How a stroke under the pointer would begin, as far as known; none outside slices and before
     /// the first answer.
     [[nodiscard]] const std::optional<core::NudgeStart>& start() const { return m_start; }
-    /// The radius of the present stroke, or of one that would begin under the pointer.
+    /// The radius of the present stroke, or of one that would begin under the pointer; at full
+    /// pressure.
     [[nodiscard]] double radiusMm() const;
 
 Q_SIGNALS:
@@ -77,6 +80,7 @@ Q_SIGNALS:
 
 private:
     struct Stroke;
+    struct Place;
 
     /// The active segment, or the first one if none is active; null: there is no segment.
     [[nodiscard]] const core::Segment* nudged() const;
@@ -99,6 +103,7 @@ private:
     std::optional<ViewContext> m_view; ///< the view under the pointer
     QPointF m_cursor;
     bool m_isInverse = false;
+    double m_share = 1.0; ///< the share of the radius at the cursor
     /// The pointer has moved since the question, so it is asked again after the answer.
     bool m_looksAgain = false;
     NudgeAim m_aim; ///< last: its answers use all of the above

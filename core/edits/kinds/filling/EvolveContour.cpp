@@ -56,11 +56,64 @@ VoxelBox boxOfBubble(const Bubble& bubble, const glm::ivec3& size)
         .maximum = glm::min(bubble.middle + bubble.ball.extent + 1, size)};
 }
 
-bool isInBox(const VoxelBox& box, const glm::ivec3& voxel)
+bool erases(const EvolveContour& edit)
 {
-    return glm::all(glm::greaterThanEqual(voxel, box.minimum))
-        && glm::all(glm::lessThan(voxel, box.maximum));
+    return edit.erase.value_or(false);
 }
+
+RowTitleCode contourTitle(const EvolveContour& edit)
+{
+    if (erases(edit))
+        return edit.bubbleLps ? RowTitleCode::ContourErasedFromBubble : RowTitleCode::ContourErased;
+    return edit.bubbleLps ? RowTitleCode::ContourFromBubble : RowTitleCode::ContourEvolved;
+}
+
+/// With what a contour begins, voxel by voxel.
+struct ContourStart {
+    bool erases = false;
+    const LabelTarget& target;
+    const std::optional<Bubble>& bubble;
+
+    /// The box in which it evolves; empty: it has nothing to begin with.
+    /// @param own that of the segment
+    [[nodiscard]] VoxelBox boxOfGround(const VoxelBox& own, int generations,
+        const ContourKernel& kernel, const glm::ivec3& size) const
+    {
+        if (erases) // it does not leave the segment
+            return own.empty() ? own : contourBox(own, 0, kernel, size);
+        VoxelBox start = own;
+        if (bubble) {
+            const VoxelBox blown = boxOfBubble(*bubble, size);
+            start = start.empty() ? blown : start.united(blown);
+        }
+        return start.empty() ? start : contourBox(start, generations, kernel, size);
+    }
+    /// Flags of a ground, before there is a bubble.
+    [[nodiscard]] std::uint8_t flagsOf(std::uint8_t label) const
+    {
+        if (label == target.label)
+            return ContourGround::open | ContourGround::own | ContourGround::inside;
+        if (erases)
+            return bubble ? ContourGround::absent : std::uint8_t(0);
+        return label == 0 || target.overwritable[label] ? ContourGround::open : std::uint8_t(0);
+    }
+    [[nodiscard]] bool isInBubble(const glm::ivec3& voxel) const
+    {
+        if (!bubble)
+            return false;
+        const glm::ivec3 step = voxel - bubble->middle;
+        return glm::all(glm::lessThanEqual(glm::abs(step), bubble->ball.extent))
+            && bubble->ball.holds(step.x, step.y, step.z);
+    }
+    /// @param voxel flags of a voxel that is open
+    void takeBubble(std::uint8_t& voxel) const
+    {
+        if (erases)
+            voxel &= std::uint8_t(~ContourGround::inside);
+        else
+            voxel |= ContourGround::inside;
+    }
+};
 
 } // namespace
 
@@ -79,14 +132,16 @@ Result<bool> apply(const EvolveContour&, Document&)
 
 EditEffects effects(const EvolveContour& edit)
 {
-    return workedOutEffects(edit.segment, edit.bubbleLps.has_value() || namesPlaces(edit.editable));
+    EditEffects found =
+        workedOutEffects(edit.segment, edit.bubbleLps.has_value() || namesPlaces(edit.editable));
+    if (erases(edit))
+        found.fills.label.reset();
+    return found;
 }
 
 RowTitle rowTitle(const EvolveContour& edit, const RowFacts& row)
 {
-    return segmentChanged(
-        edit.bubbleLps ? RowTitleCode::ContourFromBubble : RowTitleCode::ContourEvolved,
-        edit.segment, row);
+    return segmentChanged(contourTitle(edit), edit.segment, row);
 }
 
 /// How far the contour would have come with other labels is unknown, so it depends on the whole
@@ -113,6 +168,7 @@ Result<ContourRule> contourRule(const EvolveContour& edit, const Document& docum
         .edge = edit.edge,
         .smoothness = edit.smoothness,
         .round = edit.round.value_or(false),
+        .erase = erases(edit),
         .kernel = contourKernel(volume.geometry)};
     rule.lowCode = edit.lower ? codes->low : -noContourBound;
     rule.highCode = edit.upper ? codes->high : noContourBound;
@@ -143,41 +199,33 @@ Result<ContourGround> contourGround(
     if (!bubble)
         return tl::unexpected(bubble.error());
 
-    VoxelBox start = boxOfLabel(labels, size, target->label);
-    VoxelBox blown;
-    if (*bubble) {
-        blown = boxOfBubble(**bubble, size);
-        start = start.empty() ? blown : start.united(blown);
-    }
+    const ContourStart start{.erases = erases(edit), .target = *target, .bubble = *bubble};
     ContourGround ground{.volumeSize = size};
-    if (start.empty())
+    ground.box = start.boxOfGround(
+        boxOfLabel(labels, size, target->label), edit.generations, rule->kernel, size);
+    if (ground.box.empty())
         return ground;
-    ground.box = contourBox(start, edit.generations, rule->kernel, size);
     if (const Result<void> fits = checkContourMemory(ground.box); !fits)
         return tl::unexpected(fits.error());
     const glm::ivec3 extent = ground.box.maximum - ground.box.minimum;
     ground.voxels.reserve(std::size_t(extent.x) * std::size_t(extent.y) * std::size_t(extent.z));
+    bool meetsBubble = false;
     for (int z = ground.box.minimum.z; z < ground.box.maximum.z; ++z) {
         for (int y = ground.box.minimum.y; y < ground.box.maximum.y; ++y) {
             const std::size_t row =
                 (std::size_t(z) * std::size_t(size.y) + std::size_t(y)) * std::size_t(size.x);
             for (int x = ground.box.minimum.x; x < ground.box.maximum.x; ++x) {
-                const std::uint8_t label = labels[row + std::size_t(x)];
-                std::uint8_t voxel = 0;
-                if (label == target->label)
-                    voxel = ContourGround::open | ContourGround::own | ContourGround::inside;
-                else if (label == 0 || target->overwritable[label])
-                    voxel = ContourGround::open;
-                const glm::ivec3 at(x, y, z);
-                if (*bubble && voxel != 0 && isInBox(blown, at)) {
-                    const glm::ivec3 step = at - (*bubble)->middle;
-                    if ((*bubble)->ball.holds(step.x, step.y, step.z))
-                        voxel |= ContourGround::inside;
+                std::uint8_t voxel = start.flagsOf(labels[row + std::size_t(x)]);
+                if ((voxel & ContourGround::open) && start.isInBubble({x, y, z})) {
+                    start.takeBubble(voxel);
+                    meetsBubble = true;
                 }
                 ground.voxels.push_back(voxel);
             }
         }
     }
+    if (start.erases && start.bubble && !meetsBubble)
+        return ContourGround{.volumeSize = size};
     return ground;
 }
 

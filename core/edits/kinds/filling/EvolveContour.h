@@ -38,11 +38,17 @@ struct EvolveContour {
     std::optional<glm::dvec3> bubbleLps{};
     double bubbleMm = 0.0; ///< radius of that ball
     int generations = 10; ///< greatest number; it stops earlier if nothing changes any more
-    bool overwriteUnlocked = false;
+    bool overwriteUnlocked = false; ///< without meaning if it erases
     std::optional<EditableRange> editable{}; ///< which voxels may change; none: any
     /// Whether it grows round where nothing stops it (ContourRule::round). None is the same as
     /// false, for rows that are older than this field: it grows into an octahedron.
     std::optional<bool> round{};
+    /// Whether a part of the segment evolves instead, which the segment loses: it grows where
+    /// values lie in the interval, and no other voxel changes. From a bubble it begins as the
+    /// segment's voxels in the ball and ends at the segment's border; without one it comes in from
+    /// everywhere around the segment. None is the same as false, for rows that are older than this
+    /// field.
+    std::optional<bool> erase{};
     bool operator==(const EvolveContour&) const = default;
 };
 
@@ -61,6 +67,7 @@ Result<bool> apply(const EvolveContour& edit, Document& document);
 /// The ground on which the contour evolves, without codes; with an empty box if the segment is
 /// empty and there is no bubble. A bubble gives the segment those voxels that may change and whose
 /// step from the voxel nearest to the bubble's centre lies in a MillimetreBall of its radius.
+/// While erasing it takes them away, and the box is empty if the segment has none of them.
 /// @param labels one for each voxel of the volume in the segment's plane, x fastest
 /// Errors: those of check(), OutOfMemory.
 [[nodiscard]] Result<ContourGround> contourGround(

@@ -26,15 +26,14 @@ int codesWithin(const VoxelEncoding& encoding, double tolerance)
         VoxelEncoding::codeCount - 1);
 }
 
-/// A nudge is a disc of one radius that takes all under it. Errors: InvalidField.
+/// A nudge is a disc that takes all under it. Errors: InvalidField.
 Result<void> checkTool(const PaintStroke& stroke)
 {
-    const bool isPlainDisc = stroke.path.shape == BrushPath::Shape::Disc && !stroke.path.pressures
-        && !stroke.edgeTolerance;
+    const bool isPlainDisc = stroke.path.shape == BrushPath::Shape::Disc && !stroke.edgeTolerance;
     if (stroke.tool != PaintStroke::Tool::Nudge || isPlainDisc)
         return {};
     return failure(ErrorCode::InvalidField, QStringLiteral("paint.tool"),
-        Clause::saying("a nudge is a disc without pressures and edgeTolerance"));
+        Clause::saying("a nudge is a disc without edgeTolerance"));
 }
 
 bool hasPressedTolerance(const PaintStroke& stroke)

@@ -298,11 +298,9 @@ private Q_SLOTS:
         QVERIFY(paintLabel(nudge, bench.document));
         PaintStroke ball = nudge;
         ball.path.shape = Shape::Ball;
-        PaintStroke pressed = nudge;
-        pressed.path.pressures = std::vector<double>{0.5};
         PaintStroke edges = nudge;
         edges.edgeTolerance = 20.0;
-        for (const PaintStroke& wrong : {ball, pressed, edges}) {
+        for (const PaintStroke& wrong : {ball, edges}) {
             const auto refused = paintLabel(wrong, bench.document);
             QVERIFY(!refused);
             QCOMPARE(refused.error().arguments.value(0), QStringLiteral("paint.tool"));
@@ -313,6 +311,30 @@ private Q_SLOTS:
         const auto disc = nudgeDisc(ball.path, bench.geometry(), QStringLiteral("paint"));
         QVERIFY(!disc);
         QCOMPARE(disc.error().arguments.value(0), QStringLiteral("paint.shape"));
+    }
+
+    /// Where a pen is pressed less the disc is smaller, as a brush is.
+    void aPressedNudgeIsAPressedDisc()
+    {
+        const Bench bench(axial());
+        const Bytes labels = block();
+        PaintStroke whole = bench.nudge({14, 15, 9}, glm::dvec3(0, 0, 1), 3.0);
+        whole.path.pointsLps.push_back(bench.geometry().toWorld({20, 15, 9}));
+        PaintStroke pressed = whole;
+        pressed.path.pressures = std::vector<double>{0.25, 0.5};
+        pressed = quantised(Edit(pressed)).get<PaintStroke>();
+        PaintStroke brush = pressed;
+        brush.tool.reset();
+        const Bytes after = bench.after(pressed, labels);
+        QVERIFY(after.values == bench.after(brush, labels).values);
+        QVERIFY(after.values != labels.values);
+        int missing = 0;
+        const Bytes most = bench.after(whole, labels);
+        eachVoxel([&](const glm::ivec3& voxel) {
+            QVERIFY(most.at(voxel) == 1 || after.at(voxel) != 1);
+            missing += most.at(voxel) != after.at(voxel);
+        });
+        QVERIFY(missing > 5);
     }
 };
 

@@ -198,6 +198,15 @@ void addFillingStrokes(std::vector<StrokeCase>& cases, const StrokeScene& scene)
     core::EvolveContour round = contour;
     round.round = true;
     cases.push_back({"a round contour from a bubble", volume, {first}, round});
+    core::EvolveContour erasing = round;
+    erasing.erase = true;
+    erasing.bubbleMm = 2.1;
+    erasing.generations = 2;
+    cases.push_back({"a contour that erases from a bubble", volume, {first, contour}, erasing});
+    core::EvolveContour eroding = further;
+    eroding.erase = true;
+    eroding.generations = 2;
+    cases.push_back({"a contour that erases from outside", volume, {first, contour}, eroding});
     core::EvolveContour taking = contour;
     taking.segment = 2;
     taking.overwriteUnlocked = true;

@@ -91,6 +91,11 @@ void addPaintStrokes(std::vector<StrokeCase>& cases, const StrokeScene& scene)
     auto nudge = slice.get<core::PaintStroke>();
     nudge.tool = core::PaintStroke::Tool::Nudge;
     cases.push_back({"nudge the border outwards", volume, {first, seeds, some, paint}, nudge});
+    core::PaintStroke pressedNudge = nudge;
+    pressedNudge.path.pressures = std::vector<double>(nudge.path.pointsLps.size(), 0.4);
+    pressedNudge.path.pressures->back() = 1.0;
+    cases.push_back(
+        {"nudge the border, pressed harder", volume, {first, seeds, some, paint}, pressedNudge});
     nudge.erase = true;
     nudge.seeds = false;
     cases.push_back({"nudge the border inwards", volume, {first, seeds, some, paint}, nudge});

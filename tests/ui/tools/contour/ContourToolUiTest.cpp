@@ -7,6 +7,7 @@
 #include "core/session/questions/VoxelQuestions.h"
 #include "tests/reference/filling/Contour.h"
 #include "tests/support/faults/FailingLog.h"
+#include "tests/support/fixtures/PointerStroke.h"
 #include "tests/support/fixtures/WindowFixture.h"
 #include "tests/support/fixtures/WorkspaceFixture.h"
 #include "tests/support/program/TestProgram.h"
@@ -70,6 +71,39 @@ public:
     }
     [[nodiscard]] Labels labels() { return *session().questions().labels(0); }
     void click(const glm::dvec3& index) { WindowFixture::click(view, pixel(view, index)); }
+    void clickBy(test::DrawnBy by, const glm::dvec3& index, Qt::KeyboardModifiers modifiers = {})
+    {
+        test::drawStroke(by, view, {pixel(view, index)}, modifiers);
+    }
+    void hoverWith(Qt::KeyboardModifiers modifiers)
+    {
+        hover(view, pixel(view, {20.0, 20.0, 20.0}), modifiers);
+    }
+    /// A ball of 8 mm around the middle: the ventricle, and the brain around it.
+    void addOrgan()
+    {
+        apply(test::newSegment(QStringLiteral("Organ")));
+        workspace.setActiveSegment(1);
+        apply(test::paintAt(1, {place({20.0, 20.0, 20.0})}, 8.0));
+    }
+    /// How many voxels of the segment have a value.
+    [[nodiscard]] std::int64_t voxelsWith(double hu)
+    {
+        const std::vector<std::uint16_t> codes = test::smallHead::volume().codes;
+        const Labels now = labels();
+        std::int64_t count = 0;
+        for (std::size_t voxel = 0; voxel < now.size(); ++voxel)
+            count += now[voxel] == 1 && int(codes[voxel]) - 1024 == int(hu) ? 1 : 0;
+        return count;
+    }
+    /// Whether the edits of the history, as a recipe, come to the same.
+    [[nodiscard]] bool isWhatARecipeComesTo()
+    {
+        test::WorkspaceFixture recipe;
+        for (const core::HistoryRow& row : session().history().rows())
+            recipe.apply(row.edit);
+        return recipe.session().stateHash() == session().stateHash();
+    }
     void press(const char* button)
     {
         auto* found = panel.findChild<QPushButton*>(QLatin1String(button));
@@ -143,12 +177,14 @@ private Q_SLOTS:
 
     /// A click, a look at what evolves, an earlier generation, Enter: one row, voxel by voxel what
     /// was shown, and what the oracle says.
+    void aBubbleEvolvesAndIsAccepted_data() { test::addMouseAndPen(); }
     void aBubbleEvolvesAndIsAccepted()
     {
+        QFETCH(const test::DrawnBy, by);
         Fixture fixture;
         QSignalSpy said(&fixture.workspace, &ui::Workspace::said);
         const std::int64_t looks = core::ThreadWithoutVoxels::looks();
-        fixture.click({20.0, 20.0, 20.0});
+        fixture.clickBy(by, {20.0, 20.0, 20.0});
         QVERIFY(fixture.tool.run().isOpen());
         QTRY_VERIFY(fixture.hasPlayed());
         QTRY_VERIFY(fixture.tool.run().isInSight());
@@ -193,6 +229,117 @@ private Q_SLOTS:
             qPrintable(name));
         QTRY_COMPARE(said.size(), 1);
         QCOMPARE(said.back().front().toString(), name + QStringLiteral("; Ctrl+Z takes it back"));
+        QVERIFY(fixture.isWhatARecipeComesTo());
+    }
+
+    /// Ctrl and the eraser end take away what evolves from the bubble, and nothing else of the
+    /// segment.
+    void itErasesFromABubble_data() { test::addWhatInverts(); }
+    void itErasesFromABubble()
+    {
+        QFETCH(const test::DrawnBy, by);
+        Fixture fixture;
+        fixture.addOrgan();
+        const Labels before = fixture.labels();
+        const std::int64_t ventricle = fixture.voxelsWith(test::smallHead::ventricleHu);
+        const std::int64_t brain = fixture.voxelsWith(test::smallHead::brainHu);
+        QVERIFY(ventricle > 200 && brain > 500);
+        fixture.clickBy(by, {20.0, 20.0, 20.0}, test::invertingKeys(by));
+        QTRY_VERIFY(fixture.hasPlayed());
+        QVERIFY(fixture.tool.run().rests());
+        QVERIFY2(fixture.tool.shownText().contains(QStringLiteral(" · erases ")),
+            qPrintable(fixture.tool.shownText()));
+        QCOMPARE(fixture.tool.run().track()->gained(), std::int64_t(0));
+        const std::vector<bool> seen = fixture.shownVoxels();
+        if (const QString folder = qEnvironmentVariable("BURIN_SCREENSHOTS"); !folder.isEmpty())
+            fixture.window.grab().save(folder + QStringLiteral("/contour-erases.png"));
+        QVERIFY(fixture.labels() == before); // nothing has changed yet
+        QTest::keyClick(&fixture.view, Qt::Key_Return);
+        QVERIFY(fixture.session().settle());
+        QCOMPARE(fixture.rows(), std::size_t(3));
+        QVERIFY(fixture.lastEdit().erase == true && fixture.lastEdit().bubbleLps);
+        const QString name = fixture.session().history().rows().back().name;
+        QVERIFY2(name.startsWith(QStringLiteral("Erase 'Organ' by a contour from a bubble, ")),
+            qPrintable(name));
+        QVERIFY(fixture.writtenVoxels() == seen);
+        QVERIFY(seen == fixture.expected(fixture.lastEdit(), before));
+        QVERIFY(fixture.voxelsWith(test::smallHead::ventricleHu) * 20 < ventricle);
+        QVERIFY(fixture.voxelsWith(test::smallHead::brainHu) * 50 > brain * 49);
+        QVERIFY(fixture.isWhatARecipeComesTo());
+    }
+
+    /// From the segment it comes in from all around it, as far as values lie in the interval.
+    void itErasesFromAllAround_data() { test::addWhatInverts(); }
+    void itErasesFromAllAround()
+    {
+        QFETCH(const test::DrawnBy, by);
+        Fixture fixture;
+        fixture.addOrgan();
+        const Labels before = fixture.labels();
+        const std::int64_t ventricle = fixture.voxelsWith(test::smallHead::ventricleHu);
+        const std::int64_t brain = fixture.voxelsWith(test::smallHead::brainHu);
+        ui::GrowSettings growth = fixture.workspace.growSettings();
+        growth.lower = 30.0;
+        growth.upper = 60.0; // the brain alone
+        fixture.workspace.setGrowSettings(growth);
+        ui::ContourTool::Settings settings = fixture.tool.settings();
+        settings.fromSegment = true;
+        fixture.tool.setSettings(settings);
+        fixture.clickBy(by, {5.0, 5.0, 20.0}, test::invertingKeys(by)); // anywhere
+        QTRY_VERIFY(fixture.hasPlayed());
+        const std::vector<bool> seen = fixture.shownVoxels();
+        QTest::keyClick(&fixture.view, Qt::Key_Return);
+        QVERIFY(fixture.session().settle());
+        QCOMPARE(fixture.rows(), std::size_t(3));
+        QVERIFY(fixture.lastEdit().erase == true && !fixture.lastEdit().bubbleLps);
+        const QString name = fixture.session().history().rows().back().name;
+        QVERIFY2(name.startsWith(QStringLiteral("Erase 'Organ' by a contour from outside, ")),
+            qPrintable(name));
+        QVERIFY(fixture.writtenVoxels() == seen);
+        QVERIFY(seen == fixture.expected(fixture.lastEdit(), before));
+        QVERIFY(fixture.voxelsWith(test::smallHead::brainHu) * 20 < brain);
+        QVERIFY(fixture.voxelsWith(test::smallHead::ventricleHu) * 10 > ventricle * 9);
+        QVERIFY(fixture.isWhatARecipeComesTo());
+    }
+
+    /// A bubble that holds all of the segment has nothing left to evolve into.
+    void aBubbleOverAllErasesAll()
+    {
+        Fixture fixture;
+        fixture.apply(test::newSegment(QStringLiteral("Organ")));
+        fixture.workspace.setActiveSegment(1);
+        fixture.apply(test::paintAt(1, {fixture.place({20.0, 20.0, 20.0})}, 1.5));
+        fixture.clickBy(test::DrawnBy::Eraser, {20.0, 20.0, 20.0});
+        QTRY_VERIFY(fixture.hasPlayed());
+        QTest::keyClick(&fixture.view, Qt::Key_Return);
+        QVERIFY(fixture.session().settle());
+        QCOMPARE(fixture.rows(), std::size_t(3));
+        QVERIFY(fixture.voxels().empty());
+    }
+
+    void whatCannotBeErasedSaysWhy()
+    {
+        Fixture fixture;
+        QSignalSpy said(&fixture.workspace, &ui::Workspace::said);
+        fixture.clickBy(test::DrawnBy::Eraser, {20.0, 20.0, 20.0});
+        QCOMPARE(said.size(), 1);
+        QCOMPARE(said.back().front().toString(), QStringLiteral("There is no segment to erase"));
+        QVERIFY(!fixture.tool.run().isOpen());
+        QCOMPARE(fixture.rows(), std::size_t(0));
+        fixture.addOrgan();
+        fixture.clickBy(test::DrawnBy::Eraser, {35.0, 20.0, 20.0});
+        QTRY_COMPARE(said.size(), 2);
+        QCOMPARE(said.back().front().toString(),
+            QStringLiteral("The segment has no voxels in the bubble"));
+        QVERIFY(!fixture.tool.run().isOpen());
+        QCOMPARE(fixture.rows(), std::size_t(2));
+        // What it would do is said before the click.
+        fixture.hoverWith({});
+        QCOMPARE(fixture.tool.target(), QStringLiteral("evolves Organ"));
+        fixture.hoverWith(Qt::ControlModifier);
+        QCOMPARE(fixture.tool.target(), QStringLiteral("erases Organ"));
+        QVERIFY(fixture.tool.hint().contains(QStringLiteral("eraser end")));
+        QVERIFY(fixture.tool.keys().contains(QStringLiteral("Ctrl erases")));
     }
 
     /// Each generation that the bar of the panel shows is what its button writes.

@@ -8,6 +8,7 @@
 #include "tests/support/cases/growth/LeakPhantoms.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/fixtures/Pen.h"
+#include "tests/support/fixtures/PointerStroke.h"
 #include "tests/support/fixtures/WindowFixture.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/PlainEdits.h"
@@ -16,6 +17,7 @@
 #include "ui/tools/growth/ShrinkPreview.h"
 #include "ui/views/ViewGrid.h"
 
+#include <QToolButton>
 #include <QtTest>
 
 #include <cstdint>
@@ -187,6 +189,64 @@ private Q_SLOTS:
         QVERIFY(fixture.session().undo());
         QVERIFY(fixture.session().settle());
         QCOMPARE(fixture.session().stateHash(), leaked);
+    }
+
+    /// A pen sketches as wide as it is pressed, if that is switched on, and the preview counts all
+    /// of it; with the eraser end the sketched voxels alone are taken.
+    void pressureIsTheWidth_data()
+    {
+        QTest::addColumn<bool>("inVolume");
+        QTest::newRow("slice") << false;
+        QTest::newRow("3D") << true;
+    }
+    void pressureIsTheWidth()
+    {
+        QFETCH(const bool, inVolume);
+        ShrinkFixture fixture;
+        ui::ImageView& where = inVolume ? static_cast<ui::ImageView&>(fixture.view) : fixture.slice;
+        const QByteArray leaked = fixture.session().stateHash();
+        auto* button = fixture.window.findChild<QToolButton*>(QStringLiteral("radiusByPressure"));
+        QVERIFY(button && !button->isChecked());
+        const QPointF at = where.context().toPixel(fixture.placeOf(phantom().click));
+        const auto taken = [&](double pressure) {
+            const std::size_t rows = fixture.rows();
+            test::Pen pen(where, test::Pen::End::Eraser);
+            pen.press(at - QPointF(6, 0), pressure, 100);
+            pen.move(at + QPointF(6, 0), pressure, 108);
+            const auto answered = [&] {
+                fixture.session().poll();
+                return fixture.tool.previewIsWhole();
+            };
+            if (!QTest::qWaitFor(answered, 60000))
+                return std::int64_t(-1);
+            const std::int64_t foreseen = fixture.tool.preview().voxels().value_or(0);
+            pen.release(at + QPointF(6, 0), 116);
+            fixture.answered();
+            const core::ShrinkAt* shrink = fixture.lastShrink();
+            const bool isAsForeseen = fixture.rows() == rows + 1 && shrink && shrink->onlyHere
+                && fixture.session().history().rows().back().statistics.voxelsChanged == foreseen;
+            const bool isBack = fixture.session().undo() && fixture.session().settle()
+                && fixture.session().stateHash() == leaked;
+            return isAsForeseen && isBack ? foreseen : std::int64_t(-1);
+        };
+        const std::int64_t line = taken(1.0);
+        QVERIFY2(line > 0, qPrintable(QString::number(line)));
+        button->click();
+        QVERIFY(fixture.tool.settingsJson()[QStringLiteral("byPressure")].toBool());
+        const std::int64_t light = taken(0.5);
+        const std::int64_t firm = taken(1.0);
+        QVERIFY2(light > line && firm > light,
+            qPrintable(QStringLiteral("%1, %2, %3").arg(line).arg(light).arg(firm)));
+        ui::ShrinkTool other(fixture.workspace);
+        other.applySettings(fixture.tool.settingsJson());
+        QCOMPARE(other.settingsJson(), fixture.tool.settingsJson());
+        // A mouse draws a line.
+        const std::size_t rows = fixture.rows();
+        test::drawStroke(test::DrawnBy::Mouse, where, {at - QPointF(6, 0), at + QPointF(6, 0)},
+            Qt::ControlModifier);
+        fixture.answered();
+        QCOMPARE(fixture.rows(), rows + 1);
+        QCOMPARE(fixture.session().history().rows().back().statistics.voxelsChanged, line);
     }
 
     void whereNothingGrewThatIsSaid()

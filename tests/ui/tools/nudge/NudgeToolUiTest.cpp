@@ -15,6 +15,7 @@
 #include <QCheckBox>
 #include <QDoubleSpinBox>
 #include <QSignalSpy>
+#include <QToolButton>
 #include <QtTest>
 
 #include <algorithm>
@@ -259,6 +260,64 @@ private Q_SLOTS:
         QVERIFY(fixture.labels() == after);
     }
 
+    /// Switched on, the disc is as large as the pen is pressed, up to the radius that it has
+    /// otherwise; a mouse has that.
+    void theRadiusFollowsThePressure()
+    {
+        Fixture fixture;
+        fixture.addLiver();
+        ui::SliceView& axial = fixture.views.axial();
+        auto* button = fixture.window.findChild<QToolButton*>(QStringLiteral("radiusByPressure"));
+        QVERIFY(button && !button->isChecked());
+        button->click();
+        QVERIFY(fixture.tool.settings().radiusByPressure);
+        const std::size_t rows = fixture.rows();
+        const Labels before = fixture.labels();
+        const Way way{{22, 20, 20}, {28, 20, 20}, {28, 20, 20}, {28, 20, 20}};
+        {
+            test::Pen pen(axial);
+            quint64 time = 90000;
+            pen.press(fixture.pixel(axial, way[0]), 0.3, time);
+            pen.move(fixture.pixel(axial, way[1]), 0.5, time += 8);
+            pen.move(fixture.pixel(axial, way[2]), 0.9, time += 8); // it rests, and is pressed
+            pen.move(fixture.pixel(axial, way[3]), 0.4, time += 8); // less changes nothing
+            pen.release(fixture.pixel(axial, way[3]), time + 8);
+        }
+        fixture.waitForStroke();
+        QCOMPARE(fixture.rows(), rows + 1);
+        const core::PaintStroke edit = fixture.lastEdit();
+        QVERIFY(edit.tool == core::PaintStroke::Tool::Nudge && edit.path.pressures);
+        QCOMPARE(edit.path.pointsLps.size(), std::size_t(3));
+        QCOMPARE(edit.path.pressures->size(), std::size_t(3));
+        const double expected[] = {0.3, 0.5, 0.9};
+        for (std::size_t i = 0; i < 3; ++i)
+            QVERIFY(std::abs((*edit.path.pressures)[i] - expected[i]) < 1e-4);
+        // At full pressure it would just fit.
+        const double border = toBorderMm(fixture, before, 2, true);
+        QVERIFY(edit.path.radiusMm < border && edit.path.radiusMm > border - 0.02);
+        const auto gained = [&before](const Labels& after) {
+            return std::count(after.begin(), after.end(), 1)
+                - std::count(before.begin(), before.end(), 1);
+        };
+        const std::ptrdiff_t pressed = gained(fixture.labels());
+        QVERIFY(pressed > 10);
+        test::WorkspaceFixture recipe;
+        for (const core::HistoryRow& row : fixture.session().history().rows())
+            recipe.apply(row.edit);
+        QCOMPARE(recipe.session().stateHash(), fixture.session().stateHash());
+        QVERIFY(fixture.session().undo() && fixture.session().settle());
+        QVERIFY(fixture.labels() == before);
+        // Inwards, with the eraser end, from the first touch on.
+        fixture.pushByPen(axial, {{20, 20, 20}, {21, 20, 20}}, test::Pen::End::Eraser);
+        QVERIFY(fixture.lastEdit().erase && fixture.lastEdit().path.pressures);
+        QVERIFY(fixture.session().undo() && fixture.session().settle());
+        // A mouse knows no pressure.
+        fixture.pushByMouse(axial, way);
+        QVERIFY(!fixture.lastEdit().path.pressures);
+        QCOMPARE(fixture.lastEdit().path.radiusMm, edit.path.radiusMm);
+        QVERIFY2(gained(fixture.labels()) > pressed, qPrintable(QString::number(pressed)));
+    }
+
     void controlAndTheEraserEndInvert()
     {
         Fixture fixture;
@@ -462,6 +521,7 @@ private Q_SLOTS:
         fits->click();
         QVERIFY(
             (fixture.tool.settings() == ui::NudgeTool::Settings{.radiusMm = 6.5, .fits = false}));
+        fixture.window.findChild<QToolButton*>(QStringLiteral("radiusByPressure"))->click();
         fixture.tool.changeRadius(1);
         QCOMPARE(radius->value(), 7.0);
         ui::NudgeTool other(fixture.workspace);

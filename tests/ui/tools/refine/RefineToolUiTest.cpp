@@ -15,6 +15,7 @@
 #include "core/session/SessionSurface.h"
 #include "tests/support/cases/SurfaceCases.h"
 #include "tests/support/fixtures/Pen.h"
+#include "tests/support/fixtures/PointerStroke.h"
 #include "tests/support/fixtures/WindowFixture.h"
 #include "tests/support/fixtures/WorkspaceFixture.h"
 #include "tests/support/program/TestProgram.h"
@@ -87,6 +88,14 @@ public:
         return session().history().row(session().history().position());
     }
     [[nodiscard]] std::int64_t voxels() { return session().document().segment(1)->voxels; }
+    /// Whether the edits of the history, as a recipe, come to the same.
+    [[nodiscard]] bool isWhatARecipeComesTo()
+    {
+        test::WorkspaceFixture recipe;
+        for (const core::HistoryRow& row : session().history().rows())
+            recipe.apply(row.edit);
+        return recipe.session().stateHash() == session().stateHash();
+    }
 
     /// While an edit stands open.
     void settleOpen()
@@ -449,6 +458,86 @@ private Q_SLOTS:
         fixture.settle();
         QCOMPARE(fixture.marked(SurfaceMark::Red), std::size_t(0));
         QCOMPARE(errors->count(), 0);
+    }
+
+    /// A stroke is a row; written back, the segment has what the surface encloses then.
+    void mouseAndPenRepairTheSegment_data()
+    {
+        QTest::addColumn<bool>("drags");
+        QTest::addColumn<bool>("inVolume");
+        QTest::addColumn<test::DrawnBy>("by");
+        for (const auto by : {test::DrawnBy::Mouse, test::DrawnBy::Pen}) {
+            const char* name = by == test::DrawnBy::Mouse ? "mouse" : "pen";
+            QTest::addRow("a sphere on a slice, %s", name) << false << false << by;
+            QTest::addRow("a sphere in 3D, %s", name) << false << true << by;
+            QTest::addRow("a drag on a slice, %s", name) << true << false << by;
+        }
+    }
+    void mouseAndPenRepairTheSegment()
+    {
+        QFETCH(const bool, drags);
+        QFETCH(const bool, inVolume);
+        QFETCH(const test::DrawnBy, by);
+        RefineFixture fixture;
+        fixture.lay();
+        fixture.set(drags ? Mode::Drag : Mode::Sphere, 6.0);
+        const std::size_t rows = fixture.rows();
+        ui::ImageView& where = inVolume ? static_cast<ui::ImageView&>(fixture.view) : fixture.slice;
+        // Drawn out from the surface, or pushed in by a ball whose middle is outside of it; the 3D
+        // view looks at the front.
+        std::vector<glm::dvec3> places{{radius, 0.0, 0.0}, {radius + 4.0, 0.0, 0.0}};
+        if (!drags)
+            places = inVolume
+                ? std::vector<glm::dvec3>{{0.0, -radius, 0.0}, {2.0, -radius, 0.0}}
+                : std::vector<glm::dvec3>{{radius + 3.0, 0.0, 0.0}, {radius + 3.0, 2.0, 0.0}};
+        std::vector<QPointF> way;
+        for (const glm::dvec3& place : places)
+            way.push_back(fixture.at(where, place));
+        test::drawStroke(by, where, way);
+        fixture.settle();
+        QCOMPARE(fixture.rows(), rows + 1);
+        const QString name = fixture.lastRow().name;
+        QVERIFY2(name.startsWith(drags ? QStringLiteral("Drag point 6.0 mm")
+                                       : QStringLiteral("Sphere push 6.0 mm")),
+            qPrintable(name));
+        const std::int64_t before = fixture.voxels();
+        fixture.refinement().writeBack();
+        fixture.settle();
+        QCOMPARE(fixture.rows(), rows + 2);
+        QVERIFY2(drags ? fixture.voxels() > before + 20 : fixture.voxels() < before - 20,
+            qPrintable(QStringLiteral("%1 of %2").arg(fixture.voxels()).arg(before)));
+        QVERIFY(fixture.isWhatARecipeComesTo());
+    }
+
+    void controlAndTheEraserEndInvert_data() { test::addWhatInverts(); }
+    void controlAndTheEraserEndInvert()
+    {
+        QFETCH(const test::DrawnBy, by);
+        RefineFixture fixture;
+        fixture.lay();
+        // On what is seen in 3D a sphere pushes outwards.
+        fixture.set(Mode::Sphere, 6.0);
+        const std::int64_t before = fixture.voxels();
+        test::drawStroke(by, fixture.view, {fixture.at(fixture.view, {0.0, -radius, 0.0})},
+            test::invertingKeys(by));
+        fixture.settle();
+        QVERIFY(fixture.lastRow().edit.is<core::SpherePush>());
+        fixture.refinement().writeBack();
+        fixture.settle();
+        QVERIFY2(fixture.voxels() > before + 20,
+            qPrintable(QStringLiteral("%1 of %2").arg(fixture.voxels()).arg(before)));
+        // Marks are taken off.
+        fixture.markTheLeft();
+        const std::size_t red = fixture.marked(SurfaceMark::Red);
+        QVERIFY(red > 5);
+        fixture.set(Mode::Mark, 6.0);
+        test::drawStroke(by, fixture.slice,
+            {fixture.at(fixture.slice, {radius + 3.0, 0.0, 0.0}),
+                fixture.at(fixture.slice, {radius, 0.0, 0.0})},
+            test::invertingKeys(by));
+        fixture.settle();
+        QVERIFY2(fixture.marked(SurfaceMark::Red) < red, qPrintable(fixture.lastRow().name));
+        QVERIFY(fixture.isWhatARecipeComesTo());
     }
 
     void errorsAreSignedOffOneByOne()

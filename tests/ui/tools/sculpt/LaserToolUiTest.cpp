@@ -6,6 +6,7 @@
 #include "core/edits/engine/HalfSpaces.h"
 #include "core/edits/kinds/parts/ClipHalfSpaces.h"
 #include "tests/support/fixtures/Pen.h"
+#include "tests/support/fixtures/PointerStroke.h"
 #include "tests/support/fixtures/WindowFixture.h"
 #include "tests/support/fixtures/WorkspaceFixture.h"
 #include "tests/support/program/TestProgram.h"
@@ -91,14 +92,18 @@ class LaserToolUiTest : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
+    void aStrokeIsTheEditOfARecipe_data() { test::addMouseAndPen(); }
     void aStrokeIsTheEditOfARecipe()
     {
+        QFETCH(const test::DrawnBy, by);
         PressFixture fixture;
         ui::LaserTool tool(fixture.workspace);
         fixture.workspace.setActiveTool(&tool);
         const auto scene = std::get<gpu::VolumeScene>(fixture.view.context().scene);
-        fixture.draw(fixture.at(0, 0), fixture.at(4, 2));
+        test::drawStroke(by, fixture.view, {fixture.at(0, 0), fixture.at(2, 1), fixture.at(4, 2)});
+        QVERIFY(fixture.session().settle());
         QCOMPARE(fixture.rows(), std::size_t(1));
+        QVERIFY(fixture.carvedVoxels() > 20);
         const auto& row = fixture.session().history().rows().back();
         QVERIFY(row.name.startsWith(QStringLiteral("Laser 15.0 mm, ")));
         const test::StrokeFacts laser = test::factsOfStroke(row.edit);
@@ -110,6 +115,32 @@ private Q_SLOTS:
         test::WorkspaceFixture recipe;
         recipe.apply(row.edit);
         QCOMPARE(recipe.session().stateHash(), hash);
+    }
+
+    /// What was carved before, where the stroke goes along again.
+    void controlAndTheEraserEndRestore_data() { test::addWhatInverts(); }
+    void controlAndTheEraserEndRestore()
+    {
+        QFETCH(const test::DrawnBy, by);
+        PressFixture fixture;
+        ui::LaserTool tool(fixture.workspace);
+        fixture.workspace.setActiveTool(&tool);
+        const std::vector<QPointF> way{fixture.at(0, 0), fixture.at(4, 2)};
+        test::drawStroke(test::DrawnBy::Pen, fixture.view, way);
+        QVERIFY(fixture.session().settle());
+        const std::int64_t carved = fixture.carvedVoxels();
+        test::drawStroke(by, fixture.view, way, test::invertingKeys(by));
+        QVERIFY(fixture.session().settle());
+        QCOMPARE(fixture.rows(), std::size_t(2));
+        QVERIFY(test::factsOfStroke(lastEdit(fixture)).restore);
+        const QString name = fixture.session().history().rows().back().name;
+        QVERIFY2(name.startsWith(QStringLiteral("Restore laser ")), qPrintable(name));
+        QVERIFY2(fixture.carvedVoxels() < carved,
+            qPrintable(QStringLiteral("%1 of %2").arg(fixture.carvedVoxels()).arg(carved)));
+        test::WorkspaceFixture recipe;
+        for (const core::HistoryRow& row : fixture.session().history().rows())
+            recipe.apply(row.edit);
+        QCOMPARE(recipe.session().stateHash(), fixture.session().stateHash());
     }
 
     void itsDepthIsItsOwn()

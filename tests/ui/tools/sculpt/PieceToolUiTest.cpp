@@ -8,6 +8,7 @@
 #include "core/edits/kinds/segments/RemoveSegment.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/fixtures/Pen.h"
+#include "tests/support/fixtures/PointerStroke.h"
 #include "tests/support/fixtures/WindowFixture.h"
 #include "tests/support/fixtures/WorkspaceFixture.h"
 #include "tests/support/program/TestProgram.h"
@@ -100,14 +101,18 @@ public:
         const core::Piece& piece = document().pieces.front();
         return view.context().toPixel(*piece.pivotLps + piece.pose.offsetMm);
     }
-    void pull(const QPointF& from, const QPointF& by)
+    void pull(const QPointF& from, const QPointF& by, test::DrawnBy with = test::DrawnBy::Pen)
     {
-        test::Pen pen(view);
-        pen.press(from, 1.0, 1000);
-        pen.move(from + by * 0.5, 1.0, 1010);
-        pen.move(from + by, 1.0, 1020);
-        pen.release(from + by, 1030);
+        test::drawStroke(with, view, {from, from + by * 0.5, from + by});
         settle();
+    }
+    /// Whether the edits of the history, as a recipe, come to the same.
+    [[nodiscard]] bool isWhatARecipeComesTo() const
+    {
+        test::WorkspaceFixture recipe;
+        for (const core::HistoryRow& row : workspace.session()->history().rows())
+            recipe.apply(row.edit);
+        return recipe.session().stateHash() == workspace.session()->stateHash();
     }
     void save(const char* name)
     {
@@ -273,13 +278,21 @@ private Q_SLOTS:
         QCOMPARE(fixture.document().pieces.front().layer, 1);
     }
 
+    void theMiddleMovesIt_data() { test::addMouseAndPen(); }
     void theMiddleMovesIt()
     {
+        QFETCH(const test::DrawnBy, by);
         PieceFixture fixture;
         fixture.lift();
         const std::size_t before = fixture.rows();
-        fixture.pull(fixture.middle(), {40, -25});
+        const int carved = fixture.carvedBy(1);
+        const QByteArray lifted = fixture.workspace.session()->stateHash();
+        fixture.pull(fixture.middle(), {40, -25}, by);
         QCOMPARE(fixture.rows(), before + 1); // one step a drag
+        const QString name = fixture.workspace.session()->history().rows().back().name;
+        QVERIFY2(name.startsWith(QStringLiteral("Move piece '")), qPrintable(name));
+        QCOMPARE(fixture.carvedBy(1), carved); // where it is shown decides no voxel
+        QVERIFY(fixture.isWhatARecipeComesTo());
         const double mm = fixture.view.context().mmPerPixel();
         const glm::dvec3 moved = fixture.document().pieces.front().pose.offsetMm;
         // From the front the patient's left is right in the picture.
@@ -290,27 +303,30 @@ private Q_SLOTS:
         QVERIFY(fixture.workspace.session()->undo());
         fixture.settle();
         QVERIFY(fixture.document().pieces.front().pose.isHome());
+        QCOMPARE(fixture.workspace.session()->stateHash(), lifted);
         // Beside the handles the view turns.
         const auto camera = fixture.view.camera().towardsViewer;
-        fixture.pull(fixture.middle() + QPointF(110, 60), {20, 0});
+        fixture.pull(fixture.middle() + QPointF(110, 60), {20, 0}, by);
         QVERIFY(fixture.document().pieces.front().pose.isHome());
         QVERIFY(fixture.view.camera().towardsViewer != camera);
     }
 
+    void ringAndKnobsTurnIt_data() { test::addMouseAndPen(); }
     void ringAndKnobsTurnIt()
     {
+        QFETCH(const test::DrawnBy, by);
         PieceFixture fixture;
         fixture.lift();
         const double ring = ui::PieceTool::ringPixels;
         const double diagonal = ring * std::sqrt(0.5);
         // A quarter turn in the picture, counter-clockwise: about the direction to the viewer.
-        fixture.pull(fixture.middle() + QPointF(diagonal, diagonal), {0, -2.0 * diagonal});
+        fixture.pull(fixture.middle() + QPointF(diagonal, diagonal), {0, -2.0 * diagonal}, by);
         glm::dvec3 turn = fixture.document().pieces.front().pose.rotationDegrees;
         QVERIFY2(glm::distance(turn, glm::dvec3(0, -90, 0)) < 1.0,
             qPrintable(QStringLiteral("%1 %2 %3").arg(turn.x).arg(turn.y).arg(turn.z)));
         fixture.workspace.pieces().setPose(1, {});
         fixture.settle();
-        fixture.pull(fixture.middle() + QPointF(ring, 0), {50, 0});
+        fixture.pull(fixture.middle() + QPointF(ring, 0), {50, 0}, by);
         turn = fixture.document().pieces.front().pose.rotationDegrees;
         QVERIFY(glm::distance(turn, glm::dvec3(0, 0, 30)) < 1.0);
         // Escape takes back.

@@ -10,6 +10,7 @@
 #include "core/measure/MeasuredSize.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/fixtures/Pen.h"
+#include "tests/support/fixtures/PointerStroke.h"
 #include "tests/support/fixtures/WindowFixture.h"
 #include "tests/support/fixtures/WorkspaceFixture.h"
 #include "tests/support/program/TestProgram.h"
@@ -55,14 +56,19 @@ public:
         if (!session().apply(edit) || !session().settle())
             qFatal("refused");
     }
-    void drag(ui::ImageView& view, const QPointF& from, const QPointF& to)
+    void drag(ui::ImageView& view, const QPointF& from, const QPointF& to,
+        test::DrawnBy by = test::DrawnBy::Pen)
     {
-        test::Pen pen(view);
-        pen.press(from, 0.5, 100);
-        pen.move((from + to) / 2.0, 0.7, 108);
-        pen.move(to, 0.7, 116);
-        pen.release(to, 124);
+        test::drawStroke(by, view, {from, (from + to) / 2.0, to});
         settle();
+    }
+    /// Whether the edits of the history, as a recipe, come to the same.
+    [[nodiscard]] bool isWhatARecipeComesTo()
+    {
+        test::WorkspaceFixture recipe;
+        for (const core::HistoryRow& row : session().history().rows())
+            recipe.apply(row.edit);
+        return recipe.session().stateHash() == session().stateHash();
     }
     void settle()
     {
@@ -102,15 +108,19 @@ class MeasureToolUiTest : public QObject {
 private Q_SLOTS:
     void init() { test::failOnUnexpectedMessages(); }
 
+    void aDragOnASliceIsADistance_data() { test::addMouseAndPen(); }
     void aDragOnASliceIsADistance()
     {
+        QFETCH(const test::DrawnBy, by);
         Fixture fixture;
+        const QByteArray before = fixture.session().stateHash();
         ui::SliceView& view = fixture.window.views().sagittal();
         const QPointF from = middleOf(view) + QPointF(-30, -10);
         const QPointF to = middleOf(view) + QPointF(10, 20);
         const double mm = view.context().mmPerPixel() * 50.0;
-        fixture.drag(view, from, to);
+        fixture.drag(view, from, to, by);
         QCOMPARE(fixture.measurements().size(), std::size_t(1));
+        QVERIFY(fixture.isWhatARecipeComesTo());
         QVERIFY(std::abs(fixture.measurements()[0].lengthMm() - mm) < 0.01);
         QCOMPARE(fixture.measurements()[0].piece, 0);
         QCOMPARE(fixture.session().history().rows().back().name,
@@ -118,6 +128,7 @@ private Q_SLOTS:
         QVERIFY(fixture.session().undo());
         fixture.settle();
         QVERIFY(fixture.measurements().empty());
+        QCOMPARE(fixture.session().stateHash(), before);
         QVERIFY(fixture.session().redo());
         fixture.settle();
         QCOMPARE(fixture.measurements().size(), std::size_t(1));
@@ -139,15 +150,18 @@ private Q_SLOTS:
         QVERIFY(fixture.session().history().rows().empty());
     }
 
+    void inThreeDimensionsItIsMeasuredOnWhatIsSeen_data() { test::addMouseAndPen(); }
     void inThreeDimensionsItIsMeasuredOnWhatIsSeen()
     {
+        QFETCH(const test::DrawnBy, by);
         Fixture fixture;
         ui::VolumeView& view = fixture.window.views().volume();
         view.lookFrom({0.0, -1.0, 0.0});
         const double mmPerPixel = view.context().mmPerPixel();
         const QPointF reach(10.0 / mmPerPixel, 0.0);
-        fixture.drag(view, middleOf(view) - reach, middleOf(view) + reach);
+        fixture.drag(view, middleOf(view) - reach, middleOf(view) + reach, by);
         QCOMPARE(fixture.measurements().size(), std::size_t(1));
+        QVERIFY(fixture.isWhatARecipeComesTo());
         const core::Measurement& measured = fixture.measurements()[0];
         QVERIFY2(std::abs(measured.lengthMm() - 20.0) < 1.5,
             qPrintable(QString::number(measured.lengthMm())));

@@ -146,12 +146,15 @@ private Q_SLOTS:
         QTest::addColumn<bool>("bubble");
         QTest::addColumn<bool>("over");
         QTest::addColumn<int>("range"); // which editable range
+        QTest::addColumn<bool>("erase");
         for (const bool bubble : {false, true}) {
-            for (const bool over : {false, true}) {
-                for (int range = 0; range < 6; ++range)
+            for (int range = 0; range < 6; ++range) {
+                for (const bool over : {false, true})
                     QTest::addRow(
                         "bubble %d, over others %d, range %d", int(bubble), int(over), range)
-                        << bubble << over << range;
+                        << bubble << over << range << false;
+                QTest::addRow("bubble %d, erasing, range %d", int(bubble), range)
+                    << bubble << false << range << true;
             }
         }
     }
@@ -160,6 +163,7 @@ private Q_SLOTS:
         QFETCH(const bool, bubble);
         QFETCH(const bool, over);
         QFETCH(const int, range);
+        QFETCH(const bool, erase);
         Bench bench;
         EvolveContour edit{.segment = 1,
             .lower = -200.0,
@@ -171,9 +175,12 @@ private Q_SLOTS:
             .generations = 12,
             .overwriteUnlocked = over};
         if (bubble) {
-            edit.bubbleLps = bench.at({22.0, 19.0, 19.0});
-            edit.bubbleMm = 4.1;
+            edit.bubbleLps = bench.at(erase ? glm::dvec3(20.0, 18.0, 16.0) // in the segment
+                                            : glm::dvec3(22.0, 19.0, 19.0));
+            edit.bubbleMm = erase ? 1.6 : 4.1;
         }
+        if (erase)
+            edit.erase = true;
         const std::optional<EditableRange> ranges[] = {std::nullopt,
             EditableRange{.lower = -60.0, .upper = 130.0},
             EditableRange{
@@ -187,6 +194,7 @@ private Q_SLOTS:
         QVERIFY(watched);
         const ContourTrack& track = watched->track;
         QVERIFY(track.known() >= 3);
+        QVERIFY(!erase || track.gained() == 0);
         const Labels before = bench.labels();
         for (const int generation : {1, 2, 3, track.known()}) {
             watched->goTo(generation);

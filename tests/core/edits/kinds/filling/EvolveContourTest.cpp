@@ -182,6 +182,10 @@ private Q_SLOTS:
                     {double(12 + below(16)), double(12 + below(12)), double(10 + below(14))});
                 edit.bubbleMm = 2.6 + below(3); // no distance between two voxels
             }
+            if (step % 4 >= 2) { // from a bubble, then from all around
+                edit.erase = true;
+                edit.overwriteUnlocked = false;
+            }
             const Labels before = bench.labels();
             const std::size_t rows = bench.rows().size();
             bench.run(edit);
@@ -195,6 +199,78 @@ private Q_SLOTS:
         for (std::size_t row = 1; row < bench.rows().size(); ++row)
             anew.run(bench.rows()[row].edit);
         QCOMPARE(anew.session->stateHash(), bench.session->stateHash());
+    }
+
+    /// Where nothing stops it, all of the segment goes, up to its border, and nothing beside it.
+    void itErasesUpToTheBorder_data()
+    {
+        QTest::addColumn<bool>("bubble");
+        QTest::addColumn<int>("smoothness");
+        for (const bool bubble : {false, true}) {
+            for (const int smoothness : {0, 50, 80})
+                QTest::addRow("bubble %d, smoothness %d", int(bubble), smoothness)
+                    << bubble << smoothness;
+        }
+    }
+    void itErasesUpToTheBorder()
+    {
+        QFETCH(const bool, bubble);
+        QFETCH(const int, smoothness);
+        Bench bench(test::smallStudy());
+        bench.run(test::addSegment("Other"));
+        bench.run(test::paintAt(1, {bench.geometry().toWorld({16.0, 18.0, 16.0})}, 5.0));
+        bench.run(test::paintAt(2, {bench.geometry().toWorld({24.0, 18.0, 16.0})}, 3.0));
+        EvolveContour edit{.segment = 1,
+            .smoothness = smoothness,
+            .generations = 60,
+            .round = true,
+            .erase = true};
+        if (bubble) {
+            edit.bubbleLps = bench.geometry().toWorld({16.0, 18.0, 16.0});
+            edit.bubbleMm = 2.6;
+        }
+        const Labels before = bench.labels();
+        const auto others = std::count(before.begin(), before.end(), 2);
+        QVERIFY(others > 20 && std::count(before.begin(), before.end(), 1) > 100);
+        bench.run(edit);
+        const Labels after = bench.labels();
+        QVERIFY(after == bench.expectedAfter(edit, before));
+        QCOMPARE(std::count(after.begin(), after.end(), 1), std::ptrdiff_t(0));
+        QCOMPARE(std::count(after.begin(), after.end(), 2), others);
+        const QString name = bench.rows().back().name;
+        QVERIFY2(
+            name.startsWith(bubble ? QStringLiteral("Erase 'Organ' by a contour from a bubble, ")
+                                   : QStringLiteral("Erase 'Organ' by a contour from outside, ")),
+            qPrintable(name));
+    }
+
+    /// A part that is cut off from the bubble by other values stays, as does the border elsewhere.
+    void fromABubbleItErasesOnlyWhatHangsTogether()
+    {
+        Bench bench(test::smallStudy());
+        for (const double column : {12.0, 26.0})
+            bench.run(test::paintAt(1, {bench.geometry().toWorld({column, 18.0, 16.0})}, 3.0));
+        const Labels before = bench.labels();
+        const EvolveContour edit{.segment = 1,
+            .bubbleLps = bench.geometry().toWorld({12.0, 18.0, 16.0}),
+            .bubbleMm = 1.6,
+            .generations = 40,
+            .round = true,
+            .erase = true};
+        bench.run(edit);
+        const Labels after = bench.labels();
+        QVERIFY(after == bench.expectedAfter(edit, before));
+        const auto has = [&](const glm::ivec3& voxel) {
+            const glm::ivec3& size = bench.geometry().size;
+            return after[std::size_t((voxel.z * size.y + voxel.y) * size.x + voxel.x)] == 1;
+        };
+        QVERIFY(!has({12, 18, 16}) && has({26, 18, 16}));
+        const std::ptrdiff_t left = std::count(after.begin(), after.end(), 1);
+        QCOMPARE(2 * left, std::count(before.begin(), before.end(), 1));
+        // Where the segment has nothing, there is no row.
+        const std::size_t rows = bench.rows().size();
+        bench.run(edit);
+        QCOMPARE(bench.rows().size(), rows);
     }
 
     void whatCannotBe()
