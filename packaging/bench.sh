@@ -16,6 +16,7 @@
 #   packaging/bench.sh --reactions from a step of the hand to its picture: drilling, growing, undo, chunks
 #   packaging/bench.sh --refine    the surface of a segment while it is repaired, and chunks
 #   packaging/bench.sh --sculpt    masks and strokes of the sculpting tools only
+#   packaging/bench.sh --segments  what works on a whole segment, on three real series, against ITK's filters
 #   packaging/bench.sh --performance   all of it, written as resources/help/performance.md
 #   packaging/bench.sh --smoke     no times: what steps of the hand and their pictures cost in what is
 #                                  counted (bricks, dispatches, pixels, bytes, large allocations) against
@@ -35,7 +36,7 @@ if [ "$*" = --smoke ] || [ "$*" = "--smoke --record" ]; then
     unset BURIN_RECORD_WORK
     [ "$*" = --smoke ] || export BURIN_RECORD_WORK=1
     status=0
-    for counted in WorkOfStepsGlTest WorkOfPicturesGlTest; do
+    for counted in WorkOfStepsGlTest WorkOfLabelsGlTest WorkOfPicturesGlTest; do
         "$burinBuild/tests/gpu_work_test" "$counted" || status=1
     done
     exit $status
@@ -48,8 +49,8 @@ for option in "$@"; do
             [ $# -eq 1 ] || fail "--performance stands alone"
             performance=yes
             ;;
-        --json | --decode | --frames | --grow | --history | --load | --memory | --moving | --plane | --reactions | --refine | --sculpt) ;;
-        *) fail "usage: packaging/bench.sh [--json] [--decode] [--frames] [--grow] [--history] [--load] [--memory] [--moving] [--plane] [--reactions] [--refine] [--sculpt] | --performance | --smoke [--record]" ;;
+        --json | --decode | --frames | --grow | --history | --load | --memory | --moving | --plane | --reactions | --refine | --sculpt | --segments) ;;
+        *) fail "usage: packaging/bench.sh [--json] [--decode] [--frames] [--grow] [--history] [--load] [--memory] [--moving] [--plane] [--reactions] [--refine] [--sculpt] [--segments] | --performance | --smoke [--record]" ;;
     esac
 done
 

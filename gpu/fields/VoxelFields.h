@@ -38,6 +38,11 @@ public:
     [[nodiscard]] const Texture3D& codes() const { return m_shared.intensityCodes(); }
     /// Least and greatest code of each macro-cell (MacroCells::ranges()).
     [[nodiscard]] const Texture3D& codeRanges() const { return m_shared.cells().ranges(); }
+    /// Whether a brick, by its number, may hold one of these codes (MacroCells::mayHold()).
+    [[nodiscard]] bool mayHold(std::uint32_t brick, int lowestCode, int highestCode) const
+    {
+        return m_shared.cells().mayHold(m_grid.brickPosition(int(brick)), lowestCode, highestCode);
+    }
     [[nodiscard]] const Texture3D& radiation() const { return m_radiation; }
     [[nodiscard]] const BrickCopier& copier() const { return m_copier; }
 

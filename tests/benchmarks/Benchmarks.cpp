@@ -5,6 +5,7 @@
 #include "tests/benchmarks/itk/GrowBenchmark.h"
 #include "tests/benchmarks/itk/LoadBenchmark.h"
 #include "tests/benchmarks/itk/RefineBenchmark.h"
+#include "tests/benchmarks/itk/SegmentBenchmark.h"
 #include "tests/benchmarks/own/DecodeBenchmark.h"
 #include "tests/benchmarks/own/HistoryBenchmark.h"
 #include "tests/benchmarks/own/MemoryBenchmark.h"
@@ -55,8 +56,9 @@ const std::vector<Group>& groups()
         {"--reactions", {bench::measureReactions}},
         {"--grow", {bench::measureGrowth, bench::measureSteering}},
         {"--load", {bench::measureLoading}}, {"--decode", {bench::measureDecoding}},
-        {"--sculpt", {bench::measureSculpting}}, {"--history", {bench::measureHistory}},
-        {"--plane", {bench::measurePlanes}}, {"--refine", {bench::measureRefining}}};
+        {"--segments", {bench::measureSegments}}, {"--sculpt", {bench::measureSculpting}},
+        {"--history", {bench::measureHistory}}, {"--plane", {bench::measurePlanes}},
+        {"--refine", {bench::measureRefining}}};
     return all;
 }
 

@@ -15,6 +15,7 @@ namespace {
 
 constexpr int blockSide = 4; ///< bricks, in all directions
 constexpr int sliceBlockSide = 32; ///< bricks, in a slice
+constexpr int firstSliceBlockSide = 8; ///< of the block around the place, in a slice
 constexpr std::size_t blocksAtOnce = 8;
 
 /// The voxels of a brick that have the label.
@@ -56,9 +57,11 @@ void FloodOperation::start(SessionState& state)
 std::vector<FloodOperation::Reading> FloodOperation::nextReadings() const
 {
     const glm::ivec3 size = m_work->grid.volumeSize;
-    glm::ivec3 side(m_edit.within ? sliceBlockSide : blockSide);
-    if (m_edit.within)
+    glm::ivec3 side(blockSide);
+    if (m_edit.within) {
+        side = glm::ivec3(m_isFirstReading ? firstSliceBlockSide : sliceBlockSide);
         side[alongOf(*m_edit.within)] = 1;
+    }
     std::set<std::tuple<int, int, int>> blocks; // z, y, x
     for (const std::uint32_t brick : m_work->flood.wanted()) {
         const glm::ivec3 block = m_work->grid.brickPosition(int(brick)) / side;
@@ -100,7 +103,9 @@ void FloodOperation::askNext(SessionState& state)
     if (!mayGoOn(state))
         return;
     const std::uint8_t plane = state.document.segment(m_edit.segment)->plane;
-    for (Reading& reading : nextReadings()) {
+    std::vector<Reading> readings = nextReadings();
+    m_isFirstReading = false;
+    for (Reading& reading : readings) {
         EngineCommand question = ReadCodes{reading.box};
         if (m_edit.erase) {
             ReadBricks labels;

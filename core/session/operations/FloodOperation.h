@@ -15,9 +15,9 @@
 namespace core {
 
 /// Carries out a FloodFill. It reads what the region reaches, codes or labels, in blocks: within a
-/// slice, blocks so large that most slices are a single one; in all directions, blocks of 64³
-/// voxels. The side thread extends the region in them until it is complete; then the engine writes
-/// it, as one row.
+/// slice, first one of 128² voxels around the place, in which most regions end, then blocks so
+/// large that most slices are a single one; in all directions, blocks of 64³ voxels. The side
+/// thread extends the region in them until it is complete; then the engine writes it, as one row.
 class FloodOperation final : public WorkedOutOperation {
 public:
     /// @param again as in VoxelOperation
@@ -52,6 +52,7 @@ private:
 
     FloodFill m_edit;
     std::shared_ptr<Work> m_work; ///< null before it starts
+    bool m_isFirstReading = true;
     std::map<Ticket, Reading> m_asked; ///< questions that are not answered yet
     std::vector<Reading> m_read;
     std::optional<Error> m_failed; ///< error of an answer, while other answers are outstanding

@@ -84,6 +84,23 @@ void MacroCells::widen(int x, int y, int z, const Range& range)
     cell.highest = std::max(cell.highest, range.highest);
 }
 
+bool MacroCells::mayHold(const glm::ivec3& brick, int lowest, int highest) const
+{
+    constexpr int cellsOfBrick = core::BrickGrid::side / side;
+    const glm::ivec3 first = brick * cellsOfBrick;
+    const glm::ivec3 end = glm::min(first + cellsOfBrick, m_cells);
+    for (int z = first.z; z < end.z; ++z) {
+        for (int y = first.y; y < end.y; ++y) {
+            for (int x = first.x; x < end.x; ++x) {
+                const Range& cell = m_codes[std::size_t((z * m_cells.y + y) * m_cells.x + x)];
+                if (lowest <= cell.highest && cell.lowest <= highest)
+                    return true;
+            }
+        }
+    }
+    return false;
+}
+
 void MacroCells::update(Program& kernel, const Texture3D& radiation, const Texture3D& segmentation,
     const core::VoxelBox& dirty)
 {

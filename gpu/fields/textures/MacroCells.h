@@ -52,6 +52,9 @@ public:
     [[nodiscard]] const std::vector<glm::ivec3>& carvedCells() const { return m_carvedCells; }
     /// Cells that hold a part of a shown segment.
     [[nodiscard]] const std::vector<glm::ivec3>& segmentCells() const { return m_segmentCells; }
+    /// Whether a brick may hold a voxel with one of these codes, both ends included. It says no
+    /// only if there is none; codes beyond the brick by one voxel count as its own.
+    [[nodiscard]] bool mayHold(const glm::ivec3& brick, int lowest, int highest) const;
     /// RG16: least and greatest code of each cell.
     [[nodiscard]] const Texture3D& ranges() const { return m_ranges; }
 

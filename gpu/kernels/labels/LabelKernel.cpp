@@ -200,6 +200,15 @@ std::vector<std::uint32_t> heldAmong(
     return both;
 }
 
+/// Those of these bricks that may hold one of these codes.
+std::vector<std::uint32_t> holdingCodes(
+    const VoxelFields& fields, std::vector<std::uint32_t> bricks, int lowCode, int highCode)
+{
+    std::erase_if(
+        bricks, [&](std::uint32_t brick) { return !fields.mayHold(brick, lowCode, highCode); });
+    return bricks;
+}
+
 std::vector<core::BrickKey> write(LabelPrograms& programs, VoxelFields& fields,
     BeforeImages& before, const core::LabelCarved& edit)
 {
@@ -339,9 +348,18 @@ std::vector<std::uint32_t> bricksConcerned(VoxelFields& fields, const core::Labe
     const core::VoxelBox whole{glm::ivec3(0), fields.grid().volumeSize};
     const std::vector<std::uint32_t> met =
         core::bricksMeeting(edit.box.value_or(whole), fields.grid());
-    if (edit.how != core::LabelThreshold::How::Subtract)
-        return met;
-    return heldAmong(fields, edit.target.plane, met);
+    const std::vector<std::uint32_t> held = edit.how == core::LabelThreshold::How::Add
+        ? std::vector<std::uint32_t>()
+        : heldAmong(fields, edit.target.plane, met);
+    if (edit.how == core::LabelThreshold::How::Subtract)
+        return holdingCodes(fields, held, edit.lowCode, edit.highCode);
+    // Where no value is chosen, only what is held can change.
+    const std::vector<std::uint32_t> holding =
+        holdingCodes(fields, met, edit.lowCode, edit.highCode);
+    std::vector<std::uint32_t> either;
+    std::set_union(
+        holding.begin(), holding.end(), held.begin(), held.end(), std::back_inserter(either));
+    return either;
 }
 
 std::vector<core::BrickKey> writeThreshold(LabelPrograms& programs, VoxelFields& fields,
@@ -369,7 +387,8 @@ std::vector<core::BrickKey> writeThreshold(LabelPrograms& programs, VoxelFields&
 
 std::vector<std::uint32_t> bricksConcerned(VoxelFields& fields, const core::LabelScissors& edit)
 {
-    std::vector<std::uint32_t> near = core::bricksNear(edit, fields.grid());
+    const std::vector<std::uint32_t> near =
+        holdingCodes(fields, core::bricksNear(edit, fields.grid()), edit.lowCode, edit.highCode);
     return edit.erases() ? heldAmong(fields, edit.target.plane, near) : near;
 }
 

@@ -56,7 +56,8 @@ private:
 std::vector<core::BrickKey> writeLabels(LabelPrograms& programs, VoxelFields& fields,
     BeforeImages& before, core::LabelWrites::Pointer edit);
 
-/// Returns the bricks in which a threshold may change something, ascending. Engine thread only.
+/// Returns the bricks in which a threshold may change something, ascending: those that may hold a
+/// value in the interval, and those in which the segment may lose something. Engine thread only.
 [[nodiscard]] std::vector<std::uint32_t> bricksConcerned(
     VoxelFields& fields, const core::LabelThreshold& edit);
 /// Carries out a threshold in some bricks and returns the keys of what has changed. Codes are read
@@ -65,7 +66,8 @@ std::vector<core::BrickKey> writeThreshold(LabelPrograms& programs, VoxelFields&
     BeforeImages& before, const core::LabelThreshold& edit,
     const std::vector<std::uint32_t>& bricks);
 
-/// Returns the bricks in which scissors may change something, ascending. Engine thread only.
+/// Returns the bricks in which scissors may change something, ascending: those under the curve that
+/// may hold a value in the interval. Engine thread only.
 [[nodiscard]] std::vector<std::uint32_t> bricksConcerned(
     VoxelFields& fields, const core::LabelScissors& edit);
 /// Carries out scissors in some bricks and returns the keys of what has changed. @p reach is

@@ -75,6 +75,41 @@ private Q_SLOTS:
         QCOMPARE(cells.greatestCode(), int(*std::max_element(codes.begin(), codes.end())));
     }
 
+    /// A brick is ruled out only where it holds none of the codes, and is so where all its cells
+    /// are of other ones.
+    void bricksAreRuledOut()
+    {
+        std::mt19937 random(5);
+        std::vector<std::uint16_t> codes(std::size_t(size.x * size.y * size.z), 10);
+        for (int i = 0; i < 20; ++i)
+            codes[random() % codes.size()] = std::uint16_t(100 + random() % 900);
+        codes.back() = 1000;
+        const MacroCells cells(size, codes);
+        const core::BrickGrid grid{size};
+        int ruledOut = 0;
+        for (int round = 0; round < 200; ++round) {
+            const int lowest = int(random() % 1100);
+            const int highest = lowest + int(random() % 200);
+            for (int brick = 0; brick < grid.brickCount(); ++brick) {
+                bool holds = false;
+                const core::VoxelBox box = grid.boxOf(brick);
+                const glm::ivec3 end = glm::min(box.maximum, size);
+                for (int z = box.minimum.z; z < end.z; ++z)
+                    for (int y = box.minimum.y; y < end.y; ++y)
+                        for (int x = box.minimum.x; x < end.x; ++x) {
+                            const int code = codes[at(size, x, y, z)];
+                            holds = holds || (lowest <= code && code <= highest);
+                        }
+                const bool may = cells.mayHold(grid.brickPosition(brick), lowest, highest);
+                QVERIFY(may || !holds);
+                ruledOut += may ? 0 : 1;
+            }
+        }
+        QVERIFY2(ruledOut > 100, qPrintable(QString::number(ruledOut)));
+        QVERIFY(!cells.mayHold({0, 0, 0}, 1001, 65535));
+        QVERIFY(cells.mayHold(grid.bricks() - 1, 1000, 1000));
+    }
+
     void dirtyBoxesAreEnough()
     {
         std::vector<std::uint16_t> codes(std::size_t(size.x * size.y * size.z), 10);

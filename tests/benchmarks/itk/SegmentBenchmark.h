@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QString>
+
+namespace bench {
+
+class PeerReport;
+
+/// segment.skull.opening and so on: every operation on a whole segment that ITK has filters for, on
+/// real series, where the shared data are. As id.kept the whole step: labels read, worked out,
+/// written and kept in the history. How many voxels were compared, and why some differ, goes to the
+/// standard error.
+/// @return why the results are not right; empty: all is added
+QString measureSegments(PeerReport& report);
+
+} // namespace bench

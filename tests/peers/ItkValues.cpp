@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tests/peers/ItkValues.h"
+
+#include "tests/peers/ItkImages.h"
+
+#include <itkBinaryNotImageFilter.h>
+#include <itkBinaryThresholdImageFilter.h>
+#include <itkFlipImageFilter.h>
+#include <itkHistogram.h>
+#include <itkOtsuMultipleThresholdsCalculator.h>
+
+namespace peer {
+
+ItkMask itkThreshold(
+    const glm::ivec3& size, std::span<const float> values, float lower, float upper)
+{
+    const auto filter = itk::BinaryThresholdImageFilter<itk::Image<float, 3>, MaskImage>::New();
+    filter->SetInput(imageOn(size, glm::dvec3(1.0), values));
+    filter->SetLowerThreshold(lower);
+    filter->SetUpperThreshold(upper);
+    filter->SetInsideValue(1);
+    filter->SetOutsideValue(0);
+    return maskFrom(*filter);
+}
+
+ItkOtsu itkOtsu(
+    std::span<const std::uint32_t> counts, double minimum, double maximum, int thresholds)
+{
+    using Histogram = itk::Statistics::Histogram<double>;
+    const auto histogram = Histogram::New();
+    histogram->SetMeasurementVectorSize(1);
+    Histogram::SizeType bins(1);
+    bins.Fill(counts.size());
+    Histogram::MeasurementVectorType low(1);
+    Histogram::MeasurementVectorType high(1);
+    low.Fill(minimum);
+    high.Fill(maximum);
+    histogram->Initialize(bins, low, high);
+    for (std::size_t bin = 0; bin < counts.size(); ++bin)
+        histogram->SetFrequency(bin, counts[bin]);
+    const auto calculator = itk::OtsuMultipleThresholdsCalculator<Histogram>::New();
+    calculator->SetInputHistogram(histogram);
+    calculator->SetNumberOfThresholds(static_cast<itk::SizeValueType>(thresholds));
+    ItkOtsu otsu;
+    const auto start = std::chrono::steady_clock::now();
+    calculator->Compute();
+    const std::chrono::duration<double, std::milli> spent =
+        std::chrono::steady_clock::now() - start;
+    otsu.milliseconds = spent.count();
+    otsu.thresholds.assign(calculator->GetOutput().begin(), calculator->GetOutput().end());
+    return otsu;
+}
+
+ItkMask itkInverted(const GridMask& mask)
+{
+    const auto filter = itk::BinaryNotImageFilter<MaskImage>::New();
+    filter->SetInput(imageOn(mask));
+    filter->SetForegroundValue(1);
+    filter->SetBackgroundValue(0);
+    return maskFrom(*filter);
+}
+
+ItkMask itkFlipped(const GridMask& mask, int axis)
+{
+    const auto filter = itk::FlipImageFilter<MaskImage>::New();
+    filter->SetInput(imageOn(mask));
+    itk::FlipImageFilter<MaskImage>::FlipAxesArrayType axes(false);
+    axes[static_cast<unsigned>(axis)] = true;
+    filter->SetFlipAxes(axes);
+    return maskFrom(*filter);
+}
+
+} // namespace peer

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "tests/peers/ItkMask.h"
+
+namespace peer {
+
+/// itk::BinaryThresholdImageFilter, bounds inclusive.
+/// @param values x fastest
+[[nodiscard]] ItkMask itkThreshold(
+    const glm::ivec3& size, std::span<const float> values, float lower, float upper);
+
+/// What divides values into parts: up to and including each of the thresholds.
+struct ItkOtsu {
+    std::vector<double> thresholds; ///< ascending
+    double milliseconds = 0.0;
+};
+/// itk::OtsuMultipleThresholdsCalculator on a histogram of equal bins.
+[[nodiscard]] ItkOtsu itkOtsu(
+    std::span<const std::uint32_t> counts, double minimum, double maximum, int thresholds);
+
+/// itk::BinaryNotImageFilter: what is not in the mask.
+[[nodiscard]] ItkMask itkInverted(const GridMask& mask);
+/// itk::FlipImageFilter across one axis.
+[[nodiscard]] ItkMask itkFlipped(const GridMask& mask, int axis);
+
+} // namespace peer

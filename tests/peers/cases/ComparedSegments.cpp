@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tests/peers/cases/ComparedSegments.h"
+
+#include "core/edits/kinds/AnyEdit.h"
+#include "core/engine/EngineCommands.h"
+#include "core/session/EditSession.h"
+#include "core/session/questions/VoxelQuestions.h"
+#include "tests/peers/cases/WholeSegments.h"
+
+#include <QElapsedTimer>
+
+#include <concepts>
+#include <span>
+#include <type_traits>
+#include <vector>
+
+namespace peer {
+
+namespace {
+
+template <class E>
+concept workedOut = requires(const E& edit, const core::Document& document,
+    std::span<const std::uint8_t> labels, const core::Progress& progress)
+{
+    {
+        relabelListed(edit, document, labels, progress)
+        } -> std::same_as<core::Result<core::RelabelListed>>;
+};
+
+core::Result<std::optional<double>> timeToWorkOut(
+    const core::Edit& edit, const RealSegment& segment, RealSegment::State before)
+{
+    return core::visitEdit(
+        [&](const auto& known) -> core::Result<std::optional<double>> {
+            if constexpr (workedOut<std::decay_t<decltype(known)>>) {
+                QElapsedTimer timer;
+                timer.start();
+                const auto listed = relabelListed(
+                    known, segment.document(), segment.labels(before), core::Progress());
+                if (!listed)
+                    return tl::unexpected(listed.error());
+                return double(timer.nsecsElapsed()) / 1e6;
+            } else {
+                return std::nullopt;
+            }
+        },
+        edit);
+}
+
+} // namespace
+
+core::Result<Compared> compare(RealSegment& segment, const WholeSegment& operation)
+{
+    if (const core::Result<void> gone = segment.goTo(operation.before); !gone)
+        return tl::unexpected(gone.error());
+    core::EditSession& session = segment.session();
+    Compared compared;
+    QElapsedTimer timer;
+    timer.start();
+    const core::Edit edit = operation.edit(segment);
+    if (const core::Result<void> applied = session.apply(edit); !applied)
+        return tl::unexpected(applied.error());
+    if (const core::Result<void> settled = session.settle(); !settled)
+        return tl::unexpected(settled.error());
+    compared.stepMilliseconds = double(timer.nsecsElapsed()) / 1e6;
+    const core::Result<std::vector<std::uint8_t>> ours = session.questions().labels(0);
+    if (!ours)
+        return tl::unexpected(ours.error());
+    const auto worked = timeToWorkOut(edit, segment, operation.before);
+    if (!worked)
+        return tl::unexpected(worked.error());
+    compared.workedOutMilliseconds = *worked;
+
+    const PeerMask theirs = operation.theirs(segment);
+    compared.theirMilliseconds = theirs.milliseconds;
+    compared.voxels = std::int64_t(ours->size());
+    const std::vector<std::uint8_t>& before = segment.labels(operation.before);
+    for (std::size_t voxel = 0; voxel < ours->size(); ++voxel) {
+        compared.changed += (*ours)[voxel] != before[voxel] ? 1 : 0;
+        compared.either += !theirs.either.empty() && theirs.either[voxel] == 1 ? 1 : 0;
+        if ((*ours)[voxel] == theirs.voxels[voxel])
+            continue;
+        ++compared.differing;
+        if (theirs.either.empty() || theirs.either[voxel] == 0)
+            ++compared.unexplained;
+    }
+    if (const core::Result<void> gone = segment.goTo(operation.before); !gone)
+        return tl::unexpected(gone.error());
+    return compared;
+}
+
+} // namespace peer
