@@ -102,6 +102,15 @@ std::vector<std::uint8_t> Document::labelPlanes() const
     return {planes.begin(), planes.end()};
 }
 
+std::optional<std::uint8_t> Document::planeWithoutSegments() const
+{
+    for (int plane = 0; plane < mostLabelPlanes; ++plane) {
+        if (labelsIn(plane).none())
+            return std::uint8_t(plane);
+    }
+    return std::nullopt;
+}
+
 std::bitset<256> Document::labelsIn(int plane) const
 {
     return lockedLabels(plane) | unlockedLabels(plane);

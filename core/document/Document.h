@@ -29,8 +29,8 @@ struct CodedConcept {
 };
 
 /// The greatest number of label planes of a session. Segments that share voxels lie in different
-/// planes; overlapping masks of one file are imported in this way (ImportMask::planes). A plane
-/// costs a byte per voxel.
+/// planes; overlapping masks of one file are imported in this way (ImportMask::planes), and copies
+/// of segments lie beside them (CopySegment). A plane costs a byte per voxel.
 inline constexpr int mostLabelPlanes = 4;
 
 /// One structure of the result: the voxels of `plane` that hold `label`.
@@ -139,6 +139,8 @@ struct Document {
     [[nodiscard]] const Piece* pieceOfLayer(int layer) const;
     /// The planes in which segments lie, ascending; plane 0 always.
     [[nodiscard]] std::vector<std::uint8_t> labelPlanes() const;
+    /// The first plane in which no segment lies; none: segments lie in all that there can be.
+    [[nodiscard]] std::optional<std::uint8_t> planeWithoutSegments() const;
     /// The labels of all segments of a plane.
     [[nodiscard]] std::bitset<256> labelsIn(int plane) const;
     /// The labels of a plane that no tool may change.

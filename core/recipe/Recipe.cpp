@@ -4,6 +4,7 @@
 #include "core/base/files/FileInUse.h"
 #include "core/edits/EditTask.h"
 #include "core/edits/document/DocumentEdits.h"
+#include "core/edits/kinds/splitting/CopySegment.h"
 #include "core/edits/kinds/splitting/SplitIslands.h"
 #include "core/recipe/RecipeJson.h"
 #include "core/volume/SurfaceThreshold.h"
@@ -147,9 +148,11 @@ Result<void> checkRecipe(const Recipe& recipe, Document document, bool replaceEx
             return tl::unexpected(atEdit(checked.error(), entryOf(recipe, i)));
         const std::size_t segmentsBefore = document.segments.size();
         static_cast<void>(applyToDocument(*edit, document));
-        // What comes of the islands of a segment is known only when they have been counted.
+        // What comes of the islands of a segment is known only when they have been counted, and
+        // the plane of a copy when it is known who has voxels there.
         const auto* islands = edit->as<SplitIslands>();
-        isUnknown = islands && !islands->into;
+        const auto* copy = edit->as<CopySegment>();
+        isUnknown = (islands && !islands->into) || (copy && !copy->plane);
         addFilled(seeded, effectsOf(*edit).fills, document, segmentsBefore);
     }
     const Volume& volume = document.volumes.front();

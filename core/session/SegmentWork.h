@@ -8,8 +8,8 @@ namespace core {
 class OperationQueue;
 
 /// The edit of a segment that is being computed at present (CleanSegment, ReshapeSegment,
-/// FillBetweenSlices, FloodFill, MirrorSegment, EvolveContour, SplitIslands, SplitSegment). Part of
-/// EditSession.
+/// FillBetweenSlices, FloodFill, MirrorSegment, EvolveContour, SplitIslands, SplitSegment,
+/// CopySegment). Part of EditSession.
 class SegmentWork {
 public:
     explicit SegmentWork(OperationQueue& queue);

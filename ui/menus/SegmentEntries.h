@@ -15,7 +15,7 @@ namespace ui {
 class Workspace;
 
 /// An action on one whole segment: an entry of the menu of the segment's row in the list and, for
-/// the active segment, of the menu Segments. Locked segments are excluded.
+/// the active segment, of the menu Segments.
 struct SegmentAction {
     const char* id; ///< of the window's action: "segments.remove"
     QString text; ///< "Delete segment"
@@ -24,6 +24,7 @@ struct SegmentAction {
     QKeySequence keys{}; ///< shortcut that works only in the list of segments
     void (*run)(Workspace& workspace, int label);
     bool makesFirst = false; ///< also works without any segment, by adding one first
+    bool onlyReads = false; ///< it leaves the segment as it is, so it also works for a locked one
     QString submenu{}; ///< title of the submenu that holds this entry; empty: none
     /// Returns why the action is not possible now for any segment; empty: it is possible. Null:
     /// always possible.

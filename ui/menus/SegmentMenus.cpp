@@ -9,7 +9,10 @@
 #include "ui/workspace/Workspace.h"
 
 #include <QMenu>
+#include <QStringList>
 
+#include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace ui {
@@ -47,6 +50,48 @@ struct Combination {
         menu->menuAction()->setToolTip(why);
     }
 };
+
+/// "'Liver', 'Kidney' and 3 more"
+QString namesIn(const core::Document& document, std::uint8_t plane)
+{
+    constexpr qsizetype most = 3;
+    QStringList names;
+    for (const core::Segment& segment : document.segments) {
+        if (segment.plane == plane)
+            names += QStringLiteral("'%1'").arg(menuText(segment.name));
+    }
+    const qsizetype more = names.size() - most;
+    const QString listed = names.mid(0, most).join(QStringLiteral(", "));
+    return more > 0 ? QObject::tr("%1 and %2 more").arg(listed, QString::number(more)) : listed;
+}
+
+void listOverlaps(QMenu& menu, Workspace& workspace)
+{
+    menu.clear();
+    core::EditSession* session = workspace.session();
+    menu.menuAction()->setEnabled(session != nullptr);
+    if (!session)
+        return;
+    const auto list = [&](const QString& text, std::uint8_t plane) {
+        return menu.addAction(text, &menu, [&workspace, session, plane] {
+            if (workspace.session() != session)
+                return;
+            if (const auto added = addSegment(workspace, plane); !added)
+                workspace.fail(added.error());
+        });
+    };
+    const core::Document& document = session->document();
+    const std::optional<std::uint8_t> empty = document.planeWithoutSegments();
+    QAction* all = list(QObject::tr("All others"), empty.value_or(0));
+    all->setEnabled(empty.has_value());
+    all->setToolTip(empty ? QString()
+                          : QObject::tr("segments lie in each of the %1 label planes")
+                                .arg(core::mostLabelPlanes));
+    std::vector<std::uint8_t> planes = document.labelPlanes();
+    std::erase_if(planes, [&](std::uint8_t plane) { return document.labelsIn(plane).none(); });
+    for (std::size_t i = 0; planes.size() > 1 && i < planes.size(); ++i)
+        list(QObject::tr("All but %1").arg(namesIn(document, planes[i])), planes[i]);
+}
 
 } // namespace
 
@@ -100,6 +145,17 @@ QMenu& menuOf(QMenu& menu, const SegmentAction& action)
             return *each->menu();
     }
     return *menu.addMenu(action.submenu);
+}
+
+void addOverlaps(QMenu& menu, QAction* before, Workspace& workspace)
+{
+    auto* sub = new QMenu(QObject::tr("Add segment that may overlap"), &menu);
+    sub->setObjectName(QStringLiteral("overlappingSegment"));
+    sub->setToolTipsVisible(true);
+    menu.insertMenu(before, sub);
+    QObject::connect(
+        &menu, &QMenu::aboutToShow, sub, [sub, &workspace] { listOverlaps(*sub, workspace); });
+    listOverlaps(*sub, workspace);
 }
 
 void addCombinations(QMenu& menu, QAction* before, Workspace& workspace,

@@ -44,6 +44,12 @@ QString listOtherSegments(QMenu& menu, const core::Document& document, int but,
 /// with the action's submenu title. A missing submenu is appended.
 [[nodiscard]] QMenu& menuOf(QMenu& menu, const SegmentAction& action);
 
+/// Adds the submenu "Add segment that may overlap" to a menu: all others, in a label plane of its
+/// own, or, where there are several planes, all but the segments of one, beside which it is added.
+/// It is filled anew whenever the menu opens.
+/// @param before the action before which it is inserted; null: at the end
+void addOverlaps(QMenu& menu, QAction* before, Workspace& workspace);
+
 /// Adds the submenus "Merge into", "Swap with" and "Measure distance to" to a menu, and "Add voxels
 /// of", "Subtract" and "Intersect with", which are shown while there are several label planes. They
 /// are filled anew whenever the menu opens.

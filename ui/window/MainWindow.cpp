@@ -118,6 +118,9 @@ MainWindow::MainWindow(Workspace& workspace, const QString& graphics)
         layouts->setObjectName(QStringLiteral("layoutOfViews"));
         m_actions.fill(*layouts, layoutIds());
     });
+    const QList<QAction*> entries = m_header->segmentsMenu().actions();
+    const qsizetype add = entries.indexOf(&m_actions[QStringLiteral("segments.add")]);
+    addOverlaps(m_header->segmentsMenu(), entries.value(add + 1), workspace);
     // Before what is done to the segment alone.
     addCombinations(
         m_header->segmentsMenu(), &m_actions[QLatin1String(segmentActions().front().id)], workspace,

@@ -186,7 +186,8 @@ void addListActions(MainWindow& window)
                     if (each.whyNot && !each.whyNot(workspace).isEmpty())
                         return false;
                     const core::Segment* segment = activeSegment();
-                    return segment ? !segment->locked : each.makesFirst && isOpen();
+                    return segment ? each.onlyReads || !segment->locked
+                                   : each.makesFirst && isOpen();
                 },
             .currentText = [activeSegment, &each] { return namedText(each, activeSegment()); }});
     }

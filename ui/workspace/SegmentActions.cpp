@@ -7,12 +7,14 @@
 #include "core/edits/kinds/filling/FillBetweenSlices.h"
 #include "core/edits/kinds/filling/FloodFill.h"
 #include "core/edits/kinds/filling/MirrorSegment.h"
+#include "core/edits/kinds/parts/GrowthPlane.h"
 #include "core/edits/kinds/segments/AddSegment.h"
 #include "core/edits/kinds/segments/CleanSegment.h"
 #include "core/edits/kinds/segments/CombineSegments.h"
 #include "core/edits/kinds/segments/InvertSegment.h"
 #include "core/edits/kinds/segments/RemoveSegment.h"
 #include "core/edits/kinds/segments/ReshapeSegment.h"
+#include "core/edits/kinds/splitting/CopySegment.h"
 #include "core/edits/kinds/splitting/SplitIslands.h"
 #include "core/edits/kinds/splitting/SplitSegment.h"
 #include "core/edits/kinds/values/ThresholdSegment.h"
@@ -23,6 +25,7 @@
 #include "ui/workspace/Workspace.h"
 
 #include <QPointer>
+#include <QTimer>
 
 #include <algorithm>
 #include <functional>
@@ -47,7 +50,7 @@ QString nextSegmentName(const core::Document& document)
     }
 }
 
-core::Result<int> addSegment(Workspace& workspace)
+core::Result<int> addSegment(Workspace& workspace, std::uint8_t plane)
 {
     core::EditSession* session = workspace.session();
     if (!session)
@@ -57,6 +60,7 @@ core::Result<int> addSegment(Workspace& workspace)
     core::AddSegment edit;
     edit.name = nextSegmentName(before);
     edit.rgb = nextSegmentColour(before);
+    edit.plane = core::namedPlane(plane);
     if (const auto added = session->apply(edit); !added)
         return tl::unexpected(added.error());
     const int label = session->foreseenDocument().segments.back().label;
@@ -156,16 +160,24 @@ void tellOf(Workspace& workspace, std::size_t kind, const QString& nothing,
     // Only when it has been looked at is it known whether there was anything.
     session->questions().afterAll([guard = QPointer(&workspace), watch = QPointer(failures),
                                       session, rows, nothing, kind, failed] {
-        delete watch;
-        if (!guard || guard->session() != session || *failed)
+        if (!guard || guard->session() != session || *failed) {
+            delete watch;
             return;
+        }
         // A growth that stood open has left a row of its own.
         const std::vector<core::HistoryRow>& now = session->history().rows();
         for (std::size_t row = rows; row < now.size(); ++row) {
-            if (now[row].edit.kind() == kind)
+            if (now[row].edit.kind() == kind) {
+                delete watch;
                 return guard->say(QObject::tr("%1; Ctrl+Z takes it back").arg(nameOf(now[row])));
+            }
         }
-        guard->say(nothing);
+        // A refusal may be told only when the session has taken in all answers.
+        QTimer::singleShot(0, watch.data(), [guard, watch, session, nothing, failed] {
+            watch->deleteLater();
+            if (guard->session() == session && !*failed)
+                guard->say(nothing);
+        });
     });
 }
 
@@ -317,6 +329,45 @@ void keepOnlyIsland(Workspace& workspace, int label, const glm::dvec3& placeLps)
 void giveIsland(Workspace& workspace, int label, int to, const glm::dvec3& placeLps)
 {
     aboutIsland(workspace, label, core::IslandRule::GiveClicked, placeLps, to);
+}
+
+namespace {
+
+/// "Liver copy", "Liver copy 2" …: the first such name that is free. A very long name is cut.
+QString nextCopyName(const core::Document& document, const core::Segment& segment)
+{
+    constexpr qsizetype most = 200; // a name has at most 256
+    QString stem = segment.name.left(most);
+    if (!stem.isEmpty() && stem.back().isHighSurrogate())
+        stem.chop(1);
+    for (int number = 1;; ++number) {
+        const QString name = number == 1
+            ? QObject::tr("%1 copy").arg(stem)
+            : QObject::tr("%1 copy %2").arg(stem, QString::number(number));
+        const bool isTaken = std::any_of(document.segments.begin(), document.segments.end(),
+            [&name](const core::Segment& other) { return other.name == name; });
+        if (!isTaken)
+            return name;
+    }
+}
+
+} // namespace
+
+void duplicateSegment(Workspace& workspace, int label)
+{
+    const core::EditSession* session = workspace.session();
+    if (!session)
+        return;
+    const core::Document expected = session->foreseenDocument();
+    const core::Segment* segment = expected.segment(label);
+    if (!segment)
+        return;
+    carryOut(workspace,
+        core::CopySegment{.segment = label,
+            .name = nextCopyName(expected, *segment),
+            .rgb = nextSegmentColour(expected)},
+        segment->voxels == 0 ? QObject::tr("'%1' has no voxels").arg(segment->name)
+                             : QObject::tr("no voxel of '%1' was copied").arg(segment->name));
 }
 
 void mergeSegments(Workspace& workspace, int from, int into)

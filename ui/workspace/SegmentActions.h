@@ -32,8 +32,9 @@ class Workspace;
 [[nodiscard]] QString nextSegmentName(const core::Document& document);
 
 /// Adds a segment as a step of its own and makes it the active one.
+/// @param plane its label plane: it may share voxels with segments of other planes
 /// @return its label
-core::Result<int> addSegment(Workspace& workspace);
+core::Result<int> addSegment(Workspace& workspace, std::uint8_t plane = 0);
 /// The label of the active segment; if there is none, of the first one; if there is no segment, of
 /// a new one.
 core::Result<int> ensureActiveSegment(Workspace& workspace);
@@ -54,6 +55,9 @@ void swapSegments(Workspace& workspace, int one, int other);
 void uniteSegments(Workspace& workspace, int label, int with);
 void subtractSegment(Workspace& workspace, int label, int with);
 void intersectSegments(Workspace& workspace, int label, int with);
+
+/// Makes a new segment with the voxels of a segment, which may be locked, in another label plane.
+void duplicateSegment(Workspace& workspace, int label);
 
 /// Fills the holes of a segment, keeps only its largest island, or removes its small islands.
 /// @param belowMm3 the size that islands must have to stay; without it smallIslandMm3()

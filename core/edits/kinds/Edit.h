@@ -28,6 +28,7 @@ struct ChangeSegment;
 struct ChunkToggle;
 struct CleanSegment;
 struct CombineSegments;
+struct CopySegment;
 struct CutPiece;
 struct DivideSegment;
 struct DrillStroke;
@@ -95,7 +96,7 @@ using AllEdits = EditKinds<AddSegment, ChangeSegment, MoveSegment, RemoveSegment
     PointDrag, ApplyTemplate, SmoothSurface, AttractSurface, WriteBack, DivideSegment, ChunkToggle,
     SurfaceBarrier, InvertSegment, CleanSegment, CombineSegments, FillOutline, ReshapeSegment,
     FillBetweenSlices, FloodFill, ThresholdSegment, Annotate, MoveMeasurement, SegmentScissors,
-    MirrorSegment, EvolveContour, SplitIslands, SplitSegment>;
+    MirrorSegment, EvolveContour, SplitIslands, SplitSegment, CopySegment>;
 
 template <class E, class... Es> constexpr std::size_t placeAmong(EditKinds<Es...>)
 {

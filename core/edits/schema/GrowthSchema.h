@@ -52,9 +52,9 @@ void visitBox(Visitor& visit, std::optional<GrowBox>& box, const char* meaning, 
 template <class Visitor>
 void visitPlane(Visitor& visit, std::optional<int>& plane, const char* absent = "the first one, 0")
 {
-    visit.maybe("plane", plane, editFields::WholeNumber{0, mostLabelPlanes - 1},
-        "the label plane whose growth is meant, as importMask numbers them: only segments that "
-        "share voxels with others of their file lie in a plane beyond 0",
+    visit.maybe("plane", plane, labelPlane,
+        "the label plane whose growth is meant: only segments that may share voxels with others "
+        "(importMask, addSegment, copySegment) lie in a plane beyond 0",
         absent);
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/document/Document.h"
 #include "core/document/OrthographicView.h"
 #include "core/edits/fields/EditFields.h"
 #include "core/edits/fields/Quantum.h"
@@ -35,6 +36,7 @@ template <class E> inline constexpr const char* editMeaning = nullptr;
 using Thing = editFields::ThingNumber::Thing;
 inline constexpr editFields::ThingNumber segmentNumber{{1, 255}, Thing::Segment};
 inline constexpr editFields::ThingNumber layerNumber{{1, 254}, Thing::Layer};
+inline constexpr editFields::WholeNumber labelPlane{0, mostLabelPlanes - 1};
 inline constexpr editFields::Number modalityValue{
     "modality units", -quantum::unbounded, quantum::unbounded, 0.0};
 inline constexpr editFields::Number millimetres{

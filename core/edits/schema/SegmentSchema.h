@@ -33,6 +33,8 @@ template <class Visitor> void visitFields(Visitor& visit, AddSegment& edit)
     visit.field("code", Presence::Optional, edit.code, editFields::Code{},
         "the code that says what it is, e.g. [\"SCT\", \"89546000\", \"Skull\"]; [] means \"not "
         "coded yet\"");
+    visit.maybe("plane", edit.plane, labelPlane,
+        "its label plane: segments of different planes may share voxels", "the first, 0");
 }
 
 template <> inline constexpr const char* editName<ChangeSegment> = "changeSegment";
@@ -123,9 +125,9 @@ template <class Visitor> void visitFields(Visitor& visit, CombineSegments& edit)
             {"merge", "swap", "union", "subtract", "intersect"}},
         "merge gives the segment the voxels of the other, which stays in the list, empty; swap "
         "gives each of them the voxels of the other; both need segments of one label plane. The "
-        "others need segments of different planes (importMask, planes) and leave the other as it "
-        "is: union adds its voxels where no segment of the plane lies, subtract takes away what it "
-        "has, intersect what it has not");
+        "others need segments of different planes (importMask, addSegment, copySegment) and leave "
+        "the other as it is: union adds its voxels where no segment of the plane lies, subtract "
+        "takes away what it has, intersect what it has not");
     visitEditable(visit, edit.editable);
 }
 

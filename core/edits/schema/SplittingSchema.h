@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/edits/kinds/splitting/CopySegment.h"
 #include "core/edits/kinds/splitting/SplitIslands.h"
 #include "core/edits/kinds/splitting/SplitSegment.h"
 #include "core/edits/schema/EditSplits.h"
@@ -42,6 +43,25 @@ template <class Visitor> void visitFields(Visitor& visit, SplitSegment& edit)
         "the name of the new segment");
     visit.field("color", Presence::Required, edit.into.rgb, editFields::Colour{},
         "the colour of the new segment");
+    visitEditable(visit, edit.editable);
+}
+
+template <> inline constexpr const char* editName<CopySegment> = "copySegment";
+template <>
+inline constexpr const char* editMeaning<CopySegment> =
+    "Makes a new segment with the voxels and the code of a segment, which stays as it is and may "
+    "be locked; the copy lies in another label plane, so that both have these voxels. Does nothing "
+    "if it takes no voxel.";
+template <class Visitor> void visitFields(Visitor& visit, CopySegment& edit)
+{
+    visitSegment(visit, edit.segment);
+    visitName(visit, edit.name);
+    visit.field("color", Presence::Required, edit.rgb, editFields::Colour{}, "the display colour");
+    visit.maybe("plane", edit.plane, labelPlane,
+        "the label plane of the copy, not the segment's; what other segments have there is left "
+        "out; a row of the history always names it",
+        "the first one with segments in which all voxels of the segment are free, or else the "
+        "first one without segments; refused if there is neither");
     visitEditable(visit, edit.editable);
 }
 

@@ -7,6 +7,7 @@
 #include "core/edits/kinds/SurfaceEdit.h"
 #include "core/session/operations/ChunkOperation.h"
 #include "core/session/operations/ContourOperation.h"
+#include "core/session/operations/CopyOperation.h"
 #include "core/session/operations/DocumentOperation.h"
 #include "core/session/operations/FloodOperation.h"
 #include "core/session/operations/IslandOperation.h"
@@ -62,6 +63,10 @@ public:
         return std::make_unique<IslandOperation>(edit, m_again);
     }
 
+    Made operator()(const CopySegment& edit) const
+    {
+        return std::make_unique<CopyOperation>(edit, m_again);
+    }
     Made operator()(const FloodFill& edit) const
     {
         return std::make_unique<FloodOperation>(edit, m_again);

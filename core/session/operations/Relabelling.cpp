@@ -12,23 +12,30 @@ Relabelling::Relabelling(RowId again)
 {
 }
 
-template <class Listed> void Relabelling::begin(SessionState& state, Edit&& edit, Listed&& listed)
+void Relabelling::begin(SessionState& state, Edit&& edit, EngineEdit&& command)
 {
-    if (listed.bricks.empty())
-        return leaveNoRow(state);
     m_edit = std::move(edit);
-    m_begun = state.engine.submit(BeginEdit{std::forward<Listed>(listed)});
+    m_begun = state.engine.submit(BeginEdit{std::move(command)});
     m_ended = state.engine.submit(EndEdit{});
 }
 
 void Relabelling::write(SessionState& state, Edit edit, RelabelListed&& relabel)
 {
+    if (relabel.bricks.empty())
+        return leaveNoRow(state);
     begin(state, std::move(edit), std::move(relabel));
 }
 
 void Relabelling::write(SessionState& state, Edit edit, LabelListed&& label)
 {
+    if (label.bricks.empty())
+        return leaveNoRow(state);
     begin(state, std::move(edit), std::move(label));
+}
+
+void Relabelling::write(SessionState& state, Edit edit, const MapLabels& map)
+{
+    begin(state, std::move(edit), map);
 }
 
 void Relabelling::takeResult(SessionState& state, EngineResult&& result)

@@ -8,7 +8,9 @@
 
 namespace core {
 
+struct EngineEdit;
 struct LabelListed;
+struct MapLabels;
 struct RelabelListed;
 
 /// The last part of operations that have computed for each voxel how to relabel it: one engine
@@ -24,6 +26,7 @@ public:
     /// @param relabel without bricks nothing is written, as by leaveNoRow()
     void write(SessionState& state, Edit edit, RelabelListed&& relabel);
     void write(SessionState& state, Edit edit, LabelListed&& label);
+    void write(SessionState& state, Edit edit, const MapLabels& map);
     /// Ends without a row, because nothing has changed.
     void leaveNoRow(SessionState& state);
     void giveUp(SessionState& state, const Error& error);
@@ -32,7 +35,7 @@ public:
     [[nodiscard]] bool done() const { return m_done; }
 
 private:
-    template <class Listed> void begin(SessionState& state, Edit&& edit, Listed&& listed);
+    void begin(SessionState& state, Edit&& edit, EngineEdit&& command);
     void finish(SessionState& state, EngineResult&& result);
 
     RowId m_again;

@@ -19,8 +19,8 @@ namespace core {
 class WorkedOutOperation : public AbortableOperation {
 public:
     /// What is to be written: RelabelListed if one segment gains or loses voxels, LabelListed if
-    /// several receive some.
-    using Listed = std::variant<RelabelListed, LabelListed>;
+    /// several receive some, MapLabels if the engine itself finds them.
+    using Listed = std::variant<RelabelListed, LabelListed, MapLabels>;
 
     [[nodiscard]] bool done() const final { return m_relabelling.done(); }
     void abort() final;

@@ -26,6 +26,7 @@
 #include "core/edits/kinds/segments/PaintStroke.h"
 #include "core/edits/kinds/segments/ReshapeSegment.h"
 #include "core/edits/kinds/segments/SegmentSeen.h"
+#include "core/edits/kinds/splitting/CopySegment.h"
 #include "core/edits/kinds/splitting/SplitIslands.h"
 #include "core/edits/kinds/splitting/SplitSegment.h"
 #include "core/edits/kinds/values/ThresholdSegment.h"
@@ -218,6 +219,13 @@ private Q_SLOTS:
         QVERIFY(quantised(*split).get<SplitSegment>().placeLps == glm::dvec3(1.0, 2.0, 3.0));
         QVERIFY(split->get<SplitSegment>().normalLps == glm::dvec3(0.0, 0.0, -2.0));
         QCOMPARE(split->get<SplitSegment>().into.name, QStringLiteral("Lower"));
+        const Result<Edit> copy = editFromJson(
+            parse("{'edit':'copySegment','segment':2,'name':'Again','color':'#102030'}"));
+        const Result<Edit> beside = editFromJson(
+            parse("{'edit':'copySegment','segment':2,'name':'Again','color':'#102030','plane':3}"));
+        QVERIFY(copy && beside);
+        QVERIFY(!copy->get<CopySegment>().plane && beside->get<CopySegment>().plane == 3);
+        QCOMPARE(beside->get<CopySegment>().segment, 2);
         const Result<Edit> between =
             editFromJson(parse("{'edit':'fillBetweenSlices','segment':2}"));
         const Result<Edit> across =
@@ -291,9 +299,10 @@ private Q_SLOTS:
         QVERIFY(onSlab->get<AddMeasurement>().projected == true);
         // An old row stays as it was written.
         QVERIFY(!editToJson(*distance).contains(QStringLiteral("projected")));
-        for (const Edit& edit : {*angle, *note, *onSlab, *distance, *carved, *seen, *inverted,
-                 *cleaned, *given, *merged, *swapped, *grown, *shell, *between, *across, *flood,
-                 *contour, *bubble, *away, *threshold, *everything, *islands, *every, *split})
+        for (const Edit& edit :
+            {*angle, *note, *onSlab, *distance, *carved, *seen, *inverted, *cleaned, *given,
+                *merged, *swapped, *grown, *shell, *between, *across, *flood, *contour, *bubble,
+                *away, *threshold, *everything, *islands, *every, *split, *copy, *beside})
             QCOMPARE(editToJson(*editFromJson(editToJson(edit))), editToJson(edit));
         for (const char* wrong :
             {"{'edit':'layerToSegment','layer':1}",

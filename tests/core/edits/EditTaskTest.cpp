@@ -119,6 +119,11 @@ private Q_SLOTS:
         const SplitSegment split{.segment = 3};
         QVERIFY(effectsOf(split).fills.added && effectsOf(split).writesTo == 3);
         QVERIFY(effectsOf(split).boundToStudy); // it names a place
+        CopySegment copy{.segment = 3};
+        QVERIFY(effectsOf(copy).fills.added && !effectsOf(copy).writesTo);
+        QVERIFY(!effectsOf(copy).boundToStudy);
+        copy.editable.emplace().box = GrowBox{};
+        QVERIFY(effectsOf(copy).boundToStudy); // it names places
         ThresholdSegment threshold{.segment = 5};
         QVERIFY(effectsOf(threshold).fills.label == 5 && effectsOf(threshold).writesTo == 5);
         QVERIFY(!effectsOf(threshold).boundToStudy && effectsOf(threshold).standsOpen);

@@ -110,6 +110,8 @@ private Q_SLOTS:
             m_inFurtherPlanes += count;
         }
         QVERIFY(history.done.count(QStringLiteral("importMask, further plane")) != 0);
+        m_copies += history.done[QStringLiteral("copySegment, further plane")];
+        QVERIFY(m_copies > 0);
         m_grownInPlanes += history.done[QStringLiteral("grow, further plane")];
         QVERIFY(m_grownInPlanes > 0);
         QVERIFY(m_inFurtherPlanes > 5);
@@ -137,6 +139,7 @@ private Q_SLOTS:
 private:
     std::map<QString, int> m_done;
     int m_grownInPlanes = 0; ///< in all of them
+    int m_copies = 0; ///< likewise, of segments
     int m_inFurtherPlanes = 0; ///< edits of segments there, likewise
     int m_editable = 0; ///< edits with a range, in all of them
 };

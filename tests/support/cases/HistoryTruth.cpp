@@ -134,7 +134,7 @@ bool changesLabels(const Edit& edit)
         || edit.is<CleanSegment>() || edit.is<FillOutline>() || edit.is<ReshapeSegment>()
         || edit.is<FillBetweenSlices>() || edit.is<FloodFill>() || edit.is<ThresholdSegment>()
         || edit.is<SegmentScissors>() || edit.is<MirrorSegment>() || edit.is<EvolveContour>()
-        || edit.is<SplitIslands>() || edit.is<SplitSegment>();
+        || edit.is<SplitIslands>() || edit.is<SplitSegment>() || edit.is<CopySegment>();
 }
 
 bool isOf(const BrickKey& key, bool coverage)
@@ -341,6 +341,20 @@ HistoryTruth::Bricks HistoryTruth::splitByPlane(
     return relabelled(before, like, meant, RelabelListed::give);
 }
 
+/// Into the plane that the row names.
+HistoryTruth::Bricks HistoryTruth::copied(
+    const Bricks& before, const CopySegment& edit, const Document& document) const
+{
+    const std::vector<std::uint8_t> labels = labelsBeside(edit.segment, before, document);
+    std::vector<bool> meant(labels.size(), false);
+    for (std::size_t voxel = 0; voxel < labels.size(); ++voxel)
+        meant[voxel] = labels[voxel] == edit.segment;
+    const RelabelListed like{.target = {.plane = std::uint8_t(edit.plane.value()),
+                                 .label = std::uint8_t(document.lastLabelGiven() + 1)},
+        .editable = editableVoxels(edit.editable, document, "copySegment").value()};
+    return relabelled(before, like, meant, RelabelListed::give);
+}
+
 HistoryTruth::Bricks HistoryTruth::evolved(
     const Bricks& before, const EvolveContour& edit, const Document& document) const
 {
@@ -516,6 +530,8 @@ HistoryTruth::Bricks HistoryTruth::grown(
         return islandsSplit(before, *islands, document);
     if (const auto* split = edit.as<SplitSegment>())
         return splitByPlane(before, *split, document);
+    if (const auto* copy = edit.as<CopySegment>())
+        return copied(before, *copy, document);
     if (const auto* outline = edit.as<FillOutline>())
         return after(before, *labelOutlined(*outline, document), {}, nullptr);
     if (const auto* threshold = edit.as<ThresholdSegment>())
@@ -863,6 +879,7 @@ void HistoryTruth::changeDocument(const Edit& edit, Document& document) const
         for (const Segment& segment : segments)
             label = std::max(label, int(segment.label));
         segments.push_back({.label = std::uint8_t(label + 1),
+            .plane = std::uint8_t(add->plane.value_or(0)),
             .name = add->name,
             .rgb = add->rgb,
             .code = add->code});
@@ -925,6 +942,11 @@ void HistoryTruth::changeDocument(const Edit& edit, Document& document) const
         const std::uint8_t plane = with(segments, &Segment::label, split->segment)->plane;
         addTarget({.segment = {}, .name = split->into.name, .rgb = split->into.rgb}, document);
         document.segments.back().plane = plane;
+    } else if (const auto* copy = edit.as<CopySegment>()) {
+        const CodedConcept code = with(segments, &Segment::label, copy->segment)->code;
+        addTarget({.segment = {}, .name = copy->name, .rgb = copy->rgb}, document);
+        document.segments.back().code = code;
+        document.segments.back().plane = std::uint8_t(copy->plane.value());
     } else if (const auto* view = edit.as<AddBookmark>()) {
         int id = document.greatestRemovedBookmark;
         for (const CameraBookmark& bookmark : document.bookmarks)

@@ -7,6 +7,7 @@
 #include "core/edits/kinds/filling/FillBetweenSlices.h"
 #include "core/edits/kinds/filling/FloodFill.h"
 #include "core/edits/kinds/segments/CleanSegment.h"
+#include "core/edits/kinds/splitting/CopySegment.h"
 #include "core/edits/kinds/splitting/SplitIslands.h"
 #include "core/edits/kinds/splitting/SplitSegment.h"
 #include "core/edits/sculpt/SculptEdits.h"
@@ -96,6 +97,8 @@ private:
         Bricks before, const core::SplitIslands& edit, const core::Document& document) const;
     [[nodiscard]] Bricks splitByPlane(
         const Bricks& before, const core::SplitSegment& edit, const core::Document& document) const;
+    [[nodiscard]] Bricks copied(
+        const Bricks& before, const core::CopySegment& edit, const core::Document& document) const;
     [[nodiscard]] Bricks evolved(const Bricks& before, const core::EvolveContour& edit,
         const core::Document& document) const;
     /// Returns the bricks after a label was given to voxels of the whole volume, or taken from

@@ -44,6 +44,7 @@
 #include "core/edits/kinds/sculpt/LaserStroke.h"
 #include "core/edits/kinds/sculpt/PeelCut.h"
 #include "core/edits/kinds/sculpt/ScissorsCut.h"
+#include "core/edits/kinds/segments/AddSegment.h"
 #include "core/edits/kinds/segments/ChangeSegment.h"
 #include "core/edits/kinds/segments/CleanSegment.h"
 #include "core/edits/kinds/segments/CombineSegments.h"
@@ -232,6 +233,10 @@ private:
             const Segment* segment = m_session->document().segment(label);
             return segment && segment->plane > 0;
         };
+        if (const auto* add = edit.as<AddSegment>())
+            return add->plane.value_or(0) > 0;
+        if (const auto* copy = edit.as<CopySegment>())
+            return copy->plane != 0;
         if (const auto* mask = edit.as<ImportMask>(); mask && mask->planes)
             return std::any_of(
                 mask->planes->begin(), mask->planes->end(), [](int plane) { return plane > 0; });
@@ -375,7 +380,7 @@ private:
         }
         const int dice = document.segments.empty() ? 0 : between(0, 99);
         if (dice < 5 && document.segments.size() < 6)
-            return test::newSegment(randomName(), std::uint32_t(m_random()) & 0xFFFFFFu);
+            return randomAddition();
         if (dice < 15)
             return randomChange(document);
         if (dice < 17)
@@ -411,6 +416,13 @@ private:
         if (dice < 92)
             return randomWhole(document);
         return randomRevert(rows);
+    }
+
+    Edit randomAddition()
+    {
+        AddSegment add{.name = randomName(), .rgb = std::uint32_t(m_random()) & 0xFFFFFFu};
+        add.plane = anyPlane();
+        return add;
     }
 
     /// Soon where nothing lies in a further plane, now and then else.
@@ -604,6 +616,8 @@ private:
         if (m_draws.planes && document.labelPlanes().size() > 1 && chance(40))
             return CombineSegments{
                 .segment = segment, .with = other, .how = CombineSegments::How(between(2, 4))};
+        if (m_draws.planes && document.segments.size() < 8 && chance(40))
+            return randomCopy(segment);
         if (chance(30))
             return CombineSegments{.segment = segment,
                 .with = other,
@@ -635,6 +649,15 @@ private:
         clean.islandLps = geometry.toWorld(
             glm::dvec3(voxel % columns, voxel / columns % rows, voxel / columns / rows));
         return clean;
+    }
+    /// Sometimes in a plane that is named, where others may have some of its voxels, or none.
+    CopySegment randomCopy(int segment)
+    {
+        CopySegment copy{
+            .segment = segment, .name = randomName(), .rgb = std::uint32_t(m_random()) & 0xFFFFFFu};
+        if (chance(30))
+            copy.plane = between(0, mostLabelPlanes - 1);
+        return copy;
     }
     /// One that has a hole of which a part is nobody's.
     [[nodiscard]] std::optional<int> holedSegment() const

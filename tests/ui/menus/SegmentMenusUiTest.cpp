@@ -219,6 +219,111 @@ private Q_SLOTS:
         QCOMPARE(fixture.voxels(1), box);
     }
 
+    /// The copy lies where its voxels are free, also that of a locked segment; the message and the
+    /// row of the history name both.
+    void aSegmentIsDuplicated()
+    {
+        Fixture fixture;
+        fixture.apply(test::lockSegment(1));
+        const std::int64_t brain = fixture.voxels(1);
+        QAction& duplicate = fixture.window.actionTable()[QStringLiteral("segments.duplicate")];
+        fixture.window.actionTable().refresh();
+        QCOMPARE(duplicate.text(), QStringLiteral("Duplicate segment 'Brain'"));
+        QVERIFY(duplicate.isEnabled()); // it is only read
+        QSignalSpy said(&fixture.workspace, &ui::Workspace::said);
+        const std::size_t rows = fixture.session().history().rows().size();
+        duplicate.trigger();
+        QTRY_VERIFY((fixture.session().poll(), said.size() == 1));
+        QCOMPARE(said.front().front().toString(),
+            QStringLiteral("Copy segment 'Brain' as 'Brain copy', +%1 voxels; Ctrl+Z takes it back")
+                .arg(spaced(brain)));
+        QCOMPARE(fixture.session().history().rows().size(), rows + 1);
+        const core::Segment copy = *fixture.session().document().segment(4);
+        QCOMPARE(copy.voxels, brain);
+        QCOMPARE(int(copy.plane), 1);
+        QVERIFY(!copy.locked);
+        for (const core::Segment& other : fixture.session().document().segments)
+            QVERIFY(other.label == copy.label || other.rgb != copy.rgb);
+        QCOMPARE(fixture.workspace.activeSegment(), 1);
+
+        // From the row's menu; the second copy has another name.
+        const QPoint at = fixture.list->visualRect(fixture.list->model()->index(0, 0)).center();
+        QTimer::singleShot(0, &fixture.window, [&] {
+            auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
+            QVERIFY(menu);
+            for (QAction* each : menu->actions()) {
+                if (each->text() == QLatin1String("Duplicate segment") && each->isEnabled())
+                    each->trigger();
+            }
+            menu->close();
+        });
+        Q_EMIT fixture.list->customContextMenuRequested(at);
+        QTRY_VERIFY((fixture.session().poll(), said.size() == 2));
+        QCOMPARE(fixture.session().document().segments.back().name, QStringLiteral("Brain copy 2"));
+        QCOMPARE(int(fixture.session().document().segments.back().plane), 2);
+
+        // Until nothing is left: what is told names the limit.
+        duplicate.trigger();
+        QTRY_VERIFY((fixture.session().poll(), said.size() == 3));
+        QSignalSpy failed(&fixture.workspace, &ui::Workspace::failed);
+        duplicate.trigger();
+        QTRY_VERIFY((fixture.session().poll(), failed.size() == 1));
+        const auto why = failed.front().front().value<core::Error>();
+        QVERIFY2(why.arguments.join(u' ').contains(QStringLiteral("at most 4 label planes")),
+            qPrintable(why.arguments.join(u' ')));
+        QCOMPARE(fixture.session().document().segments.size(), std::size_t(6));
+        QCoreApplication::processEvents();
+        QCOMPARE(said.size(), 3); // not that there was nothing to copy
+    }
+
+    void anEmptyOneIsNotDuplicated()
+    {
+        Fixture fixture;
+        fixture.workspace.setActiveSegment(3);
+        QSignalSpy said(&fixture.workspace, &ui::Workspace::said);
+        fixture.window.actionTable()[QStringLiteral("segments.duplicate")].trigger();
+        QTRY_VERIFY((fixture.session().poll(), said.size() == 1));
+        QCOMPARE(said.front().front().toString(), QStringLiteral("'Skin & hair' has no voxels"));
+        QCOMPARE(fixture.session().document().segments.size(), std::size_t(3));
+    }
+
+    /// A segment of another plane is painted over others, which keep what they have.
+    void aSegmentIsAddedThatMayOverlap()
+    {
+        Fixture fixture;
+        QMenu& add = fixture.ofBar("overlappingSegment");
+        QCOMPARE(add.title(), QStringLiteral("Add segment that may overlap"));
+        QCOMPARE(textsOf(add), QStringList{QStringLiteral("All others")});
+        add.actions().front()->trigger();
+        QVERIFY(fixture.session().settle());
+        const core::Segment& made = fixture.session().document().segments.back();
+        QCOMPARE(int(made.label), 4);
+        QCOMPARE(int(made.plane), 1);
+        QCOMPARE(fixture.workspace.activeSegment(), 4);
+        const std::int64_t brain = fixture.voxels(1);
+        fixture.apply(test::paintAt(4, test::pointsInBrain(), 3.0));
+        QVERIFY(fixture.voxels(4) > 0);
+        QCOMPARE(fixture.voxels(1), brain);
+
+        // Now there is something beside which one can lie.
+        QCOMPARE(textsOf(fixture.ofBar("overlappingSegment")),
+            (QStringList{QStringLiteral("All others"),
+                QStringLiteral("All but 'Brain', 'Bone', 'Skin && hair'"),
+                QStringLiteral("All but 'Segment 4'")}));
+        add.actions().at(2)->trigger();
+        QVERIFY(fixture.session().settle());
+        QCOMPARE(int(fixture.session().document().segment(5)->plane), 1);
+        for (const int plane : {2, 3}) {
+            fixture.ofBar("overlappingSegment").actions().front()->trigger();
+            QVERIFY(fixture.session().settle());
+            QCOMPARE(int(fixture.session().document().segments.back().plane), plane);
+        }
+        QAction* all = fixture.ofBar("overlappingSegment").actions().front();
+        QVERIFY(!all->isEnabled());
+        QCOMPARE(all->toolTip(), QStringLiteral("segments lie in each of the 4 label planes"));
+        QCOMPARE(add.actions().size(), 5);
+    }
+
     /// The distance to another one, locked or not, becomes a measurement between both surfaces.
     void theDistanceOfTwo()
     {

@@ -56,6 +56,7 @@ public:
         {Code::SplitSegment, QT_TR_NOOP("Split '%1' by a plane")},
         {Code::MergeSegments, QT_TR_NOOP("Merge segment '%1' into '%2'")},
         {Code::SwapSegments, QT_TR_NOOP("Swap segments '%1' and '%2'")},
+        {Code::CopySegment, QT_TR_NOOP("Copy segment '%1' as '%2'")},
         {Code::UniteSegments, QT_TR_NOOP("Add voxels of '%1' to '%2'")},
         {Code::SubtractSegment, QT_TR_NOOP("Subtract '%1' from '%2'")},
         {Code::IntersectSegments, QT_TR_NOOP("Intersect '%1' with '%2'")},

@@ -212,7 +212,7 @@ void SegmentsPanel::showMenu(const QPoint& position)
         item->setShortcut(each.keys); // shown; the list's own action hears it
         item->setShortcutContext(Qt::WidgetShortcut);
         const QString why = each.whyNot ? each.whyNot(m_workspace) : QString();
-        item->setEnabled(!locked && why.isEmpty());
+        item->setEnabled((each.onlyReads || !locked) && why.isEmpty());
         item->setToolTip(why);
     }
     menu.exec(m_view->viewport()->mapToGlobal(position));

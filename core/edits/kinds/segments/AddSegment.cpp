@@ -27,8 +27,11 @@ Result<bool> apply(const AddSegment& edit, Document& document)
         return failure(ErrorCode::InvalidField, QStringLiteral("addSegment"),
             Clause::saying(
                 "a label plane has room for %1 segments, those deleted included", lastLabel));
-    document.segments.push_back(
-        {.label = std::uint8_t(label), .name = edit.name, .rgb = edit.rgb, .code = edit.code});
+    document.segments.push_back({.label = std::uint8_t(label),
+        .plane = std::uint8_t(edit.plane.value_or(0)),
+        .name = edit.name,
+        .rgb = edit.rgb,
+        .code = edit.code});
     return true;
 }
 

@@ -7,6 +7,7 @@
 #include <QString>
 
 #include <cstdint>
+#include <optional>
 
 namespace core {
 
@@ -17,6 +18,8 @@ struct AddSegment {
     QString name{};
     std::uint32_t rgb = 0;
     CodedConcept code{};
+    /// Its label plane: it may share voxels with segments of other planes. None: the first plane.
+    std::optional<int> plane{};
 };
 
 [[nodiscard]] Result<void> check(const AddSegment& edit, const Document& document);

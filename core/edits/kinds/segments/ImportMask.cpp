@@ -141,11 +141,11 @@ Result<bool> apply(const ImportMask& edit, Document& document)
         const Result<bool> added =
             apply(AddSegment{.name = edit.as ? edit.as->name : segments[i].name,
                       .rgb = segments[i].rgb,
-                      .code = alone ? segments[i].code : CodedConcept{}},
+                      .code = alone ? segments[i].code : CodedConcept{},
+                      .plane = where->targets[i].plane},
                 document);
         if (!added)
             return added;
-        document.segments.back().plane = where->targets[i].plane;
     }
     return true;
 }

@@ -11,6 +11,7 @@
 #include "core/edits/kinds/segments/PaintStroke.h"
 #include "core/edits/kinds/segments/RemoveSegment.h"
 #include "core/edits/kinds/segments/ReshapeSegment.h"
+#include "core/edits/kinds/splitting/CopySegment.h"
 #include "core/edits/kinds/splitting/SplitIslands.h"
 #include "core/edits/kinds/splitting/SplitSegment.h"
 #include "core/edits/kinds/values/ThresholdSegment.h"
@@ -239,6 +240,9 @@ private Q_SLOTS:
             QVERIFY(!whole.covers({Field::Labels, 1, 3}));
             QVERIFY(!whole.covers({Field::Coverage, 1, 3}));
         }
+        const RowDependencies copied(CopySegment{.segment = 1, .plane = 2}, document, {});
+        QVERIFY(copied.covers({Field::Labels, 0, 3}) && copied.covers({Field::Labels, 2, 3}));
+        QVERIFY(copied.covers({Field::SeedWords, 2, 3}) && !copied.covers({Field::Labels, 1, 3}));
         FloodFill flood{.segment = 1, .placeLps = geometry.toWorld(glm::dvec3(20, 3, 17))};
         const RowDependencies everywhere(flood, document, {});
         flood.within = SliceAxis::K;

@@ -5,6 +5,9 @@
 #include "core/edits/kinds/filling/MirrorSegment.h"
 #include "core/edits/kinds/filling/SegmentScissors.h"
 #include "core/edits/kinds/parts/PenSample.h"
+#include "core/edits/kinds/segments/AddSegment.h"
+#include "core/edits/kinds/segments/RemoveSegment.h"
+#include "core/edits/kinds/splitting/CopySegment.h"
 #include "core/edits/kinds/splitting/SplitIslands.h"
 #include "core/edits/kinds/splitting/SplitSegment.h"
 #include "tests/support/cases/strokes/StrokeFamilies.h"
@@ -107,6 +110,32 @@ void addSplits(
         {scene.first, scene.second, scene.paint}, limited});
 }
 
+/// Into further label planes.
+void addCopies(std::vector<StrokeCase>& cases, const StrokeScene& scene)
+{
+    const core::LoadedVolume& volume = scene.volume;
+    const core::CopySegment copy{.segment = 1, .name = QStringLiteral("Again"), .rgb = 0x40C0C0};
+    core::CopySegment named = copy;
+    named.plane = 3;
+    core::CopySegment limited = copy;
+    limited.editable = core::EditableRange{.lower = 100.0};
+    const core::AddSegment above{
+        .name = QStringLiteral("Above"), .rgb = 0xC0C040, .code = {}, .plane = 1};
+    const core::Edit dab = paintAt(2, {volume.volume.geometry.toWorld({16.0, 13.0, 6.0})});
+    cases.push_back({"copy a segment", volume, {scene.first, scene.paint}, copy});
+    cases.push_back({"copy a segment into a plane", volume, {scene.first, scene.paint}, named});
+    cases.push_back(
+        {"copy a segment within the editable range", volume, {scene.first, scene.paint}, limited});
+    cases.push_back({"copy a copy beside another", volume,
+        {scene.first, scene.paint, copy, core::RemoveSegment{.segment = 1}},
+        core::CopySegment{.segment = 2, .name = QStringLiteral("Back"), .rgb = 7}});
+    cases.push_back({"growth after a copy", volume,
+        {scene.first, scene.seeds, scene.some, scene.paint, copy}, scene.all});
+    cases.push_back({"paint a copy", volume, {scene.first, scene.paint, copy}, dab});
+    cases.push_back(
+        {"paint a segment over another", volume, {scene.first, scene.paint, above}, dab});
+}
+
 } // namespace
 
 void addFillingStrokes(std::vector<StrokeCase>& cases, const StrokeScene& scene)
@@ -172,6 +201,7 @@ void addFillingStrokes(std::vector<StrokeCase>& cases, const StrokeScene& scene)
         revertRows({3})});
     addScissors(cases, scene);
     addSplits(cases, scene, {low, high, apart});
+    addCopies(cases, scene);
 
     // Every value counts as within, so that it grows for certain, wherever it is.
     core::EvolveContour contour{.segment = 1,

@@ -6,6 +6,7 @@
 #include "core/edits/kinds/history/RevertRows.h"
 #include "core/edits/kinds/parts/EditableRange.h"
 #include "core/edits/kinds/parts/GrowBox.h"
+#include "core/edits/kinds/segments/AddSegment.h"
 #include "core/edits/kinds/segments/CombineSegments.h"
 #include "core/edits/kinds/segments/FillOutline.h"
 #include "core/edits/kinds/segments/ImportMask.h"
@@ -445,6 +446,35 @@ private Q_SLOTS:
                      .segment = 2, .with = 1, .how = CombineSegments::How::Subtract}),
             QString());
         QVERIFY(bench.tried(RevertRows{{painted}}).contains(QStringLiteral("the same place")));
+    }
+
+    /// A segment that is added by hand in a further plane is painted over others, which stay.
+    void aSegmentIsAddedInAFurtherPlane()
+    {
+        const Bench bench;
+        QCOMPARE(bench.tried(importOf({one})), QString());
+        AddSegment add{.name = QStringLiteral("Over"), .rgb = 9};
+        // What names no plane says what it always said.
+        QVERIFY(!editToJson(Edit(add)).contains(QStringLiteral("plane")));
+        add.plane = 2;
+        const QJsonObject text = editToJson(Edit(add));
+        QCOMPARE(text[QStringLiteral("plane")].toInt(), 2);
+        QVERIFY(editFromJson(text) && editFromJson(text)->get<AddSegment>().plane == 2);
+        QCOMPARE(bench.tried(add), QString());
+        QCOMPARE(int(bench.session->document().segment(2)->plane), 2);
+        const QByteArray added = bench.session->stateHash();
+        QCOMPARE(bench.tried(test::paintAt(2, {bench.at({14, 6, 6})}, 3.0)), QString());
+        QCOMPARE(bench.labels(0), labelsOf(one, 1));
+        const std::vector<std::uint8_t> painted = bench.labels(2);
+        QCOMPARE(int(painted[std::size_t((6 * size.y + 6) * size.x + 13)]), 2);
+        QCOMPARE(int(painted[std::size_t((6 * size.y + 6) * size.x + 16)]), 2);
+        QCOMPARE(bench.voxelsOf(2), bench.count(2, 2));
+        QVERIFY(bench.session->undo() && bench.session->settle());
+        QCOMPARE(bench.session->stateHash(), added);
+        for (const char* wrong :
+            {"{\"edit\":\"addSegment\",\"name\":\"A\",\"color\":\"#102030\",\"plane\":4}",
+                "{\"edit\":\"addSegment\",\"name\":\"A\",\"color\":\"#102030\",\"plane\":-1}"})
+            QVERIFY2(!editFromJson(QJsonDocument::fromJson(wrong).object()), wrong);
     }
 
     void whatIsRefused()
