@@ -162,12 +162,18 @@ void addCombinations(QMenu& menu, QAction* before, Workspace& workspace,
     const std::function<int()>& label, bool named)
 {
     menu.setToolTipsVisible(true);
-    const auto add = [&](const char* name) {
-        auto* sub = new QMenu(&menu);
+    // In the menu itself they would make it higher than small screens.
+    auto* combine = new QMenu(QObject::tr("Combine"), &menu);
+    combine->setObjectName(QStringLiteral("combineSegments"));
+    combine->setToolTipsVisible(true);
+    menu.insertMenu(before, combine);
+    const auto addTo = [](QMenu& parent, QAction* next, const char* name) {
+        auto* sub = new QMenu(&parent);
         sub->setObjectName(QLatin1String(name));
-        menu.insertMenu(before, sub);
+        parent.insertMenu(next, sub);
         return sub;
     };
+    const auto add = [&](const char* name) { return addTo(*combine, nullptr, name); };
     const Combination merge{add("mergeSegments"), QObject::tr("Merge into"),
         QObject::tr("Merge '%1' into"), &mergeSegments};
     const Combination swap{add("swapSegments"), QObject::tr("Swap with"),
@@ -179,7 +185,7 @@ void addCombinations(QMenu& menu, QAction* before, Workspace& workspace,
             &subtractSegment, OtherSegment::Overlapping},
         {add("intersectSegments"), QObject::tr("Intersect with"),
             QObject::tr("Intersect '%1' with"), &intersectSegments, OtherSegment::Overlapping},
-        {add("distanceOfSegments"), QObject::tr("Measure distance to"),
+        {addTo(menu, before, "distanceOfSegments"), QObject::tr("Measure distance to"),
             QObject::tr("Measure distance from '%1' to"), &measureDistance, OtherSegment::Any}};
     const auto list = [&workspace, all, label, named] {
         for (const Combination& each : all)

@@ -159,9 +159,11 @@ private Q_SLOTS:
         const QPoint at = fixture.list->visualRect(fixture.list->model()->index(1, 0)).center();
         QString title;
         QStringList others;
+        int height = 0;
         QTimer::singleShot(0, &fixture.window, [&] {
             auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
             QVERIFY(menu);
+            height = menu->sizeHint().height();
             auto* swap = menu->findChild<QMenu*>(QStringLiteral("swapSegments"));
             if (swap && !swap->isEmpty()) {
                 title = swap->title();
@@ -171,6 +173,7 @@ private Q_SLOTS:
             menu->close();
         });
         Q_EMIT fixture.list->customContextMenuRequested(at);
+        QVERIFY2(height > 0 && height <= 720, qPrintable(QString::number(height)));
         QCOMPARE(title, QStringLiteral("Swap with"));
         QCOMPARE(others, (QStringList{QStringLiteral("Brain"), QStringLiteral("Skin && hair")}));
         QVERIFY(fixture.session().settle());
