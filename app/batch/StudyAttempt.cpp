@@ -4,7 +4,10 @@
 #include "core/base/files/PrivateFolder.h"
 #include "core/base/files/StagedFile.h"
 #include "core/base/files/StagedFolder.h"
+#include "core/base/files/SystemFile.h"
 #include "core/export/common/MaskSelection.h"
+#include "core/sessionfile/SessionFile.h"
+#include "core/sessionfile/records/SessionUse.h"
 
 #include <QDir>
 #include <QDirIterator>
@@ -13,6 +16,8 @@
 #include <QJsonDocument>
 #include <QRegularExpression>
 
+#include <cerrno>
+#include <cstdio>
 #include <utility>
 
 namespace app {
@@ -120,8 +125,11 @@ QStringList StudyAttempt::entries(const QString& place) const
 {
     QStringList names =
         QDir(staged(place)).entryList(QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot);
-    names.removeIf([this](const QString& name) {
-        return name.startsWith(QLatin1String(".burin-"))
+    const bool isOpen = place == m_places.front()
+        && !(core::strayPartOf(sessionPath()).isEmpty()
+            && core::sessionLoss(sessionPath()).leftOpen.isEmpty());
+    names.removeIf([this, isOpen](const QString& name) {
+        return name.startsWith(QLatin1String(".burin-")) || (isOpen && name == m_session)
             || name == m_session + QLatin1String("-wal")
             || name == m_session + QLatin1String("-shm")
             || name == m_session + QLatin1String("-journal");
@@ -218,9 +226,12 @@ Result<void> StudyAttempt::begin()
     }
     QFile file(recipePath());
     // It has the values of the list, which may tell who the patient is.
-    if (!core::makePrivateFile(file.fileName()) || !file.open(QIODevice::WriteOnly)
-        || file.write(m_recipe) != m_recipe.size() || !file.flush())
-        return failure(ErrorCode::FileUnwritable, file.fileName(), file.errorString());
+    const QString named = told(file.fileName());
+    if (!core::makePrivateFile(file.fileName()))
+        return failure(ErrorCode::FileUnwritable, named, core::systemReason(errno));
+    if (!file.open(QIODevice::WriteOnly) || file.write(m_recipe) != m_recipe.size()
+        || !file.flush())
+        return failure(ErrorCode::FileUnwritable, named, file.errorString());
     return {};
 }
 
@@ -243,6 +254,9 @@ QString StudyAttempt::told(QString text) const
 
 Result<void> StudyAttempt::survey()
 {
+    // One whose disk failed as it was closed is closed by opening it, or is not finished.
+    if (QFileInfo::exists(sessionPath()) && !core::strayPartOf(sessionPath()).isEmpty())
+        static_cast<void>(core::SessionFile::open(sessionPath(), core::SessionAccess::ReadWrite));
     for (const QString& place : std::as_const(m_places)) {
         const QStringList names = entries(place);
         for (const QString& name : names) {
@@ -287,12 +301,16 @@ Result<void> StudyAttempt::placeOne(
     // A folder takes the place of none: the one of an earlier attempt is moved out of the way.
     const QString old = QDir(hidden(place)).filePath(QStringLiteral("old-") + name);
     const bool replaces = isLinkOrThere(target);
-    if (replaces && !QDir().rename(target, old))
-        return failure(
-            ErrorCode::FileUnwritable, target, QStringLiteral("it cannot be moved away"));
+    const auto moved = [](const QString& before, const QString& after) {
+        return ::rename(QFile::encodeName(before).constData(), QFile::encodeName(after).constData())
+            == 0;
+    };
+    if (replaces && !moved(target, old))
+        return failure(ErrorCode::FileUnwritable, target,
+            QStringLiteral("it cannot be moved away: %1").arg(core::systemReason(errno)));
     const Result<void> placed = core::StagedFolder::adopt(from, target).commit();
     if (!placed && replaces)
-        QDir().rename(old, target);
+        moved(old, target);
     return placed;
 }
 

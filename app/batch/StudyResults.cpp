@@ -33,8 +33,7 @@ Result<void> writeFile(
     if (!staged)
         return tl::unexpected(staged.error());
     if (readers == Readers::OwnerAlone && !core::makePrivateFile(staged->path()))
-        return failure(
-            ErrorCode::FileUnwritable, path, QStringLiteral("it cannot be kept from other users"));
+        return failure(ErrorCode::FileUnwritable, path, core::systemReason(errno));
     QFile file(staged->path());
     if (!file.open(QIODevice::WriteOnly) || file.write(content) != content.size() || !file.flush())
         return failure(ErrorCode::FileUnwritable, path, file.errorString());

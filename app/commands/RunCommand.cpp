@@ -361,7 +361,7 @@ int run(core::Recipe recipe, const Arguments& arguments, CommandTermination& ter
         if (!placed) {
             const int status = reportFailure(placed.error());
             std::fprintf(stderr, "%s: the new session is in %s\n", qUtf8Printable(file),
-                qUtf8Printable(openFile));
+                qUtf8Printable(steady.isOpen() ? steady.session().file() : openFile));
             return status;
         }
         openFile = file;

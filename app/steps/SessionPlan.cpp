@@ -2,6 +2,7 @@
 #include "app/steps/SessionPlan.h"
 
 #include "app/steps/SessionFiles.h"
+#include "core/base/files/SystemFile.h"
 #include "core/sessionfile/SessionFile.h"
 #include "core/sessionfile/SessionSalvage.h"
 #include "core/sessionfile/records/SessionContents.h"
@@ -12,6 +13,9 @@
 #include <QDir>
 #include <QFileInfo>
 #include <QStorageInfo>
+
+#include <cerrno>
+#include <cstdio>
 
 namespace app {
 
@@ -100,15 +104,32 @@ SessionPlan planAround(const QString& damaged, const core::SessionContents& cont
     return plan;
 }
 
-/// With what lies beside it.
-bool rename(const QString& from, const QString& to)
+/// With what lies beside it: all of it, or nothing. (QFile::rename() copies where it must not.)
+core::Result<void> rename(const QString& from, const QString& to)
 {
+    const auto renames = [](const QString& before, const QString& after) {
+        return std::rename(
+                   QFile::encodeName(before).constData(), QFile::encodeName(after).constData())
+            == 0;
+    };
+    QStringList renamed;
     for (const char* suffix : {"-wal", "-journal", ""}) {
-        const QString part = from + QLatin1String(suffix);
-        if (QFileInfo::exists(part) && !QFile::rename(part, to + QLatin1String(suffix)))
-            return false;
+        const QLatin1String part(suffix);
+        if (!QFileInfo::exists(from + part))
+            continue;
+        if (!QFileInfo::exists(to + part) && renames(from + part, to + part)) {
+            renamed += part;
+            continue;
+        }
+        const int failed = errno;
+        const int error = QFileInfo::exists(to + part) ? EEXIST : failed;
+        for (const QString& each : renamed)
+            renames(to + each, from + each);
+        return core::failure(core::ErrorCode::FileUnwritable, from,
+            QStringLiteral("it cannot be renamed to '%1': %2")
+                .arg(QFileInfo(to).fileName(), core::systemReason(error)));
     }
-    return true;
+    return {};
 }
 
 core::Result<SessionPlan> aroundDamage(const QString& file, const core::SessionContents& contents)
@@ -132,10 +153,16 @@ core::Result<SessionPlan> aroundDamage(const QString& file, const core::SessionC
     core::removeSession(target);
     if (const auto salvaged = core::salvageSession(file, contents, target); !salvaged)
         return tl::unexpected(salvaged.error());
-    if (!rename(file, aside))
-        return core::failure(core::ErrorCode::FileUnwritable, aside);
-    if (!QFile::rename(target, file))
-        return core::failure(core::ErrorCode::FileUnwritable, file);
+    core::Result<void> renamed = rename(file, aside);
+    if (renamed) {
+        renamed = rename(target, file);
+        if (!renamed)
+            static_cast<void>(rename(aside, file));
+    }
+    if (!renamed) {
+        core::removeSession(target);
+        return tl::unexpected(renamed.error());
+    }
     return planAround(aside, contents, file, false);
 }
 
@@ -177,7 +204,7 @@ void withdraw(const SessionPlan& plan, const QString& file)
 {
     core::removeSession(plan.file);
     if (plan.damaged != file)
-        rename(plan.damaged, file);
+        static_cast<void>(rename(plan.damaged, file));
 }
 
 } // namespace app

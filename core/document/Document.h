@@ -36,7 +36,8 @@ inline constexpr int mostLabelPlanes = 4;
 /// One structure of the result: the voxels of `plane` that hold `label`.
 ///
 /// Edits of a segment act on its plane. A voxel is free there if no other segment of this plane has
-/// it; segments of other planes do not matter. Only an import looks at all planes.
+/// it; segments of other planes do not matter. Only imports look at all planes, and copies, which
+/// look for one that has room.
 struct Segment {
     /// 1 … 255, unique in the document regardless of the plane, and never used again. So a label
     /// alone identifies a segment.

@@ -2,6 +2,7 @@
 #include "core/sessionfile/SessionFile.h"
 
 #include "core/base/Guarded.h"
+#include "core/base/files/StagedError.h"
 #include "core/base/files/StagedFile.h"
 #include "core/sessionfile/AuditReport.h"
 #include "core/sessionfile/SessionCopy.h"
@@ -165,7 +166,7 @@ void SessionFile::audit(std::function<void(const Result<AuditReport>&)> take)
             if (m_tables)
                 take(auditReport(*m_tables, m_path));
             else
-                take(tl::unexpected(*m_whyNoFile));
+                take(tl::unexpected(whyNoTables()));
         },
         [take](const Error& error) { take(tl::unexpected(error)); });
 }
@@ -221,8 +222,7 @@ void SessionFile::saveAs(const QString& target, bool replaceExisting,
             const Result<void> moved =
                 guarded([&] { return moveTo(target, replaceExisting, images); });
             images = {}; // what was staged and is not used is gone before anybody is told
-            if (!m_tables && !whyNoFile())
-                static_cast<void>(reopen(path()));
+            openAgain();
             done(moved);
         },
         [done](const Error& error) { done(tl::unexpected(error)); });
@@ -244,18 +244,16 @@ Result<void> SessionFile::renameTo(const QString& target)
 {
     if (const Result<void> fits = checkReplacedSession(target); !fits)
         return fits;
-    m_tables.reset(); // one file, with nothing beside it
+    if (const Result<void> closed = closeAsOneFile(); !closed)
+        return closed;
     StagedFile staged = StagedFile::adopt(m_path, target);
-    const Result<void> placed = staged.commit();
-    if (!placed)
-        staged.release();
-    const QString path = placed ? target : m_path;
-    // Why it could not be placed is what there is to tell, whatever follows from it.
-    if (const Result<void> opened = reopen(path); !opened)
-        return placed ? opened : placed;
-    const std::lock_guard lock(m_mutex);
-    m_path = path;
-    return placed;
+    const Result<void> gone = goOnIn(staged);
+    if (gone)
+        return gone;
+    setPath(staged.path().isEmpty() ? target : staged.path());
+    staged.release();
+    openAgain();
+    return gone;
 }
 
 void SessionFile::copyTo(const QString& path, std::function<void(const Result<void>&)> done)
@@ -281,46 +279,100 @@ SessionParts SessionFile::parts() const
 Result<void> SessionFile::moveTo(
     const QString& target, bool replaceExisting, const SavedImages& images)
 {
+    if (m_whyShut)
+        return failure(ErrorCode::FileUnwritable, target,
+            Clause::saying("the steps so far are in '%1', which does not open: %2", path(),
+                m_whyShut->arguments.value(1)));
     const bool ownPlace = m_tables && !m_isPrivateCopy && QFileInfo::exists(target)
         && QFileInfo(target).canonicalFilePath() == QFileInfo(m_path).canonicalFilePath();
     const Result<std::shared_ptr<StagedFile>> staged =
         stageSessionCopy(target, replaceExisting, ownPlace, parts(), images);
     if (!staged)
         return tl::unexpected(staged.error());
-    if (ownPlace)
-        m_tables.reset(); // nothing of the old file is to lie beside the new one
-    if (const Result<void> placed = (*staged)->commit(); !placed) {
-        if (ownPlace)
-            static_cast<void>(reopen(m_path));
-        return placed;
+    if (ownPlace) {
+        if (const Result<void> closed = closeAsOneFile(); !closed)
+            return closed;
     }
-    if (const Result<void> opened = reopen(target); !opened)
-        return opened;
-    m_waiting.clear();
+    const Result<void> gone = goOnIn(**staged);
+    // What waits is in the copy, too, which may have had to stay in the file's place.
+    if (gone || (ownPlace && (*staged)->path().isEmpty()))
+        m_waiting.clear();
+    if (!gone)
+        return gone;
     {
         const std::lock_guard lock(m_mutex);
-        m_path = target;
         m_isPrivateCopy = false;
-        m_whyNoFile.reset();
         m_holdsImages = m_tables->holdsImages();
     }
     setTrouble({});
     return {};
 }
 
-/// On the writer's thread. Where it fails and nothing is open, work goes on in memory.
+/// On the writer's thread. Gives a file that holds the session its name and opens it there. If one
+/// of these fails, what had the name before has it again.
+Result<void> SessionFile::goOnIn(StagedFile& staged)
+{
+    const Result<void> gone = guarded([&]() -> Result<void> {
+        const Result<void> placed = staged.commit();
+        return placed ? reopen(staged.target()) : placed;
+    });
+    if (gone)
+        setPath(staged.target());
+    if (gone || !staged.isCommitted())
+        return gone;
+    // SQLite made them for the new file: the old one had none.
+    removeSessionParts(staged.target());
+    return tl::unexpected(takingBack(gone.error(), staged));
+}
+
+/// On the writer's thread. Only for as long as the file gets another name or is replaced: nothing
+/// of it may lie beside it then.
+Result<void> SessionFile::closeAsOneFile()
+{
+    if (!m_tables)
+        return tl::unexpected(whyNoTables());
+    m_whyShut = Error{ErrorCode::FileUnwritable, {m_path}};
+    m_tables.reset();
+    if (!isSessionUnfinished(m_path))
+        return {};
+    openAgain();
+    return failure(
+        ErrorCode::FileUnwritable, m_path, Clause::saying("it could not be closed as one file"));
+}
+
+/// On the writer's thread.
 Result<void> SessionFile::reopen(const QString& path)
 {
     auto tables = std::make_unique<SessionTables>(path);
-    if (const Result<SessionContents> read = tables->open(Access::ReadWrite); !read) {
-        if (!m_tables) {
-            const std::lock_guard lock(m_mutex);
-            m_whyNoFile = read.error();
-        }
+    if (const Result<SessionContents> read = tables->open(Access::ReadWrite); !read)
         return tl::unexpected(read.error());
-    }
     m_tables = std::move(tables);
+    m_whyShut.reset();
+    const std::lock_guard lock(m_mutex);
+    m_whyNoFile.reset();
     return {};
+}
+
+/// On the writer's thread. Opens the file that was closed to be replaced and did not open since;
+/// what is done meanwhile waits in memory.
+void SessionFile::openAgain()
+{
+    if (!m_whyShut)
+        return;
+    if (const Result<void> opened = guarded([this] { return reopen(m_path); }); !opened)
+        m_whyShut = opened.error();
+}
+
+/// On the writer's thread.
+Error SessionFile::whyNoTables() const
+{
+    return m_whyShut ? *m_whyShut : *whyNoFile();
+}
+
+void SessionFile::setPath(const QString& path)
+{
+    const std::lock_guard lock(m_mutex);
+    m_path = path;
 }
 
 void SessionFile::retry()
@@ -330,10 +382,11 @@ void SessionFile::retry()
 
 void SessionFile::writeWaiting()
 {
+    openAgain();
     if (m_tables)
         setTrouble(m_waiting.carryOut(*m_tables, m_path));
     else
-        setTrouble(m_waiting.holdStep() ? m_whyNoFile : std::nullopt);
+        setTrouble(m_waiting.holdStep() ? std::optional(whyNoTables()) : std::nullopt);
 }
 
 void SessionFile::setTrouble(const std::optional<Error>& trouble)
@@ -368,7 +421,7 @@ Result<BrickDelta> SessionFile::readDelta(RowId row)
         else if (m_tables)
             result = m_tables->readDelta(row);
         else
-            result = tl::unexpected(*m_whyNoFile);
+            result = tl::unexpected(whyNoTables());
     });
     return result;
 }

@@ -128,8 +128,13 @@ private:
     [[nodiscard]] Result<void> moveTo(
         const QString& target, bool replaceExisting, const SavedImages& images);
     [[nodiscard]] Result<void> renameTo(const QString& target);
+    [[nodiscard]] Result<void> goOnIn(StagedFile& staged);
+    [[nodiscard]] Result<void> closeAsOneFile();
     [[nodiscard]] SessionParts parts() const;
     [[nodiscard]] Result<void> reopen(const QString& path);
+    void openAgain();
+    [[nodiscard]] Error whyNoTables() const;
+    void setPath(const QString& path);
 
     SessionContents m_contents;
     std::function<void()> m_troubleListener;
@@ -141,7 +146,10 @@ private:
     std::optional<Error> m_whyNoFile;
     bool m_holdsImages = false;
     // The writer's thread only:
-    std::unique_ptr<SessionTables> m_tables; ///< null: there is no file
+    std::unique_ptr<SessionTables> m_tables; ///< null: there is no file, or none that opens
+    /// Why the file at m_path, which has all steps but those that wait, is not open; none: it is,
+    /// or there is no file.
+    std::optional<Error> m_whyShut;
     SessionWrites m_waiting;
 
     std::optional<ClosableSessionFile> m_closable; ///< destroyed first

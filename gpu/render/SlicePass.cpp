@@ -108,7 +108,7 @@ void SlicePass::prepare(VolumeTextures& volume, const SliceScene& scene,
         - perX * middle.x - perY * middle.y;
     const bool slab = scene.slab.mode != SlabMode::Off;
     Program& program =
-        prepareForm(slab ? Slab : 0, volume, scene, segments, palette, target, chunks);
+        prepareForm(slab ? unsigned(Slab) : 0U, volume, scene, segments, palette, target, chunks);
     if (slab)
         setSlab(program, scene.slab, directions * glm::cross(scene.rightLps, scene.downLps));
     program.set("base", glm::vec3(base))
@@ -128,8 +128,11 @@ Program& SlicePass::prepareForm(unsigned where, VolumeTextures& volume, const Sl
     const SegmentDisplay& segments, const Palette& palette, const PassTarget& target,
     const ChunkTextures* chunks)
 {
-    const unsigned form = where + (isCubic(scene, target) ? Cubic : 0)
-        + (scene.interpolation == Interpolation::Nearest ? Nearest : 0);
+    unsigned form = where;
+    if (isCubic(scene, target))
+        form |= Cubic;
+    if (scene.interpolation == Interpolation::Nearest)
+        form |= Nearest;
     volume.intensity().bindUnit(0);
     volume.radiation().bindUnit(1);
     volume.labels().bindUnit(3);

@@ -21,14 +21,17 @@ static long lastFailing;
 int shim_error; // 0: short
 static atomic_long counted;
 
-__attribute__((constructor)) static void readOrders(void)
+/// glibc gives constructors what main() gets.
+__attribute__((constructor)) static void readOrders(int count, char** words)
 {
+    const char* of = getenv("BURIN_SHIM_OF");
     const char* number = getenv("BURIN_SHIM_NTH");
     const char* last = getenv("BURIN_SHIM_LAST");
     const char* error = getenv("BURIN_SHIM_ERROR");
     logFile = getenv("BURIN_SHIM_LOG");
     under = getenv("BURIN_SHIM_UNDER");
-    failing = getenv("BURIN_SHIM_FAIL");
+    if (!of || (count > 1 && strcmp(words[1], of) == 0))
+        failing = getenv("BURIN_SHIM_FAIL");
     firstFailing = number ? atol(number) : 0;
     lastFailing = last ? atol(last) : firstFailing;
     shim_error = error && strcmp(error, "short") != 0 ? atoi(error) : 0;

@@ -6,6 +6,7 @@
 //   BURIN_SHIM_LOG    a file that lines are appended to: WHAT, PATH and more, with tabs between
 //   BURIN_SHIM_UNDER  a folder: only what lies in it counts for the failing
 //   BURIN_SHIM_FAIL   which calls fail, of "open", "write", "sync" and "rename", with commas
+//   BURIN_SHIM_OF     only in processes with this first argument; unset: in all
 //   BURIN_SHIM_NTH    the first of them that does, from 1; 0: none, they are only told ("counts")
 //   BURIN_SHIM_LAST   the last of them that does
 //   BURIN_SHIM_ERROR  a number (errno), or "short": half of what is to be written is

@@ -9,7 +9,7 @@ namespace core {
 /// sessions reveal who was treated. An existing folder is made private. @return whether it exists
 bool makePrivateFolder(const QString& path);
 
-/// The same for a file, which is created empty if it is missing.
+/// The same for a file, which is created empty if it is missing. errno has the reason if it fails.
 bool makePrivateFile(const QString& path);
 
 } // namespace core

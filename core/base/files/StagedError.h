@@ -11,4 +11,8 @@ class StagedFile;
 /// hidden file.
 [[nodiscard]] Error namingTarget(Error error, const StagedFile& staged);
 
+/// Takes back a commit() that something followed which failed with @p error.
+/// @return the error, with the place of the replaced file if that could not get its name back
+[[nodiscard]] Error takingBack(Error error, StagedFile& staged);
+
 } // namespace core

@@ -99,14 +99,17 @@ StagedFile StagedFile::adopt(const QString& path, const QString& target)
     staged.m_path = QFileInfo(path).absoluteFilePath();
     staged.m_target = QFileInfo(target).absoluteFilePath();
     staged.m_replaceExisting = true;
+    staged.m_isAdopted = true;
     return staged;
 }
 
 StagedFile::StagedFile(StagedFile&& other) noexcept
     : m_path(std::exchange(other.m_path, QString()))
+    , m_before(std::move(other.m_before))
     , m_target(std::move(other.m_target))
     , m_replaceExisting(other.m_replaceExisting)
     , m_overSession(other.m_overSession)
+    , m_isAdopted(other.m_isAdopted)
     , m_committed(other.m_committed)
 {
 }
@@ -114,9 +117,11 @@ StagedFile::StagedFile(StagedFile&& other) noexcept
 StagedFile& StagedFile::operator=(StagedFile&& other) noexcept
 {
     std::swap(m_path, other.m_path);
+    std::swap(m_before, other.m_before);
     std::swap(m_target, other.m_target);
     std::swap(m_replaceExisting, other.m_replaceExisting);
     std::swap(m_overSession, other.m_overSession);
+    std::swap(m_isAdopted, other.m_isAdopted);
     std::swap(m_committed, other.m_committed);
     return *this;
 }
@@ -146,6 +151,7 @@ Result<void> StagedFile::commit()
         return still;
     const QByteArray from = QFile::encodeName(m_path);
     const QByteArray to = QFile::encodeName(m_target);
+    m_before = m_path;
     if (m_replaceExisting && QFileInfo::exists(m_target)) {
         if (!exchange(from, to))
             return failure(ErrorCode::FileUnwritable, m_target, systemReason(errno));
@@ -189,16 +195,22 @@ bool StagedFile::exchange(const QByteArray& from, const QByteArray& to)
     return true;
 }
 
-void StagedFile::takeBack()
+QString StagedFile::takeBack()
 {
     if (!std::exchange(m_committed, false))
-        return;
+        return {};
     const QByteArray target = QFile::encodeName(m_target);
-    if (m_path.isEmpty())
+    QString left;
+    if (!m_path.isEmpty()) {
+        if (!exchange(QFile::encodeName(m_path), target))
+            left = std::exchange(m_path, QString());
+    } else if (std::rename(target.constData(), QFile::encodeName(m_before).constData()) == 0) {
+        m_path = m_before;
+    } else if (!m_isAdopted) {
         QFile::remove(m_target);
-    else if (std::rename(QFile::encodeName(m_path).constData(), target.constData()) == 0)
-        m_path.clear();
+    }
     syncToDisk(QFileInfo(m_target).absolutePath());
+    return left;
 }
 
 } // namespace core

@@ -46,8 +46,13 @@ public:
     Result<void> commit();
     /// Keeps the file under its temporary name.
     void release() { m_path.clear(); }
-    /// After commit(): restores the file that was replaced, or removes the new one.
-    void takeBack();
+    [[nodiscard]] bool isCommitted() const { return m_committed; }
+    /// After commit(): undoes it, so that a file that was replaced has its name again and the new
+    /// one a temporary name, path(). If the disk does not let that happen, the new file keeps the
+    /// target's name, unless it replaced nothing and is no adopted one: then it is removed.
+    /// @return the name under which the replaced file is then left; empty: everything is as it was
+    /// before commit()
+    QString takeBack();
 
 private:
     StagedFile() = default;
@@ -55,9 +60,11 @@ private:
     [[nodiscard]] bool exchange(const QByteArray& from, const QByteArray& to);
 
     QString m_path; ///< empty: nothing to remove
+    QString m_before; ///< the temporary name that it had before commit()
     QString m_target;
     bool m_replaceExisting = false;
     bool m_overSession = false;
+    bool m_isAdopted = false; ///< there is no other copy of it
     bool m_committed = false;
 };
 

@@ -2,6 +2,7 @@
 #include "core/export/common/ExportMask.h"
 
 #include "core/base/files/FileInUse.h"
+#include "core/base/files/StagedError.h"
 #include "core/base/files/StagedFile.h"
 #include "core/dicom/deidentify/Deidentifier.h"
 #include "core/export/common/CheckExport.h"
@@ -214,11 +215,9 @@ Result<ExportReport> exportOn(const Volume& volume, const ExportRequest& request
         if (const Result<void> placed = staged->beside->file.commit(); !placed)
             return tl::unexpected(placed.error());
     }
-    if (const Result<void> placed = staged->file.commit(); !placed) {
-        if (staged->beside)
-            staged->beside->file.takeBack();
-        return tl::unexpected(placed.error());
-    }
+    if (const Result<void> placed = staged->file.commit(); !placed)
+        return tl::unexpected(
+            staged->beside ? takingBack(placed.error(), staged->beside->file) : placed.error());
     return std::move(staged->report);
 }
 

@@ -61,6 +61,9 @@ void SessionDatabase::leaveWal()
             });
         left = asked && mode == QLatin1String("delete");
     }
+    // It says still that its last writes are in the file beside it, which has gone meanwhile.
+    if (!left && run(QStringLiteral("PRAGMA journal_mode=WAL")))
+        static_cast<void>(m_connection.number("user_version"));
 }
 
 Result<std::unique_ptr<SessionDatabase>> SessionDatabase::create(
@@ -268,6 +271,13 @@ bool SessionDatabase::query(const QString& sql, const QVariantList& values,
 bool SessionDatabase::transaction(const std::function<bool()>& work)
 {
     return m_connection.transaction(work);
+}
+
+Clause SessionDatabase::reason() const
+{
+    // SQLITE_READONLY: what SQLite may not write, or cannot open for writing, it opens for reading.
+    const bool isForReading = (m_connection.failure().code.toInt() & 0xFF) == 8;
+    return isForReading ? Clause(notForWriting) : m_connection.failure().reason;
 }
 
 bool SessionDatabase::makeRoomForTitles()

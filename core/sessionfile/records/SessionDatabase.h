@@ -56,7 +56,7 @@ public:
     /// copied verbatim, since the chain depends on it.
     bool copyHistoryInto(const QString& path);
 
-    [[nodiscard]] Clause reason() const { return m_connection.failure().reason; }
+    [[nodiscard]] Clause reason() const;
     /// What the file lacks. Of a file that is cut off, the existing part is read.
     [[nodiscard]] const SessionLoss& loss() const { return m_loss; }
     /// The reason why the last statement failed if the file's content is not to blame: it or a file

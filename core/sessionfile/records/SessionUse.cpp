@@ -221,10 +221,15 @@ SessionLoss sessionLoss(const QString& path)
     return loss;
 }
 
-bool removeSession(const QString& path)
+void removeSessionParts(const QString& path)
 {
     for (const char* suffix : {"-wal", "-shm", "-journal"})
         QFile::remove(part(path, suffix));
+}
+
+bool removeSession(const QString& path)
+{
+    removeSessionParts(path);
     return !QFileInfo::exists(path) || QFile::remove(path);
 }
 

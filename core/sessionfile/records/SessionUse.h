@@ -57,6 +57,9 @@ struct SessionLoss {
 /// Reads only the header of the file.
 [[nodiscard]] SessionLoss sessionLoss(const QString& path);
 
+/// Removes the files that SQLite leaves beside a session.
+void removeSessionParts(const QString& path);
+
 /// Removes a session with the files beside it. @return whether it is gone
 bool removeSession(const QString& path);
 

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/support/fixtures/StormStage.h"
+#include "tests/support/program/FileBytes.h"
 #include "tests/support/program/LongRun.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/TestVolumes.h"
+#include "tests/support/series/SessionFiles.h"
 
+#include <QDir>
+#include <QFile>
 #include <QTest>
 
 #include <array>
@@ -49,6 +53,7 @@ private Q_SLOTS:
     void initTestCase();
     void sessionsAndExports_data();
     void sessionsAndExports();
+    void aDamagedWorkingSession();
     void cleanupTestCase();
 };
 
@@ -165,6 +170,56 @@ void FailingDiskGlTest::sessionsAndExports()
                            failed.mid(0, 3).join(QStringLiteral("\n          ")))
                        .arg(outcome.status)
                        .arg(outcome.complaint)));
+}
+
+/// A working session that is damaged gives its name to what was sound of it. Where one of the files
+/// that lie there cannot be renamed, the damaged one stays what and where it was.
+void FailingDiskGlTest::aDamagedWorkingSession()
+{
+    const QString folder = m_home->path(QStringLiteral("state/burin/sessions"));
+    const QString file = folder + QStringLiteral("/w.burin");
+    m_stage->restore();
+    QVERIFY(QDir().mkpath(folder));
+    const QStringList words{QStringLiteral("run"), m_home->path(QStringLiteral("more.json")),
+        QStringLiteral("--session"), file, QStringLiteral("--append"), QStringLiteral("--study"),
+        m_home->path(QStringLiteral("ct"))};
+    const auto damage = [&] {
+        const QString whole = m_stage->folder() + QStringLiteral("/a.burin");
+        for (const QString& name : QDir(folder).entryList(QDir::Files | QDir::Hidden))
+            QFile::remove(QDir(folder).filePath(name));
+        for (const QString& name : {QStringLiteral("z.csv"), QStringLiteral("z.obj")})
+            QFile::remove(QDir(m_stage->folder()).filePath(name));
+        QVERIFY(QFile::copy(whole, file));
+        QVERIFY(test::runSql(file, QStringLiteral("UPDATE row SET name='X' WHERE id=5")));
+        // As a program leaves it that is killed.
+        QFile beside(file + QStringLiteral("-wal"));
+        QVERIFY(beside.open(QIODevice::WriteOnly));
+        static_cast<void>(m_home->events());
+    };
+    for (int call = 1; call <= 8; ++call) {
+        damage();
+        const QByteArray before = test::bytesOf(file);
+        const Outcome outcome = m_home->burin(
+            words, {.under = folder, .calls = "rename", .first = call, .last = call, .error = EIO});
+        QStringList failed;
+        for (const test::FileEvent& event : m_home->events()) {
+            if (event.what == "fails")
+                failed += event.path;
+        }
+        // Those that come later are of the session that goes on.
+        if (failed.isEmpty()) {
+            QVERIFY2(call > 3, "fewer files are renamed than there are");
+            return;
+        }
+        QVERIFY2(outcome.status == 1, qPrintable(failed.join(u' ') + outcome.complaint));
+        QVERIFY2(outcome.complaint.contains(file), qPrintable(outcome.complaint));
+        QVERIFY2(outcome.complaint.contains(nameOf(EIO)), qPrintable(outcome.complaint));
+        QVERIFY2(test::bytesOf(file) == before, qPrintable(failed.join(u' ')));
+        QStringList left = QDir(folder).entryList(QDir::Files | QDir::Hidden);
+        left.removeAll(QStringLiteral("w.burin"));
+        left.removeAll(QStringLiteral("w.burin-wal"));
+        QVERIFY2(left.isEmpty(), qPrintable(left.join(u' ')));
+    }
 }
 
 void FailingDiskGlTest::cleanupTestCase()

@@ -14,6 +14,7 @@
 #include "tests/support/scenes/SmallStudy.h"
 #include "ui/tools/contour/ContourTool.h"
 #include "ui/tools/growth/FloodFillTool.h"
+#include "ui/tools/growth/ShrinkTool.h"
 #include "ui/tools/nudge/NudgeTool.h"
 #include "ui/tools/outline/FillOutlineTool.h"
 #include "ui/tools/scissors/SegmentScissorsTool.h"
@@ -168,7 +169,9 @@ private:
         application.window().findChild<ui::FloodFillTool*>()->setSettings(
             {.in3D = true, .corners = true, .tolerance = 72.0});
         application.window().findChild<ui::NudgeTool*>()->setSettings(
-            {.radiusMm = 5.5, .fits = false});
+            {.radiusMm = 5.5, .fits = false, .radiusByPressure = true});
+        application.window().findChild<ui::ShrinkTool*>()->applySettings(
+            {{QStringLiteral("byPressure"), true}, {QStringLiteral("reachMm"), 4.5}});
         application.window().findChild<ui::ContourTool*>()->setSettings(
             {.bubbleMm = 6.5, .smoothness = 71, .generations = 33});
         application.window().findChild<ui::ScissorsTool*>()->setSettings(
@@ -282,7 +285,11 @@ private Q_SLOTS:
         QVERIFY((application->window().findChild<ui::FloodFillTool*>()->settings()
             == ui::FloodFillTool::Settings{.in3D = true, .corners = true, .tolerance = 72.0}));
         QVERIFY((application->window().findChild<ui::NudgeTool*>()->settings()
-            == ui::NudgeTool::Settings{.radiusMm = 5.5, .fits = false}));
+            == ui::NudgeTool::Settings{.radiusMm = 5.5, .fits = false, .radiusByPressure = true}));
+        const QJsonObject shrink =
+            application->window().findChild<ui::ShrinkTool*>()->settingsJson();
+        QVERIFY(shrink[QStringLiteral("byPressure")].toBool());
+        QCOMPARE(shrink[QStringLiteral("reachMm")].toDouble(), 4.5);
         QVERIFY((application->window().findChild<ui::ContourTool*>()->settings()
             == ui::ContourTool::Settings{.bubbleMm = 6.5, .smoothness = 71, .generations = 33}));
         const auto& scissors = application->window().findChild<ui::ScissorsTool*>()->settings();

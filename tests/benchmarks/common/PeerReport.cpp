@@ -61,10 +61,10 @@ std::vector<PeerReport::Figure> PeerReport::figures() const
 
 void PeerReport::printTable() const
 {
-    std::printf("%-30s %-22s %5s %14s %14s %9s\n", "work", "peer", "", "Burin", "peer", "ratio");
+    std::printf("%-36s %-30s %5s %14s %14s %9s\n", "work", "peer", "", "Burin", "peer", "ratio");
     for (const Figure& figure : figures()) {
         const int decimals = figure.unit == "Bytes" ? 0 : 2;
-        std::printf("%-30s %-22s %5s %14.*f", figure.id.c_str(), figure.peer.c_str(),
+        std::printf("%-36s %-30s %5s %14.*f", figure.id.c_str(), figure.peer.c_str(),
             figure.unit.c_str(), decimals, figure.ours);
         if (!figure.peer.empty())
             std::printf(" %14.*f %8.2fx", decimals, figure.theirs, figure.theirs / figure.ours);

@@ -7,6 +7,9 @@
 #include "core/edits/kinds/segments/CleanSegment.h"
 #include "core/edits/kinds/segments/PaintStroke.h"
 #include "core/edits/kinds/segments/ReshapeSegment.h"
+#include "core/edits/kinds/surface/LaySurface.h"
+#include "core/edits/kinds/surface/SpherePush.h"
+#include "core/edits/kinds/surface/WriteBack.h"
 #include "core/edits/kinds/values/ThresholdSegment.h"
 #include "core/session/EditSession.h"
 #include "core/session/questions/VoxelQuestions.h"
@@ -88,6 +91,7 @@ private:
     void fill(CountedSession& counts, const glm::dvec3& place);
     void threshold(CountedSession& counts);
     void workOnAll(CountedSession& counts);
+    void refine(CountedSession& counts);
 
     test::EditEngineFixture m_gpu;
 };
@@ -152,6 +156,18 @@ void WorkOfLabelsGlTest::workOnAll(CountedSession& counts)
         "contour", EvolveContour{.segment = label, .lower = Ball::valueAt(14.0), .generations = 3});
 }
 
+void WorkOfLabelsGlTest::refine(CountedSession& counts)
+{
+    counts.step("laying a surface",
+        LaySurface{.segment = label, .vertices = 400, .rules = newestSurfaceRules});
+    const glm::dvec3 beside = Ball::middle + glm::dvec3(0.0, 0.0, 18.0);
+    counts.step("push of a sphere",
+        SpherePush{.path = {.radiusMm = 5.0,
+                       .pointsLps = {beside, beside - glm::dvec3(0.0, 0.0, 6.0)},
+                       .rules = newestSurfaceRules}});
+    counts.step("writing a surface back", WriteBack{.rules = newestSurfaceRules});
+}
+
 std::vector<CountedWork> WorkOfLabelsGlTest::stepsIn(int side)
 {
     CountedSession counts(m_gpu, side);
@@ -164,6 +180,7 @@ std::vector<CountedWork> WorkOfLabelsGlTest::stepsIn(int side)
         fill(counts, Ball::middle + glm::dvec3(9.0 - 18.0 * round, 0.0, 4.0));
         threshold(counts);
         workOnAll(counts);
+        refine(counts);
         counts.step(
             "back through the history", [&] { return bool(counts.session().goTo(beginning)); });
     }
@@ -179,7 +196,7 @@ void WorkOfLabelsGlTest::growsWithTheVolumeOnlyWhereItHasTo()
     // What works on all of a segment reads its plane in portions (LabelReader), of which a dispatch
     // fetches what is not empty, and has a byte in memory for each voxel of the volume.
     const QByteArrayList onAll{"margin", "smoothing by a ball", "smoothing by a Gaussian",
-        "closing", "islands", "contour"};
+        "closing", "islands", "contour", "laying a surface", "writing a surface back"};
     const auto voxelsOf = [](int side) { return std::int64_t(side) * side * side; };
     const QStringList wrong =
         test::grownWork(m_gpu, QStringLiteral("labels"), small, large, [&](const QByteArray& name) {

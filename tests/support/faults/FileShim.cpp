@@ -50,6 +50,8 @@ QProcessEnvironment WatchedHome::environment(const FileFault& fault) const
         return all;
     set("BURIN_SHIM_UNDER", fault.under);
     set("BURIN_SHIM_FAIL", QString::fromLatin1(fault.calls));
+    if (!fault.of.isEmpty())
+        set("BURIN_SHIM_OF", QString::fromLatin1(fault.of));
     set("BURIN_SHIM_NTH", QString::number(fault.first));
     set("BURIN_SHIM_LAST", QString::number(fault.last));
     set("BURIN_SHIM_ERROR",

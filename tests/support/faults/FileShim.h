@@ -31,6 +31,8 @@ struct FileFault {
     int first = 0; ///< the first call that fails, from 1; 0: none fails, they are only counted
     int last = 0; ///< the last call that fails
     int error = 0; ///< errno; 0: only half of the bytes are written
+    /// The command of the processes in which they fail, each of which counts for itself; empty: any
+    QByteArray of{};
 };
 
 /// A home folder of its own for the program burin, empty at first; every action of the program on

@@ -90,10 +90,10 @@ QString ContourTool::iconName() const
 QString ContourTool::hint() const
 {
     return m_settings.fromSegment
-        ? tr("Contour: click a slice, and the active segment's contour evolves until you accept "
-             "it; Ctrl or the eraser end erases, from all around the segment")
-        : tr("Contour: click a bubble into a region on a slice; it evolves until you accept it; "
-             "Ctrl or the eraser end erases");
+        ? tr("Contour: click a slice and accept what the segment evolves to; Ctrl or the eraser "
+             "end erases from all around it")
+        : tr("Contour: click a bubble on a slice and accept what evolves; Ctrl or the eraser end "
+             "erases");
 }
 
 QString ContourTool::keys() const

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/brick/VoxelRunSets.h"
+#include "core/edits/kinds/segments/AddSegment.h"
+#include "core/edits/kinds/surface/LaySurface.h"
 #include "core/masks/MaskOnVolume.h"
 #include "core/refine/deform/RefineSurface.h"
 #include "core/refine/fit/MeasuredFit.h"
 #include "core/refine/mesh/InternalForces.h"
 #include "core/refine/tools/SurfaceStroke.h"
+#include "core/session/surface/SurfaceWork.h"
 #include "core/session/surface/SurfaceWriteBack.h"
 #include "core/study/StudyLoader.h"
+#include "core/titles/RowTitle.h"
 #include "tests/support/program/LongRun.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/SharedData.h"
@@ -76,12 +80,27 @@ VoxelRuns grown(VoxelRuns voxels, const glm::ivec3& size, int steps)
     return voxels;
 }
 
-/// 199 pieces, 152 of them a single voxel, most of which touch others at corners only. Surfaces
-/// that cross nothing do not enclose it to the voxel so far; only long runs ask that.
-bool isMostlyCorners(const MaskSegment& segment)
+/// The surface as the program lays it, and what its row says of how much it is off.
+struct Laid {
+    SurfaceState surface;
+    QString told;
+};
+
+Laid laid(const std::vector<std::uint8_t>& labels, const VolumeGeometry& geometry, int vertices)
 {
-    return test::longRun() && segment.name == QStringLiteral("Label 8")
-        && QByteArray(QTest::currentDataTag()).endsWith("prostate_phantom_subvolume-label.nrrd");
+    Laid made;
+    made.surface.setGeometry(geometry);
+    Document document;
+    if (!apply(AddSegment{}, document).value_or(false))
+        return made;
+    SurfaceWork work(
+        made.surface, LaySurface{.segment = label, .vertices = vertices}, document, {});
+    work.setLabels(labels);
+    if (!work.begin())
+        return made;
+    if (const auto outcome = work.end(Ending::Commit); outcome && outcome->remark)
+        made.told = canonicalName(*outcome->remark);
+    return made;
 }
 
 } // namespace
@@ -190,21 +209,27 @@ void ReferenceMasksTest::untouchedAndPushed(
     const std::vector<std::uint8_t> labels = labelsOf(segment.voxels, size);
     const LabelTarget target{.plane = 0, .label = label};
     // So few that what is enclosed is another.
-    auto fit = measuredFit(
-        segment.voxels, geometry, test::longRun() ? std::nullopt : std::optional(3000), {});
+    const std::optional<int> vertices = test::longRun() ? std::nullopt : std::optional(3000);
+    auto fit = measuredFit(segment.voxels, geometry, vertices, {});
     QVERIFY(fit.has_value());
     SimplexMesh& mesh = fit->mesh;
     const auto untouched = enclosedVoxels(mesh, {}, geometry, false);
     QVERIFY(untouched.has_value());
-    QCOMPARE(differing(untouched->now, segment.voxels).voxelCount(), fit->voxelsOff);
-    // Two vertices for each face suffice, unless they are more than a surface may have; then by how
-    // much it differs is told.
-    const double share = double(fit->voxelsOff) / double(fit->voxels);
+    const std::uint64_t off = differing(untouched->now, segment.voxels).voxelCount();
+    QCOMPARE(off, fit->voxelsOff);
+    // What is off by more than a thousandth is told in the row that lays it, as it is measured
+    // here.
+    const double share = double(off) / double(segment.voxels.voxelCount());
+    if (share > mostOffShare) {
+        const Laid told = laid(labels, geometry, vertices.value_or(0));
+        QVERIFY(identical(told.surface.mesh, mesh));
+        QCOMPARE(told.told, QStringLiteral("%1 % off").arg(100.0 * share, 0, 'f', 2));
+    }
+    // Two vertices for each face nearly suffice, unless they are more than a surface may have.
+    constexpr double mostToldShare = 0.01;
     const std::uint64_t wanted = 2 * facesOf(segment.voxels, geometry);
-    if (isMostlyCorners(segment))
-        QEXPECT_FAIL("", "27 of its 2 997 voxels are off: surfaces of the present rules", Continue);
     if (test::longRun())
-        QVERIFY2(share <= mostOffShare || wanted > std::uint64_t(mostVertices),
+        QVERIFY2(share <= mostToldShare || wanted > std::uint64_t(mostVertices),
             qPrintable(QStringLiteral("%1: %2 % off").arg(segment.name).arg(100.0 * share)));
     QVERIFY(writeBackOf(*untouched, labels, size, target).bricks.empty());
 

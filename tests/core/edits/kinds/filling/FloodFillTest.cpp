@@ -36,6 +36,25 @@ LoadedVolume noisyStudy(std::uint32_t seed)
     return study;
 }
 
+/// Of two slices, across an axis, so wide that a region of tissue, with holes of noise, is read in
+/// several blocks.
+LoadedVolume wideStudy(SliceAxis across)
+{
+    glm::ivec3 size(600, 150, 150);
+    if (across == SliceAxis::I)
+        size = glm::ivec3(150, 600, 150);
+    size[alongOf(across)] = 2;
+    LoadedVolume study;
+    study.volume.geometry.size = size;
+    study.volume.maximum = 65535.0;
+    study.volume.voxelsSha256 = "not looked at here";
+    std::mt19937 random(11);
+    study.codes.resize(std::size_t(size.x) * std::size_t(size.y) * std::size_t(size.z));
+    for (std::uint16_t& code : study.codes)
+        code = random() % 4 == 0 ? 0 : 1000;
+    return study;
+}
+
 struct Bench : test::SessionBench {
     explicit Bench(LoadedVolume its, bool delayed = false, const QString& file = {})
         : SessionBench(delayed, its, file)
@@ -176,6 +195,41 @@ private Q_SLOTS:
         for (std::size_t row = 1; row < bench.rows().size(); ++row)
             anew.run(bench.rows()[row].edit);
         QCOMPARE(anew.session->stateHash(), bench.session->stateHash());
+    }
+
+    /// In a slice, what lies beyond the block around the place, too.
+    void readsOn_data()
+    {
+        QTest::addColumn<int>("within");
+        for (const int within : {0, 1, 2})
+            QTest::addRow("%d", within) << within;
+    }
+    void readsOn()
+    {
+        QFETCH(const int, within);
+        const LoadedVolume study = wideStudy(SliceAxis(within));
+        const glm::ivec3 size = study.volume.geometry.size;
+        Bench bench(study);
+        glm::ivec3 place = size / 2;
+        const auto codeAt = [&](const glm::ivec3& at) {
+            return study.codes[(std::size_t(at.z) * std::size_t(size.y) + std::size_t(at.y))
+                    * std::size_t(size.x)
+                + std::size_t(at.x)];
+        };
+        while (codeAt(place) == 0)
+            ++place[within == 0 ? 1 : 0];
+        FloodFill edit{.segment = 1,
+            .placeLps = bench.geometry().toWorld(glm::dvec3(place)),
+            .within = SliceAxis(within),
+            .tolerance = 10.0};
+        const Labels before = bench.labels();
+        bench.run(edit);
+        const Labels after = bench.labels();
+        QVERIFY(after == bench.expectedAfter(edit, before));
+        QVERIFY2(bench.voxels() > 50'000, qPrintable(QString::number(bench.voxels())));
+        edit.erase = true;
+        bench.run(edit);
+        QCOMPARE(bench.voxels(), std::int64_t(0));
     }
 
     void whatCannotBe()
