@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/brick/LabelBox.h"
 
+#include "core/brick/RunRows.h"
+
 #include <algorithm>
 #include <limits>
 
@@ -25,6 +27,15 @@ VoxelBox boxOfLabel(
         }
     }
     return box.maximum.x == 0 ? VoxelBox() : box;
+}
+
+VoxelBox boxOfRuns(const VoxelRuns& voxels, const glm::ivec3& size)
+{
+    VoxelBox box;
+    forEachRowPart(voxels, size, [&box](const glm::ivec3& at, int count, std::uint64_t) {
+        box = box.united({at, at + glm::ivec3(count, 1, 1)});
+    });
+    return box;
 }
 
 } // namespace core

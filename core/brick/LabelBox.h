@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/brick/BrickGrid.h"
+#include "core/brick/VoxelRuns.h"
 
 #include <cstdint>
 #include <span>
@@ -13,5 +14,9 @@ namespace core {
 /// @param labels one for each voxel of the volume, x fastest
 [[nodiscard]] VoxelBox boxOfLabel(
     std::span<const std::uint8_t> labels, const glm::ivec3& size, std::uint8_t label);
+
+/// The same for voxels that are known, at the cost of their runs.
+/// @param size of the volume in which they lie
+[[nodiscard]] VoxelBox boxOfRuns(const VoxelRuns& voxels, const glm::ivec3& size);
 
 } // namespace core

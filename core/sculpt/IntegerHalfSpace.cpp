@@ -51,6 +51,32 @@ SeenSamples seenSamples(const std::vector<IntegerHalfSpace>& hidden, const glm::
     return {int(first), int(end)};
 }
 
+SeenSamples samplesWithin(const SeenSamples& samples, const glm::ivec3& origin,
+    const glm::ivec3& step, const VoxelBox& box)
+{
+    std::int64_t first = samples.first;
+    std::int64_t end = samples.end;
+    for (int axis = 0; axis < 3; ++axis) {
+        // Within these, both ends included, the nearest voxel is one of the box.
+        const std::int64_t low = (2 * std::int64_t(box.minimum[axis]) - 1) * 32768 - origin[axis];
+        const std::int64_t high =
+            (2 * std::int64_t(box.maximum[axis]) - 1) * 32768 - 1 - origin[axis];
+        if (step[axis] == 0) {
+            if (low > 0 || high < 0)
+                return {};
+            continue;
+        }
+        const std::int64_t from = step[axis] > 0 ? low : -high;
+        const std::int64_t to = step[axis] > 0 ? high : -low;
+        const std::int64_t stride = std::abs(step[axis]);
+        first = std::max(first, -floorOf(-from, stride));
+        end = std::min(end, floorOf(to, stride) + 1);
+    }
+    if (first >= end)
+        return {};
+    return {int(first), int(end)};
+}
+
 std::vector<std::int32_t> hiddenBase(
     const std::vector<IntegerHalfSpace>& hidden, const glm::ivec3& firstVoxel)
 {

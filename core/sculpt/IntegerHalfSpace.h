@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/brick/BrickGrid.h"
+
 #include <glm/glm.hpp>
 
 #include <array>
@@ -31,6 +33,10 @@ struct SeenSamples {
 /// @param count number of samples of the ray
 [[nodiscard]] SeenSamples seenSamples(const std::vector<IntegerHalfSpace>& hidden,
     const glm::ivec3& origin, const glm::ivec3& step, int count);
+
+/// Of samples of a ray those whose nearest voxel lies in a box.
+[[nodiscard]] SeenSamples samplesWithin(const SeenSamples& samples, const glm::ivec3& origin,
+    const glm::ivec3& step, const VoxelBox& box);
 
 /// For each half-space, perVoxel · p − offset at a brick's first voxel, clamped to ±2³⁰. For the
 /// voxels of the brick the value differs from that by an amount that fits 32 bits.

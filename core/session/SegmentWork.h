@@ -9,7 +9,7 @@ class OperationQueue;
 
 /// The edit of a segment that is being computed at present (CleanSegment, ReshapeSegment,
 /// FillBetweenSlices, FloodFill, MirrorSegment, EvolveContour, SplitIslands, SplitSegment,
-/// CopySegment). Part of EditSession.
+/// CopySegment, SplitByCurve). Part of EditSession.
 class SegmentWork {
 public:
     explicit SegmentWork(OperationQueue& queue);

@@ -15,6 +15,7 @@
 #include "core/edits/kinds/segments/RemoveSegment.h"
 #include "core/edits/kinds/segments/ReshapeSegment.h"
 #include "core/edits/kinds/splitting/CopySegment.h"
+#include "core/edits/kinds/splitting/SplitByCurve.h"
 #include "core/edits/kinds/splitting/SplitIslands.h"
 #include "core/edits/kinds/splitting/SplitSegment.h"
 #include "core/edits/kinds/values/ThresholdSegment.h"
@@ -139,11 +140,34 @@ QString nameOfSegment(const Workspace& workspace, int label)
     return segment ? segment->name : QString::number(label);
 }
 
+/// Words for a row that an edit has made.
+using RowWords = std::function<QString(const Workspace&, const core::HistoryRow&)>;
+
+QString plainWords(const Workspace&, const core::HistoryRow& row)
+{
+    return nameOf(row);
+}
+
+/// Both volumes, too.
+RowWords wordsOfSplit(int label)
+{
+    return [label](const Workspace& workspace, const core::HistoryRow& row) {
+        const core::Document& document = workspace.session()->document();
+        const core::Segment* segment = document.segment(label);
+        if (!segment)
+            return nameOf(row);
+        const core::Segment& made = document.segments.back();
+        return QObject::tr("%1: %2").arg(nameOf(row),
+            partsText(workspace, segment->name, segment->voxels, made.name, made.voxels));
+    };
+}
+
 /// Tells what an edit did that may find nothing to do.
 /// @param start has it carried out
 /// @param nothing what is told if there was nothing
 void tellOf(Workspace& workspace, std::size_t kind, const QString& nothing,
-    const std::function<core::Result<void>(core::EditSession&)>& start)
+    const std::function<core::Result<void>(core::EditSession&)>& start,
+    const RowWords& words = plainWords)
 {
     core::EditSession* session = workspace.session();
     if (!session)
@@ -159,7 +183,7 @@ void tellOf(Workspace& workspace, std::size_t kind, const QString& nothing,
     }
     // Only when it has been looked at is it known whether there was anything.
     session->questions().afterAll([guard = QPointer(&workspace), watch = QPointer(failures),
-                                      session, rows, nothing, kind, failed] {
+                                      session, rows, nothing, kind, failed, words] {
         if (!guard || guard->session() != session || *failed) {
             delete watch;
             return;
@@ -169,7 +193,8 @@ void tellOf(Workspace& workspace, std::size_t kind, const QString& nothing,
         for (std::size_t row = rows; row < now.size(); ++row) {
             if (now[row].edit.kind() == kind) {
                 delete watch;
-                return guard->say(QObject::tr("%1; Ctrl+Z takes it back").arg(nameOf(now[row])));
+                return guard->say(
+                    QObject::tr("%1; Ctrl+Z takes it back").arg(words(*guard, now[row])));
             }
         }
         // A refusal may be told only when the session has taken in all answers.
@@ -189,14 +214,16 @@ QString nothingText(const Workspace& workspace, const QString& nothing)
 }
 
 /// The same for an edit as a whole, which keeps to the editable range.
-void carryOut(Workspace& workspace, core::Edit edit, const QString& nothing)
+void carryOut(Workspace& workspace, core::Edit edit, const QString& nothing,
+    const RowWords& words = plainWords)
 {
     if (core::EditSession* session = workspace.session())
         session->closeOpen();
     if (std::optional<core::EditableRange>* const range = core::editableRangeOf(edit))
         *range = workspace.editableRange();
-    tellOf(workspace, edit.kind(), nothingText(workspace, nothing),
-        [&edit](core::EditSession& session) { return session.apply(edit); });
+    tellOf(
+        workspace, edit.kind(), nothingText(workspace, nothing),
+        [&edit](core::EditSession& session) { return session.apply(edit); }, words);
 }
 
 /// @param to label that receives the island; none: nobody
@@ -248,23 +275,53 @@ void mirrorSegment(Workspace& workspace, const core::MirrorSegment& edit)
         QObject::tr("'%1' is its own mirror image").arg(nameOfSegment(workspace, edit.segment)));
 }
 
-/// What lies behind the cutting plane, as its viewer sees it, becomes a new segment.
-void splitByPlane(Workspace& workspace, int label)
+std::optional<core::SplitSegment> splitOfPlane(const Workspace& workspace, int label)
 {
     const core::EditSession* session = workspace.session();
     if (!session)
-        return;
+        return std::nullopt;
     const core::Document expected = session->foreseenDocument();
     const core::Segment* segment = expected.segment(label);
     if (!segment)
-        return;
+        return std::nullopt;
     const CuttingPlane::Pose& pose = workspace.plane().pose();
-    carryOut(workspace,
-        core::SplitSegment{.segment = label,
-            .placeLps = pose.centreLps,
-            .normalLps = pose.normalLps(),
-            .into = core::usualParts(expected, *segment, 1).front()},
-        QObject::tr("all of '%1' lies on one side of the cutting plane").arg(segment->name));
+    return core::SplitSegment{.segment = label,
+        .placeLps = pose.centreLps,
+        .normalLps = pose.normalLps(),
+        .into = core::usualParts(expected, *segment, 1).front()};
+}
+
+/// What lies behind the cutting plane, as its viewer sees it, becomes a new segment.
+void splitByPlane(Workspace& workspace, int label)
+{
+    if (const std::optional<core::SplitSegment> edit = splitOfPlane(workspace, label))
+        carryOut(workspace, *edit,
+            QObject::tr("all of '%1' lies on one side of the cutting plane")
+                .arg(nameOfSegment(workspace, label)),
+            wordsOfSplit(label));
+}
+
+void splitByCurve(Workspace& workspace, const core::SplitByCurve& edit)
+{
+    if (core::EditSession* session = workspace.session())
+        session->closeOpen();
+    const QString name = nameOfSegment(workspace, edit.segment);
+    const QString nothing = edit.open
+        ? QObject::tr("all of '%1' lies on one side of the line").arg(name)
+        : QObject::tr("the curve does not part '%1'").arg(name);
+    tellOf(
+        workspace, core::Edit(edit).kind(), nothingText(workspace, nothing),
+        [&edit](core::EditSession& session) { return session.apply(edit); },
+        wordsOfSplit(edit.segment));
+}
+
+QString partsText(const Workspace& workspace, const QString& name, std::int64_t voxels,
+    const QString& otherName, std::int64_t otherVoxels)
+{
+    const double voxelMm3 = workspace.volume()->geometry.voxelVolumeMm3();
+    return QObject::tr("%1 %2 · %3 %4")
+        .arg(name, millilitreText(voxels, voxelMm3), otherName,
+            millilitreText(otherVoxels, voxelMm3));
 }
 
 void reshapeSegment(Workspace& workspace, const core::ReshapeSegment& edit)

@@ -8,6 +8,7 @@
 #include <glm/glm.hpp>
 
 #include <cstdint>
+#include <optional>
 
 namespace core {
 struct Document;
@@ -17,7 +18,9 @@ struct FloodFill;
 struct MirrorSegment;
 struct ReshapeSegment;
 struct Segment;
+struct SplitByCurve;
 struct SplitIslands;
+struct SplitSegment;
 struct ThresholdSegment;
 } // namespace core
 
@@ -72,8 +75,17 @@ void mirrorSegment(Workspace& workspace, const core::MirrorSegment& edit);
 void invertSegment(Workspace& workspace, int label);
 
 /// Makes the part of a segment behind the cutting plane, as the plane's viewer sees it, a new
-/// segment.
+/// segment. The volumes of both are told, here and by splitByCurve().
 void splitByPlane(Workspace& workspace, int label);
+/// The edit that splitByPlane() would carry out, without an editable range; none if there is no
+/// such segment.
+[[nodiscard]] std::optional<core::SplitSegment> splitOfPlane(const Workspace& workspace, int label);
+/// Makes the part of a segment on one side of a drawn curve a new segment. Unlike those above it
+/// keeps to the editable range that the edit has.
+void splitByCurve(Workspace& workspace, const core::SplitByCurve& edit);
+/// "Liver 1043 mL · Liver 1 482 mL": the volumes of two parts of the open study.
+[[nodiscard]] QString partsText(const Workspace& workspace, const QString& name,
+    std::int64_t voxels, const QString& otherName, std::int64_t otherVoxels);
 
 /// Grows, shrinks, hollows out, smooths or wraps a segment.
 void reshapeSegment(Workspace& workspace, const core::ReshapeSegment& edit);

@@ -76,6 +76,7 @@ struct ShrinkAt;
 struct ShrinkSteps;
 struct SmoothSurface;
 struct SpherePush;
+struct SplitByCurve;
 struct SplitIslands;
 struct SplitSegment;
 struct SurfaceBarrier;
@@ -96,7 +97,7 @@ using AllEdits = EditKinds<AddSegment, ChangeSegment, MoveSegment, RemoveSegment
     PointDrag, ApplyTemplate, SmoothSurface, AttractSurface, WriteBack, DivideSegment, ChunkToggle,
     SurfaceBarrier, InvertSegment, CleanSegment, CombineSegments, FillOutline, ReshapeSegment,
     FillBetweenSlices, FloodFill, ThresholdSegment, Annotate, MoveMeasurement, SegmentScissors,
-    MirrorSegment, EvolveContour, SplitIslands, SplitSegment, CopySegment>;
+    MirrorSegment, EvolveContour, SplitIslands, SplitSegment, CopySegment, SplitByCurve>;
 
 template <class E, class... Es> constexpr std::size_t placeAmong(EditKinds<Es...>)
 {

@@ -100,8 +100,9 @@ Clause Outline::read(const QJsonValue& json, Value& value) const
 
 Clause Outline::check(const Value& value) const
 {
-    if (value.size() < 3)
-        return Clause::saying("needs at least three points");
+    if (value.size() < fewest)
+        return fewest == 3 ? Clause::saying("needs at least three points")
+                           : Clause::saying("needs at least %1 points", fewest);
     if (value.size() > std::size_t(maxOutlineLength))
         return Clause::saying("has more than %1 points", maxOutlineLength);
     return checkEach(value, [this](const glm::dvec2& point) {

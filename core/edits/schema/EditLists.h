@@ -41,10 +41,11 @@ struct ContourList {
     [[nodiscard]] Value rounded(const Value& value) const;
 };
 
-/// [[x, y], …], at least three points.
+/// [[x, y], …], at least three points, or as many as it needs.
 struct Outline {
     using Value = std::vector<glm::dvec2>;
     Number component;
+    std::size_t fewest = 3;
 
     [[nodiscard]] QString type() const { return QStringLiteral("[[x, y], …]"); }
     [[nodiscard]] QString unit() const { return component.unit(); }

@@ -47,6 +47,8 @@ inline constexpr editFields::Number drillDepth{"mm", 0.0, 500.0, quantum::perMil
 /// A curve in the plane of a view.
 inline constexpr editFields::Outline viewOutline{
     editFields::Number{"mm", -2000.0, 2000.0, quantum::perMillimetre}};
+/// A line in the plane of a view that need not enclose anything.
+inline constexpr editFields::Outline viewLine{viewOutline.component, 2};
 inline constexpr editFields::Number peelDepth{"mm", 0.0, 60.0, quantum::perMillimetre};
 
 /// The segment that an edit is about.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/edits/kinds/splitting/CopySegment.h"
+#include "core/edits/kinds/splitting/SplitByCurve.h"
 #include "core/edits/kinds/splitting/SplitIslands.h"
 #include "core/edits/kinds/splitting/SplitSegment.h"
 #include "core/edits/schema/EditSplits.h"
@@ -26,6 +27,15 @@ template <class Visitor> void visitFields(Visitor& visit, SplitIslands& edit)
         "one for each island, named after the segment");
 }
 
+/// The new segment of an edit that makes one.
+template <class Visitor> void visitPart(Visitor& visit, SplitPart& part)
+{
+    visit.field(
+        "name", Presence::Required, part.name, editFields::Text{}, "the name of the new segment");
+    visit.field("color", Presence::Required, part.rgb, editFields::Colour{},
+        "the colour of the new segment");
+}
+
 template <> inline constexpr const char* editName<SplitSegment> = "splitSegment";
 template <>
 inline constexpr const char* editMeaning<SplitSegment> =
@@ -39,10 +49,35 @@ template <class Visitor> void visitFields(Visitor& visit, SplitSegment& edit)
     visit.field("normalLps", Presence::Required, edit.normalLps,
         editFields::Point{editFields::Number{"", -1000.0, 1000.0, quantum::perDirection}},
         "the direction across the plane in which the new segment lies");
-    visit.field("name", Presence::Required, edit.into.name, editFields::Text{},
-        "the name of the new segment");
-    visit.field("color", Presence::Required, edit.into.rgb, editFields::Colour{},
-        "the colour of the new segment");
+    visitPart(visit, edit.into);
+    visitEditable(visit, edit.editable);
+}
+
+template <> inline constexpr const char* editName<SplitByCurve> = "splitByCurve";
+template <>
+inline constexpr const char* editMeaning<SplitByCurve> =
+    "Splits a segment that is not locked by a curve, along the view: what lies on one side of it "
+    "becomes a new segment. Does nothing where one side would have all of it.";
+template <class Visitor> void visitFields(Visitor& visit, SplitByCurve& edit)
+{
+    visitSegment(visit, edit.segment);
+    visitView(visit, edit.view);
+    visit.field("open", Presence::Optional, edit.open, editFields::Flag{},
+        "whether the curve is a line that goes on straight at both ends; otherwise it closes");
+    visit.field("curveMm", Presence::Required, edit.curveMm, edit.open ? viewLine : viewOutline,
+        "a curve in the view plane, as points to the right and up from the target");
+    visit.field("side", Presence::Optional, edit.side,
+        editFields::Choice<SplitByCurve::Side, 4>{{"inside", "outside", "smaller", "larger"}},
+        "where the new segment lies: inside or outside of the curve, where fewer voxels of the "
+        "segment lie, or where more do; inside of an open curve is what lies on its left");
+    visit.when(edit.side == SplitByCurve::Side::Inside, [&] {
+        visit.maybe("depthMm", edit.depthMm, drillDepth,
+            "how far the new segment reaches behind what each line of sight meets first of the "
+            "segment; only given with the side inside",
+            "through everything");
+    });
+    visitPart(visit, edit.into);
+    visitHidden(visit, edit.hidden);
     visitEditable(visit, edit.editable);
 }
 

@@ -57,7 +57,7 @@ public:
 
     template <class E>
     requires isOneOf<E, CleanSegment, ReshapeSegment, FillBetweenSlices, MirrorSegment,
-        SplitIslands, SplitSegment>
+        SplitIslands, SplitSegment, SplitByCurve>
         Made operator()(const E& edit) const
     {
         return std::make_unique<IslandOperation>(edit, m_again);

@@ -6,6 +6,7 @@
 #include "core/edits/kinds/filling/MirrorSegment.h"
 #include "core/edits/kinds/segments/CleanSegment.h"
 #include "core/edits/kinds/segments/ReshapeSegment.h"
+#include "core/edits/kinds/splitting/SplitByCurve.h"
 #include "core/edits/kinds/splitting/SplitIslands.h"
 #include "core/edits/kinds/splitting/SplitSegment.h"
 #include "core/engine/EngineCommands.h"
@@ -67,6 +68,11 @@ IslandOperation::IslandOperation(const SplitIslands& edit, RowId again)
 }
 
 IslandOperation::IslandOperation(const SplitSegment& edit, RowId again)
+    : IslandOperation(edit, edit.segment, relabelling(edit), again)
+{
+}
+
+IslandOperation::IslandOperation(const SplitByCurve& edit, RowId again)
     : IslandOperation(edit, edit.segment, relabelling(edit), again)
 {
 }

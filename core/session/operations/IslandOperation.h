@@ -11,7 +11,8 @@
 namespace core {
 
 /// Carries out an edit of a whole segment that is computed from all labels of its plane
-/// (CleanSegment, ReshapeSegment, FillBetweenSlices, MirrorSegment, SplitIslands, SplitSegment).
+/// (CleanSegment, ReshapeSegment, FillBetweenSlices, MirrorSegment, SplitIslands, SplitSegment,
+/// SplitByCurve).
 class IslandOperation final : public WorkedOutOperation {
 public:
     /// @param again as in VoxelOperation
@@ -21,6 +22,7 @@ public:
     explicit IslandOperation(const MirrorSegment& edit, RowId again = 0);
     explicit IslandOperation(const SplitIslands& edit, RowId again = 0);
     explicit IslandOperation(const SplitSegment& edit, RowId again = 0);
+    explicit IslandOperation(const SplitByCurve& edit, RowId again = 0);
 
     void start(SessionState& state) override;
     void takeResult(SessionState& state, EngineResult&& result) override;

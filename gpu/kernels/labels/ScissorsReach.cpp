@@ -10,32 +10,6 @@ namespace {
 
 using core::fixedPoint::round14;
 
-/// Of samples of a ray those that lie in the volume: rule 4 of core/sculpt/labels/LabelScissors.h.
-core::SeenSamples samplesInVolume(core::SeenSamples samples, const glm::ivec3& origin,
-    const glm::ivec3& step, const glm::ivec3& volumeSize)
-{
-    using core::fixedPoint::floorDivide;
-    std::int64_t first = samples.first;
-    std::int64_t end = samples.end;
-    for (int axis = 0; axis < 3; ++axis) {
-        // Within these, both ends included, the nearest voxel is one of the volume.
-        const std::int64_t low = -32768 - std::int64_t(origin[axis]);
-        const std::int64_t high =
-            (2 * std::int64_t(volumeSize[axis]) - 1) * 32768 - 1 - origin[axis];
-        if (step[axis] == 0) {
-            if (low > 0 || high < 0)
-                return {};
-            continue;
-        }
-        const std::int64_t from = step[axis] > 0 ? low : -high;
-        const std::int64_t to = step[axis] > 0 ? high : -low;
-        const int stride = std::abs(step[axis]);
-        first = std::max<std::int64_t>(first, -std::int64_t(floorDivide(-from, stride)));
-        end = std::min<std::int64_t>(end, std::int64_t(floorDivide(to, stride)) + 1);
-    }
-    return first < end ? core::SeenSamples{int(first), int(end)} : core::SeenSamples{};
-}
-
 } // namespace
 
 ScissorsReach::ScissorsReach(
@@ -95,8 +69,8 @@ ScissorsReach::Rays ScissorsReach::raysUpTo(std::size_t end)
         if (!isNear)
             continue;
         const core::SeenSamples samples =
-            samplesInVolume(core::seenSamples(frame.hidden, origin, step, frame.sampleCount),
-                origin, step, m_fields.grid().volumeSize);
+            core::samplesWithin(core::seenSamples(frame.hidden, origin, step, frame.sampleCount),
+                origin, step, {glm::ivec3(0), m_fields.grid().volumeSize});
         if (samples.first >= samples.end)
             continue;
         rays.elements.push_back(m_next);

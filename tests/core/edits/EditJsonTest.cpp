@@ -27,6 +27,7 @@
 #include "core/edits/kinds/segments/ReshapeSegment.h"
 #include "core/edits/kinds/segments/SegmentSeen.h"
 #include "core/edits/kinds/splitting/CopySegment.h"
+#include "core/edits/kinds/splitting/SplitByCurve.h"
 #include "core/edits/kinds/splitting/SplitIslands.h"
 #include "core/edits/kinds/splitting/SplitSegment.h"
 #include "core/edits/kinds/values/ThresholdSegment.h"
@@ -226,6 +227,28 @@ private Q_SLOTS:
         QVERIFY(copy && beside);
         QVERIFY(!copy->get<CopySegment>().plane && beside->get<CopySegment>().plane == 3);
         QCOMPARE(beside->get<CopySegment>().segment, 2);
+        const QByteArray view = "'view':{'eyeLps':[0,-400,100],'targetLps':[0,0,100],"
+                                "'up':[0,0,1],'heightMm':250},'name':'Lower','color':'#102030'";
+        const Result<Edit> curve = editFromJson(parse(
+            "{'edit':'splitByCurve','segment':2,'curveMm':[[0,0],[9,0],[0,9.0001]],'depthMm':4,"
+            + view + '}'));
+        const Result<Edit> line = editFromJson(parse("{'edit':'splitByCurve','segment':2,"
+                                                     "'open':true,'curveMm':[[0,0],[9,3]],"
+                                                     "'side':'smaller',"
+            + view + '}'));
+        QVERIFY(curve && line);
+        QVERIFY(!curve->get<SplitByCurve>().open && curve->get<SplitByCurve>().depthMm == 4.0);
+        QVERIFY(curve->get<SplitByCurve>().side == SplitByCurve::Side::Inside);
+        QVERIFY(quantised(*curve).get<SplitByCurve>().curveMm[2] == glm::dvec2(0.0, 9.0));
+        QVERIFY(line->get<SplitByCurve>().open && line->get<SplitByCurve>().curveMm.size() == 2);
+        QVERIFY(line->get<SplitByCurve>().side == SplitByCurve::Side::Smaller);
+        QCOMPARE(line->get<SplitByCurve>().into.name, QStringLiteral("Lower"));
+        // A curve that closes needs more points, and a depth means the inside.
+        QVERIFY(!editFromJson(
+            parse("{'edit':'splitByCurve','segment':2,'curveMm':[[0,0],[9,0]]," + view + '}')));
+        QVERIFY(!editFromJson(parse("{'edit':'splitByCurve','segment':2,'side':'outside',"
+                                    "'depthMm':4,'curveMm':[[0,0],[9,0],[0,9]],"
+            + view + '}')));
         const Result<Edit> between =
             editFromJson(parse("{'edit':'fillBetweenSlices','segment':2}"));
         const Result<Edit> across =

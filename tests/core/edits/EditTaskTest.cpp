@@ -124,6 +124,9 @@ private Q_SLOTS:
         QVERIFY(!effectsOf(copy).boundToStudy);
         copy.editable.emplace().box = GrowBox{};
         QVERIFY(effectsOf(copy).boundToStudy); // it names places
+        const SplitByCurve curve{.segment = 3};
+        QVERIFY(effectsOf(curve).fills.added && effectsOf(curve).writesTo == 3);
+        QVERIFY(effectsOf(curve).boundToStudy); // it names places
         ThresholdSegment threshold{.segment = 5};
         QVERIFY(effectsOf(threshold).fills.label == 5 && effectsOf(threshold).writesTo == 5);
         QVERIFY(!effectsOf(threshold).boundToStudy && effectsOf(threshold).standsOpen);

@@ -54,6 +54,8 @@ public:
         {Code::SplitIslands, QT_TR_N_NOOP("Split %1 islands off '%2'"),
             QT_TR_NOOP("Split 1 island off '%2'")},
         {Code::SplitSegment, QT_TR_NOOP("Split '%1' by a plane")},
+        {Code::SplitByCurve, QT_TR_NOOP("Split '%1' by a curve")},
+        {Code::SplitByLine, QT_TR_NOOP("Split '%1' along a line")},
         {Code::MergeSegments, QT_TR_NOOP("Merge segment '%1' into '%2'")},
         {Code::SwapSegments, QT_TR_NOOP("Swap segments '%1' and '%2'")},
         {Code::CopySegment, QT_TR_NOOP("Copy segment '%1' as '%2'")},

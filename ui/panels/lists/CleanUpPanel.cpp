@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/panels/lists/CleanUpPanel.h"
 
+#include "core/edits/kinds/splitting/SplitSegment.h"
 #include "core/session/EditSession.h"
 #include "ui/base/MenuText.h"
 #include "ui/base/Theme.h"
 #include "ui/menus/SegmentEntries.h"
 #include "ui/menus/SegmentMenus.h"
+#include "ui/widgets/FittingLabel.h"
 #include "ui/widgets/fields/NumberField.h"
 #include "ui/workspace/CuttingPlane.h"
 #include "ui/workspace/SegmentActions.h"
@@ -29,6 +31,8 @@ struct ShortName {
     const char* text;
 };
 constexpr const char* removeSmall = "segments.removeSmall";
+constexpr const char* splitByThePlane = "segments.splitByPlane";
+constexpr int lookMilliseconds = 100;
 constexpr std::array<ShortName, 9> shortNames{{
     {"segments.fillHoles", QT_TRANSLATE_NOOP("ui::CleanUpPanel", "Fill holes")},
     {"segments.fillBetween", QT_TRANSLATE_NOOP("ui::CleanUpPanel", "Between slices …")},
@@ -38,7 +42,7 @@ constexpr std::array<ShortName, 9> shortNames{{
     {"segments.smooth", QT_TRANSLATE_NOOP("ui::CleanUpPanel", "Smooth …")},
     {"segments.margin", QT_TRANSLATE_NOOP("ui::CleanUpPanel", "Margin …")},
     {"segments.hollow", QT_TRANSLATE_NOOP("ui::CleanUpPanel", "Hollow …")},
-    {"segments.splitByPlane", QT_TRANSLATE_NOOP("ui::CleanUpPanel", "Split by plane")},
+    {splitByThePlane, QT_TRANSLATE_NOOP("ui::CleanUpPanel", "Split by plane")},
 }};
 
 const SegmentAction* actionOf(const char* id)
@@ -60,6 +64,7 @@ const core::Segment* activeSegmentOf(const Workspace& workspace)
 CleanUpPanel::CleanUpPanel(Workspace& workspace, QWidget* parent)
     : Panel(parent)
     , m_workspace(workspace)
+    , m_trial(workspace)
 {
     auto* grid = new QGridLayout(this);
     grid->setContentsMargins(
@@ -99,6 +104,7 @@ CleanUpPanel::CleanUpPanel(Workspace& workspace, QWidget* parent)
         grid->addWidget(m_smallMm3, place / 2, place % 2);
         ++place;
     }
+    setUpParts(*grid);
     connect(&m_workspace, &Workspace::sessionChanged, this, [this] {
         m_isSetByHand = false;
         refresh();
@@ -108,9 +114,40 @@ CleanUpPanel::CleanUpPanel(Workspace& workspace, QWidget* parent)
         [this](const core::DocumentChange& change) {
             if (change.what == core::DocumentChange::What::Segments)
                 refresh();
+            else if (change.what == core::DocumentChange::What::History)
+                m_lookSoon.start();
         });
     connect(&m_workspace.plane(), &CuttingPlane::changed, this, &CleanUpPanel::showPossible);
     refresh();
+}
+
+void CleanUpPanel::setUpParts(QGridLayout& grid)
+{
+    m_parts = new FittingLabel(Qt::AlignLeft, this);
+    m_parts->setObjectName(QStringLiteral("cleanUp.parts"));
+    m_parts->setFont(theme::smallFont());
+    m_parts->setMinimumHeight(m_parts->fontMetrics().height());
+    m_parts->setProperty("role", QStringLiteral("secondary"));
+    m_parts->hide();
+    grid.addWidget(m_parts, grid.rowCount(), 0, 1, 2);
+    m_lookSoon.setSingleShot(true);
+    m_lookSoon.setInterval(lookMilliseconds);
+    connect(&m_lookSoon, &QTimer::timeout, this, &CleanUpPanel::lookAtParts);
+    connect(&m_trial, &SplitTrial::changed, this, &CleanUpPanel::showParts);
+    connect(&m_workspace, &Workspace::editableChanged, this, &CleanUpPanel::lookAtParts);
+}
+
+void CleanUpPanel::showEvent(QShowEvent* event)
+{
+    Panel::showEvent(event);
+    m_lookSoon.start();
+}
+
+void CleanUpPanel::hideEvent(QHideEvent* event)
+{
+    Panel::hideEvent(event);
+    m_lookSoon.stop();
+    m_trial.drop();
 }
 
 QString CleanUpPanel::title() const
@@ -139,11 +176,43 @@ void CleanUpPanel::showPossible()
         each.button->setEnabled(why.isEmpty());
         each.button->setToolTip(why.isEmpty() ? plainText(namedText(*each.action, segment)) : why);
     }
+    // The first look after a while; one that follows a plane is counted as fast as it can be.
+    if (m_trial.parts())
+        lookAtParts();
+    else if (!m_lookSoon.isActive())
+        m_lookSoon.start();
     m_smallMm3->setEnabled(segment && !segment->locked);
     if (!segment || m_isSetByHand)
         return;
     const QSignalBlocker quiet(m_smallMm3);
     m_smallMm3->setValue(smallIslandMm3(m_workspace, *segment));
+}
+
+void CleanUpPanel::lookAtParts()
+{
+    const auto split = std::find_if(m_buttons.begin(), m_buttons.end(), [](const Button& each) {
+        return QLatin1String(each.action->id) == QLatin1String(splitByThePlane);
+    });
+    const bool isMeant = isVisible() && split != m_buttons.end() && split->button->isEnabled()
+        && m_workspace.editableText().isEmpty(); // which would leave it less than is counted
+    const std::optional<core::SplitSegment> edit =
+        isMeant ? splitOfPlane(m_workspace, m_workspace.activeSegment()) : std::nullopt;
+    if (edit)
+        m_trial.look(*edit);
+    else
+        m_trial.drop();
+    showParts();
+}
+
+void CleanUpPanel::showParts()
+{
+    const core::Segment* segment = activeSegmentOf(m_workspace);
+    QString parts;
+    if (segment && m_trial.parts())
+        parts = m_trial.text(segment->name,
+            core::usualParts(m_workspace.session()->document(), *segment, 1).front().name);
+    m_parts->setText(parts);
+    m_parts->setVisible(!parts.isEmpty());
 }
 
 void CleanUpPanel::run(const SegmentAction& action)

@@ -14,14 +14,15 @@ class QPainter;
 
 namespace ui {
 
-/// A curve that the user draws on the 3D view (seed A §4.1). It is closed implicitly and may cross
-/// itself. The view at pen-down is used until the curve is finished.
+/// A curve that the user draws on the 3D view (seed A §4.1). It is closed implicitly, if it is no
+/// Line, and may cross itself. The view at pen-down is used until the curve is finished.
 class CurveSketch {
 public:
     enum class Shape {
         Freehand,
         Rectangle, ///< of a drag from corner to corner
         Ellipse, ///< the one within that rectangle
+        Line, ///< does not close, but goes on straight at its ends (LineAcross.h)
     };
 
     void begin(const QPointF& at, const ViewContext& view, Shape shape = Shape::Freehand);

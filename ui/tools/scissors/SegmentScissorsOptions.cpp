@@ -63,7 +63,12 @@ void SegmentScissorsOptions::nameChoices()
     m_does->addItem(tr("erase outside"), int(Does::EraseOutside));
     m_does->addItem(tr("fill inside"), int(Does::FillInside));
     m_does->addItem(tr("fill outside"), int(Does::FillOutside));
-    m_does->setToolTip(tr("What becomes of the segment inside or outside of the curve"));
+    m_does->addItem(tr("split off inside"), int(Does::SplitInside));
+    m_does->addItem(tr("split off outside"), int(Does::SplitOutside));
+    m_does->addItem(tr("split along a line"), int(Does::SplitAlong));
+    m_does->setToolTip(tr("What becomes of the segment inside or outside of the curve; what is "
+                          "split off becomes a new segment, of a line what lies on its smaller "
+                          "side"));
     m_shape->setObjectName(QStringLiteral("segmentScissorsShape"));
     m_shape->setFixedHeight(theme::controlHeight);
     m_shape->addItem(tr("freehand"), int(Shape::Freehand));
@@ -95,7 +100,8 @@ void SegmentScissorsOptions::showSettings()
     m_does->setCurrentIndex(m_does->findData(int(settings.does)));
     m_shape->setCurrentIndex(m_shape->findData(int(settings.shape)));
     m_depth->setValue(settings.depthMm);
-    m_depth->setEnabled(!SegmentScissorsTool::isOutside(settings.does));
+    m_shape->setEnabled(settings.does != Does::SplitAlong);
+    m_depth->setEnabled(SegmentScissorsTool::hasDepth(settings.does));
     m_allShown->setChecked(settings.allShown);
     m_allShown->setEnabled(SegmentScissorsTool::erases(settings.does));
 }

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/edits/kinds/splitting/SplitByCurve.h"
+#include "ui/tasks/trials/SplitTrial.h"
 #include "ui/tools/common/CursorTool.h"
 #include "ui/tools/common/CurveSketch.h"
 
 #include <vector>
+
+class QPainterPath;
 
 namespace ui {
 
@@ -12,13 +16,23 @@ class Workspace;
 
 /// Erases or fills the active segment inside or outside of a curve drawn on the 3D view, along the
 /// view direction. With Ctrl or the pen's eraser end it fills instead of erasing and the reverse.
-/// Inside the curve it may stop at a depth behind the first surface. Which voxels may change is set
-/// as for painting. Each curve is one step.
+/// Inside the curve it may stop at a depth behind the first surface. Or it makes a new segment of
+/// what lies on one side of a curve or of a line across the picture; then Ctrl means the other
+/// side, and both volumes are told while it is drawn. Which voxels may change is set as for
+/// painting. Each curve is one step.
 class SegmentScissorsTool : public CursorTool {
     Q_OBJECT
 
 public:
-    enum class Does { EraseInside, EraseOutside, FillInside, FillOutside };
+    enum class Does {
+        EraseInside,
+        EraseOutside,
+        FillInside,
+        FillOutside,
+        SplitInside,
+        SplitOutside,
+        SplitAlong, ///< a line; its smaller side is split off
+    };
     using Shape = CurveSketch::Shape;
     struct Settings {
         Does does = Does::EraseInside;
@@ -30,6 +44,9 @@ public:
     static constexpr double maximumDepthMm = 300.0;
     [[nodiscard]] static bool erases(Does does);
     [[nodiscard]] static bool isOutside(Does does);
+    [[nodiscard]] static bool splits(Does does);
+    /// Whether it may stop at a depth.
+    [[nodiscard]] static bool hasDepth(Does does);
 
     explicit SegmentScissorsTool(Workspace& workspace, QObject* parent = nullptr);
 
@@ -53,6 +70,11 @@ public:
 
     void paintOverlay(QPainter& painter, const ViewContext& view) const override;
 
+    /// The volumes of both parts that the curve drawn so far would make ("Liver 1043 mL · Liver 1
+    /// 482 mL"), as far as they are counted; empty while nothing is being split, or where limits of
+    /// editing would make them others.
+    [[nodiscard]] QString partsLine() const;
+
     [[nodiscard]] const Settings& settings() const { return m_settings; }
     /// Changes the settings. A curve that is being drawn is dropped.
     void setSettings(const Settings& settings);
@@ -67,12 +89,21 @@ private:
     /// The setting, or its opposite while Ctrl or the eraser end is used.
     [[nodiscard]] Does doesNow() const;
     void cut(const ViewContext& view, const std::vector<glm::dvec2>& curve);
+    void split(const ViewContext& view, const std::vector<glm::dvec2>& curve);
+    /// The edit that splits the active segment, which exists, as a document knows it.
+    [[nodiscard]] core::SplitByCurve splitOf(const ViewContext& view,
+        const std::vector<glm::dvec2>& curve, const core::Document& document) const;
+    /// Has both parts counted that the curve drawn so far would make.
+    void lookAtParts();
     void paintCut(QPainter& painter, const ViewContext& view) const;
+    /// The side that would change, or become the new segment; empty while it is not known.
+    [[nodiscard]] QPainterPath changedSide(const ViewContext& view) const;
 
     Workspace& m_workspace;
     Settings m_settings;
     CurveSketch m_sketch;
     bool m_inverts = false;
+    SplitTrial m_trial; ///< of the curve that is being drawn
 };
 
 } // namespace ui

@@ -27,14 +27,14 @@ double halfSpanMm(const std::vector<glm::dvec2>& outline)
 } // namespace
 
 Result<OutlinedPlane> outlinedPlane(const std::vector<glm::dvec2>& outline, CutFrameOptions options,
-    const Document& document, const QString& edit)
+    const Document& document, const QString& edit, const char* field)
 {
     options.maskReachMm = halfSpanMm(outline);
     const Result<CutFrame> frame = cutFrame(options, document, edit);
     if (!frame)
         return tl::unexpected(frame.error());
     Result<OutlineRaster> mask =
-        maskOf(outline, frame->pitch, glm::dvec2(0.0), edit + QStringLiteral(".polygonMm"));
+        maskOf(outline, frame->pitch, glm::dvec2(0.0), edit + u'.' + QLatin1String(field));
     if (!mask)
         return tl::unexpected(mask.error());
     return OutlinedPlane{*frame, *std::move(mask)};

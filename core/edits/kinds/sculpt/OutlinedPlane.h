@@ -19,8 +19,9 @@ struct OutlinedPlane {
 
 /// Makes them. Errors: those of cutFrame(), InvalidField (a curve that is too small).
 /// @param options their maskReachMm is that of the curve
-/// @param edit name of the edit, for errors
+/// @param edit name of the edit, for errors; @param field that of its curve
 [[nodiscard]] Result<OutlinedPlane> outlinedPlane(const std::vector<glm::dvec2>& outline,
-    CutFrameOptions options, const Document& document, const QString& edit);
+    CutFrameOptions options, const Document& document, const QString& edit,
+    const char* field = "polygonMm");
 
 } // namespace core

@@ -4,6 +4,7 @@
 #include "core/document/SegmentColours.h"
 #include "core/edits/answers/EditChecks.h"
 #include "core/edits/answers/EditEffects.h"
+#include "core/edits/engine/ListedRuns.h"
 
 #include <algorithm>
 #include <optional>
@@ -64,6 +65,17 @@ Result<bool> addParts(const char* segmentField, int segment, const char* field,
             .rgb = part.rgb,
             .code = {}});
     return true;
+}
+
+RelabelListed givenBeyond(const SplitSides& sides, int segment, const Document& document)
+{
+    const Segment& split = *document.segment(segment);
+    LabelTarget target{.plane = split.plane, .label = std::uint8_t(document.lastLabelGiven() + 1)};
+    target.overwritable.set(split.label);
+    ListedRuns listed(document.volumes.front().geometry.size);
+    if (sides.splits())
+        listed.add(sides.beyond, RelabelListed::give);
+    return listed.relabel(target);
 }
 
 EditEffects splitEffects(int segment, bool isBoundToStudy)

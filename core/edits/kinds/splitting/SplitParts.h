@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/Result.h"
+#include "core/brick/VoxelRuns.h"
 #include "core/document/Document.h"
 
 #include <QString>
@@ -13,12 +14,23 @@
 namespace core {
 
 struct EditEffects;
+struct RelabelListed;
 
 /// A new segment that is made from a part of another one.
 struct SplitPart {
     QString name{};
     std::uint32_t rgb = 0;
     bool operator==(const SplitPart&) const = default;
+};
+
+/// The voxels of a segment on both sides of what splits it.
+struct SplitSides {
+    VoxelRuns beyond{}; ///< those that the new segment is to have
+    std::uint64_t staying = 0; ///< number of those that stay with the segment
+    bool isInside = true; ///< of a curve: whether the new segment lies inside of it
+
+    /// Whether there is anything on both sides; otherwise nothing is split.
+    [[nodiscard]] bool splits() const { return !beyond.empty() && staying > 0; }
 };
 
 /// How many more segments a document can hold. Labels of deleted segments are not used again.
@@ -37,6 +49,12 @@ struct SplitPart {
 /// @return true: they are added
 Result<bool> addParts(const char* segmentField, int segment, const char* field,
     const std::vector<SplitPart>& parts, Document& document);
+
+/// Gives what lies beyond to the new segment, whose label is the next one; to nobody, if nothing is
+/// split.
+/// @pre the segment exists
+[[nodiscard]] RelabelListed givenBeyond(
+    const SplitSides& sides, int segment, const Document& document);
 
 /// The effects of splitting a segment.
 [[nodiscard]] EditEffects splitEffects(int segment, bool isBoundToStudy);

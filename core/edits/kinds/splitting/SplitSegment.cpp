@@ -1,17 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/edits/kinds/splitting/SplitSegment.h"
 
-#include "core/brick/LabelBox.h"
+#include "core/brick/LabelRuns.h"
+#include "core/brick/RunRows.h"
 #include "core/edits/answers/EditChecks.h"
 #include "core/edits/answers/EditDependencies.h"
 #include "core/edits/answers/EditEffects.h"
 #include "core/edits/answers/RowFacts.h"
 #include "core/edits/engine/EditableRanges.h"
-#include "core/edits/engine/EngineEdits.h"
 #include "core/edits/engine/HalfSpaces.h"
-#include "core/edits/engine/ListedRuns.h"
-
-#include <utility>
+#include "core/sculpt/labels/LayerWrites.h"
 
 namespace core {
 
@@ -28,47 +26,6 @@ Result<IntegerHalfSpace> beyondPlane(const SplitSegment& edit, const VolumeGeome
     const ClipHalfSpace half{
         .normalLps = edit.normalLps, .offsetMm = glm::dot(edit.normalLps, edit.placeLps)};
     return integerHalfSpaces(std::vector{half}, geometry).front();
-}
-
-/// The new segment's label; it takes voxels of the segment alone.
-LabelTarget newTarget(const Segment& segment, const Document& document)
-{
-    LabelTarget target{
-        .plane = segment.plane, .label = std::uint8_t(document.lastLabelGiven() + 1)};
-    target.overwritable.set(segment.label);
-    return target;
-}
-
-/// A segment's voxels on both sides of a plane.
-struct PlaneSides {
-    VoxelRuns beyond;
-    bool staysAny = false; ///< whether one is not beyond
-};
-
-Result<PlaneSides> sidesOf(const IntegerHalfSpace& half, const glm::ivec3& size,
-    std::span<const std::uint8_t> labels, std::uint8_t label, const Progress& progress)
-{
-    PlaneSides sides;
-    const VoxelBox box = boxOfLabel(labels, size, label);
-    for (int z = box.minimum.z; z < box.maximum.z; ++z) {
-        if (progress.cancelled())
-            return failure(ErrorCode::Cancelled);
-        for (int y = box.minimum.y; y < box.maximum.y; ++y) {
-            const std::size_t row =
-                (std::size_t(z) * std::size_t(size.y) + std::size_t(y)) * std::size_t(size.x);
-            const std::int64_t ofRow =
-                std::int64_t(half.perVoxel.y) * y + std::int64_t(half.perVoxel.z) * z - half.offset;
-            for (int x = box.minimum.x; x < box.maximum.x; ++x) {
-                if (labels[row + std::size_t(x)] != label)
-                    continue;
-                if (ofRow + std::int64_t(half.perVoxel.x) * x > 0)
-                    sides.beyond.append(row + std::size_t(x), 1);
-                else
-                    sides.staysAny = true;
-            }
-        }
-    }
-    return sides;
 }
 
 } // namespace
@@ -107,24 +64,43 @@ EditDependencies dependencies(const SplitSegment& edit, const DependencyFacts& r
     return row.alsoReading(edit.editable, dependsOn::Plane{.plane = row.planeOf(edit.segment)});
 }
 
+Result<SplitSides> sidesOf(const SplitSegment& edit, const Document& document,
+    const VoxelRuns& voxels, const Progress& progress)
+{
+    const VolumeGeometry& geometry = document.volumes.front().geometry;
+    const Result<IntegerHalfSpace> half = beyondPlane(edit, geometry);
+    if (!half)
+        return tl::unexpected(half.error());
+    SplitSides sides;
+    forEachRowPart(
+        voxels, geometry.size, [&](const glm::ivec3& at, int count, std::uint64_t first) {
+            if (progress.cancelled())
+                return;
+            std::int64_t place = std::int64_t(half->perVoxel.x) * at.x
+                + std::int64_t(half->perVoxel.y) * at.y + std::int64_t(half->perVoxel.z) * at.z;
+            for (int i = 0; i < count; ++i, place += half->perVoxel.x) {
+                if (place > half->offset)
+                    sides.beyond.append(first + std::uint64_t(i), 1);
+                else
+                    ++sides.staying;
+            }
+        });
+    if (progress.cancelled())
+        return failure(ErrorCode::Cancelled);
+    return sides;
+}
+
 Result<RelabelListed> relabelListed(const SplitSegment& edit, const Document& document,
     std::span<const std::uint8_t> labels, const Progress& progress)
 {
     if (const Result<void> checked = check(edit, document); !checked)
         return tl::unexpected(checked.error());
-    const Segment& segment = *document.segment(edit.segment);
-    const VolumeGeometry& geometry = document.volumes.front().geometry;
-    const Result<IntegerHalfSpace> half = beyondPlane(edit, geometry);
-    if (!half)
-        return tl::unexpected(half.error());
-    const Result<PlaneSides> sides = sidesOf(*half, geometry.size, labels, segment.label, progress);
+    const std::uint8_t label = document.segment(edit.segment)->label;
+    const Result<SplitSides> sides = sidesOf(edit, document, labelRuns(labels, label), progress);
     if (!sides)
         return tl::unexpected(sides.error());
-    ListedRuns listed(geometry.size);
-    if (sides->staysAny)
-        listed.add(sides->beyond, RelabelListed::give);
     return keepingTo(
-        edit.editable, document, "splitSegment", listed.relabel(newTarget(segment, document)));
+        edit.editable, document, "splitSegment", givenBeyond(*sides, edit.segment, document));
 }
 
 } // namespace core

@@ -34,6 +34,13 @@ Result<bool> apply(const SplitSegment& edit, Document& document);
 [[nodiscard]] RowTitle rowTitle(const SplitSegment& edit, const RowFacts& row);
 [[nodiscard]] EditDependencies dependencies(const SplitSegment& edit, const DependencyFacts& row);
 
+/// Which voxels of its segment the edit would give to the new one if all of them might change: its
+/// editable range is not asked.
+/// @param voxels all those of the segment
+/// Any thread. Errors: InvalidField (a normal of length 0), Cancelled.
+[[nodiscard]] Result<SplitSides> sidesOf(const SplitSegment& edit, const Document& document,
+    const VoxelRuns& voxels, const Progress& progress);
+
 /// The command that carries out the edit; without bricks if there is nothing to do.
 /// @param labels one for each voxel of the volume in the segment's plane, x fastest
 /// Any thread. Errors: UnknownSegment, SegmentLocked, InvalidField (a normal of length 0, no room

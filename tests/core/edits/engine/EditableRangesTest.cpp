@@ -2,12 +2,12 @@
 #include "core/edits/engine/EditableRanges.h"
 #include "core/edits/EditJson.h"
 #include "core/edits/kinds/EditParts.h"
-#include "core/edits/kinds/parts/BrushPath.h"
 #include "core/edits/kinds/filling/EvolveContour.h"
 #include "core/edits/kinds/filling/FillBetweenSlices.h"
 #include "core/edits/kinds/filling/FloodFill.h"
 #include "core/edits/kinds/filling/MirrorSegment.h"
 #include "core/edits/kinds/filling/SegmentScissors.h"
+#include "core/edits/kinds/parts/BrushPath.h"
 #include "core/edits/kinds/segments/CleanSegment.h"
 #include "core/edits/kinds/segments/CombineSegments.h"
 #include "core/edits/kinds/segments/FillOutline.h"
@@ -15,6 +15,7 @@
 #include "core/edits/kinds/segments/LayerToSegment.h"
 #include "core/edits/kinds/segments/ReshapeSegment.h"
 #include "core/edits/kinds/segments/SegmentSeen.h"
+#include "core/edits/kinds/splitting/SplitByCurve.h"
 #include "core/edits/kinds/splitting/SplitSegment.h"
 #include "core/edits/kinds/values/ThresholdSegment.h"
 #include "core/session/EditSession.h"
@@ -156,6 +157,12 @@ std::vector<Edit> someEdits(const Bench& bench)
         .placeLps = bench.at({19.0, 17.0, 16.0}),
         .normalLps = {1.0, 0.5, 0.25},
         .into = {.name = QStringLiteral("Beyond"), .rgb = 7}});
+    edits.push_back(SplitByCurve{.segment = 1,
+        .view = scissors.view,
+        .open = true,
+        .curveMm = {{-2.0, -6.0}, {1.0, 6.0}},
+        .side = SplitByCurve::Side::Larger,
+        .into = {.name = QStringLiteral("Larger"), .rgb = 7}});
     edits.push_back(EvolveContour{.segment = 2,
         .lower = -200.0,
         .upper = 400.0,

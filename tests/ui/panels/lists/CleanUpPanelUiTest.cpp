@@ -6,12 +6,14 @@
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/PlainEdits.h"
 #include "tests/support/scenes/SmallStudy.h"
+#include "ui/base/NumberText.h"
 #include "ui/dialogs/segment/ReshapeDialog.h"
 #include "ui/dialogs/segment/SplitIslandsDialog.h"
 #include "ui/workspace/CuttingPlane.h"
 
 #include <QComboBox>
 #include <QDoubleSpinBox>
+#include <QLabel>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QtTest>
@@ -45,6 +47,17 @@ struct Fixture : test::WindowFixture {
     [[nodiscard]] std::int64_t voxels(int label)
     {
         return session().document().segment(label)->voxels;
+    }
+    [[nodiscard]] QString millilitres(int label)
+    {
+        return ui::millilitreText(voxels(label), workspace.volume()->geometry.voxelVolumeMm3());
+    }
+    /// What it says of both parts of a split by the plane; answers come when asked for.
+    [[nodiscard]] QString parts()
+    {
+        session().poll();
+        const auto* line = panel->findChild<QLabel*>(QStringLiteral("cleanUp.parts"));
+        return line->isVisible() ? line->text() : QString();
     }
     [[nodiscard]] QPushButton& button(const char* id)
     {
@@ -194,8 +207,10 @@ private Q_SLOTS:
         QVERIFY(fixture.session().settle());
         QTRY_COMPARE(said.size(), 1);
         QCOMPARE(said.front().front().toString(),
-            QStringLiteral("Split 'Parts' by a plane, −%1 voxels; Ctrl+Z takes it back")
-                .arg(fixture.other));
+            QStringLiteral("Split 'Parts' by a plane, −%1 voxels: Parts %2 · Parts 1 %3; Ctrl+Z "
+                           "takes it back")
+                .arg(QString::number(fixture.other), fixture.millilitres(1),
+                    fixture.millilitres(3)));
         QCOMPARE(fixture.session().history().rows().size(), rows + 1);
         QCOMPARE(fixture.voxels(1), fixture.one);
         QCOMPARE(fixture.voxels(3), fixture.other);
@@ -213,6 +228,52 @@ private Q_SLOTS:
         look.shown = false;
         plane.setLook(look);
         QVERIFY(!split.isEnabled() && !entry.isEnabled());
+    }
+
+    /// Both volumes follow the plane, before anything is split.
+    void tellsBothPartsOfThePlane()
+    {
+        Fixture fixture;
+        fixture.addDabs();
+        QTRY_VERIFY(fixture.panel->isVisible());
+        QCOMPARE(fixture.parts(), QString());
+        const core::VolumeGeometry& geometry = fixture.workspace.volume()->geometry;
+        ui::CuttingPlane& plane = fixture.workspace.plane();
+        const auto place = [&](double column) {
+            plane.setPose(ui::CuttingPlane::poseFacing(
+                geometry.toWorld(glm::dvec3(column, 18.0, 10.0)), {1.0, 0.0, 0.0}));
+        };
+        const double voxelMm3 = geometry.voxelVolumeMm3();
+        const auto text = [voxelMm3](std::int64_t one, std::int64_t other) {
+            return QStringLiteral("Parts %1 · Parts 1 %2")
+                .arg(ui::millilitreText(one, voxelMm3), ui::millilitreText(other, voxelMm3));
+        };
+        place(20.0);
+        plane.show();
+        QTRY_COMPARE(fixture.parts(), text(fixture.one, fixture.other));
+        place(1.0);
+        QTRY_COMPARE(fixture.parts(), QStringLiteral("all of Parts lies on one side"));
+        place(20.0);
+        plane.flip();
+        QTRY_COMPARE(fixture.parts(), text(fixture.other, fixture.one));
+        // After a step it is counted anew; another segment has other parts.
+        fixture.apply(test::paintAt(1, {geometry.toWorld(glm::dvec3(10.0, 20.0, 10.0))}, 2.0));
+        const std::int64_t more = fixture.voxels(1) - fixture.other;
+        QVERIFY(more > fixture.one);
+        QTRY_COMPARE(fixture.parts(), text(fixture.other, more));
+        fixture.workspace.setActiveSegment(2);
+        QTRY_COMPARE(fixture.parts(), QStringLiteral("all of Other lies on one side"));
+        fixture.workspace.setActiveSegment(1);
+        QTRY_COMPARE(fixture.parts(), text(fixture.other, more));
+        // Where less may change than is counted, nothing is told.
+        fixture.workspace.setEditableSettings({.on = true, .byValue = true, .upper = 100.0});
+        QTRY_COMPARE(fixture.parts(), QString());
+        fixture.workspace.setEditableSettings({});
+        QTRY_COMPARE(fixture.parts(), text(fixture.other, more));
+        ui::CuttingPlane::Look look = plane.look();
+        look.shown = false;
+        plane.setLook(look);
+        QTRY_COMPARE(fixture.parts(), QString());
     }
 
     void whatCannotBeSaysWhy()

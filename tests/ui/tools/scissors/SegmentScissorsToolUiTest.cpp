@@ -2,6 +2,7 @@
 #include "ui/tools/scissors/SegmentScissorsTool.h"
 
 #include "core/edits/kinds/filling/SegmentScissors.h"
+#include "core/edits/kinds/splitting/SplitByCurve.h"
 #include "core/edits/kinds/values/ThresholdSegment.h"
 #include "core/session/SessionDisplay.h"
 #include "core/session/questions/VoxelQuestions.h"
@@ -11,6 +12,7 @@
 #include "tests/support/fixtures/WorkspaceFixture.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/PlainEdits.h"
+#include "ui/base/NumberText.h"
 #include "ui/views/ViewGrid.h"
 
 #include <QCheckBox>
@@ -55,6 +57,16 @@ public:
     [[nodiscard]] const core::SegmentScissors& lastEdit()
     {
         return lastRow().edit.get<core::SegmentScissors>();
+    }
+    [[nodiscard]] const core::SplitByCurve& lastSplit()
+    {
+        return lastRow().edit.get<core::SplitByCurve>();
+    }
+    /// As the window shows it.
+    [[nodiscard]] QString volume(int label)
+    {
+        return ui::millilitreText(session().document().segment(label)->voxels,
+            workspace.volume()->geometry.voxelVolumeMm3());
     }
     [[nodiscard]] glm::dvec3 place(const std::array<int, 3>& voxel) const
     {
@@ -241,6 +253,183 @@ private Q_SLOTS:
         QVERIFY(!depth->isEnabled()); // there is none outside
         fixture.dragPen(fixture.ring({0.0, 0.0}, 12.0));
         QVERIFY(!fixture.lastEdit().depthMm);
+    }
+
+    /// By mouse: one row, a new segment of its own name and colour, and both volumes are told.
+    void whatIsInsideIsSplitOff()
+    {
+        Fixture fixture;
+        QWidget bar;
+        const std::unique_ptr<QWidget> options(fixture.tool.createOptions(&bar));
+        auto* does = options->findChild<QComboBox*>(QStringLiteral("segmentScissorsDoes"));
+        does->setCurrentIndex(does->findText(QStringLiteral("split off inside")));
+        Q_EMIT does->activated(does->currentIndex());
+        QVERIFY(fixture.tool.settings().does == Does::SplitInside);
+        QVERIFY(!options->findChild<QCheckBox*>(QStringLiteral("segmentScissorsAllShown"))
+                     ->isEnabled());
+        QVERIFY(options->findChild<QDoubleSpinBox*>(QStringLiteral("segmentScissorsDepth"))
+                    ->isEnabled());
+        fixture.tool.setSettings({.does = Does::SplitInside, .shape = Shape::Rectangle});
+        QCOMPARE(fixture.tool.target(), QStringLiteral("splits off Bone inside"));
+        const Voxels bone = fixture.voxels(1);
+        const Voxels brain = fixture.voxels(2);
+        const std::size_t rows = fixture.rows();
+        QSignalSpy said(&fixture.workspace, &ui::Workspace::said);
+        fixture.drag({fixture.at(-7.0, 5.0), fixture.at(0.0, 0.0), fixture.at(7.0, -5.0)});
+        QCOMPARE(fixture.rows(), rows + 1);
+        fixture.changedJustWhere(fixture.voxels(1), bone, rectangle(7.0, 5.0));
+        const Voxels part = fixture.voxels(3);
+        QCOMPARE(part.size() + fixture.voxels(1).size(), bone.size());
+        QVERIFY(std::includes(bone.begin(), bone.end(), part.begin(), part.end()));
+        QVERIFY(fixture.voxels(2) == brain);
+        const core::Segment& made = fixture.session().document().segments.back();
+        QCOMPARE(made.name, QStringLiteral("Bone 1"));
+        QVERIFY(made.rgb != fixture.session().document().segment(1)->rgb);
+        QCOMPARE(fixture.workspace.activeSegment(), 1);
+        const core::SplitByCurve& edit = fixture.lastSplit();
+        QVERIFY(!edit.open && edit.side == core::SplitByCurve::Side::Inside && !edit.depthMm);
+        QCOMPARE(edit.curveMm.size(), std::size_t(4));
+        QTRY_COMPARE(said.size(), 1);
+        QCOMPARE(said.front().front().toString(),
+            QStringLiteral("Split 'Bone' by a curve, −%1 voxels: Bone %2 · Bone 1 %3; Ctrl+Z takes "
+                           "it back")
+                .arg(ui::countText(qlonglong(part.size())), fixture.volume(1), fixture.volume(3)));
+        QVERIFY(fixture.session().undo() && fixture.session().settle());
+        QVERIFY(fixture.voxels(1) == bone);
+        QVERIFY(!fixture.session().document().segment(3));
+    }
+
+    /// The pen, and its eraser end, which means the other side.
+    void theEraserEndSplitsTheOutsideOff()
+    {
+        Fixture fixture;
+        const Voxels bone = fixture.voxels(1);
+        fixture.tool.setSettings({.does = Does::SplitInside, .depthMm = 6.0});
+        const std::vector<QPointF> ring = fixture.ring({0.0, 0.0}, 6.0);
+        fixture.dragPen(ring);
+        QCOMPARE(fixture.lastSplit().depthMm.value_or(0.0), 6.0);
+        QVERIFY(fixture.lastRow().name.startsWith(
+            QStringLiteral("Split 'Bone' by a curve, 6.0 mm deep, −")));
+        // The near wall alone.
+        fixture.changedJustWhere(
+            fixture.voxels(1), bone, [](const glm::dvec2& plane, const glm::dvec3& lps) {
+                const double around = disc({0.0, 0.0}, 6.0)(plane, lps);
+                return lps.y < 0.0 ? around : std::abs(around) + 2.0;
+            });
+        QVERIFY(fixture.session().undo() && fixture.session().settle());
+        fixture.dragPen(ring, test::Pen::End::Eraser);
+        QVERIFY(fixture.lastSplit().side == core::SplitByCurve::Side::Outside);
+        QVERIFY(!fixture.lastSplit().depthMm);
+        fixture.changedJustWhere(fixture.voxels(3), bone, disc({0.0, 0.0}, 6.0));
+    }
+
+    /// A line goes on to both sides of the picture. While it is drawn, both volumes are told, and
+    /// the side that is split off is tinted.
+    void aLineSplitsAcross()
+    {
+        Fixture fixture;
+        const Voxels bone = fixture.voxels(1);
+        fixture.tool.setSettings({.does = Does::SplitAlong, .shape = Shape::Rectangle});
+        QCOMPARE(fixture.tool.target(), QStringLiteral("splits off the smaller side of Bone"));
+        QCOMPARE(fixture.tool.partsLine(), QString());
+        const std::size_t rows = fixture.rows();
+        test::Pen pen(fixture.view);
+        pen.press(fixture.at(-6.0, 4.0), 0.5, 1000);
+        pen.move(fixture.at(0.0, 4.0), 0.5, 1008);
+        pen.move(fixture.at(6.0, 4.0), 0.5, 1016);
+        QTRY_VERIFY((fixture.session().poll(), !fixture.tool.partsLine().isEmpty()));
+        pen.move(fixture.at(7.0, 4.0), 0.5, 1024);
+        QTRY_VERIFY((fixture.session().poll(), !fixture.tool.partsLine().isEmpty()));
+        const QString told = fixture.tool.partsLine();
+        QCOMPARE(fixture.rows(), rows);
+        const auto isTinted = [&fixture](double right, double up) {
+            QImage picture(fixture.view.size(), QImage::Format_ARGB32_Premultiplied);
+            picture.fill(Qt::transparent);
+            QPainter painter(&picture);
+            fixture.tool.paintOverlay(painter, fixture.view.context());
+            painter.end();
+            return picture.pixelColor(fixture.at(right, up).toPoint()).alpha() > 0;
+        };
+        QVERIFY(isTinted(-11.0, 8.0) && isTinted(0.0, 8.0));
+        QVERIFY(!isTinted(-11.0, 0.0) && !isTinted(0.0, -6.0));
+        pen.release(fixture.at(7.0, 4.0), 1032);
+        QVERIFY(fixture.session().settle());
+        QCOMPARE(fixture.rows(), rows + 1);
+        QVERIFY(fixture.lastSplit().open);
+        QVERIFY(fixture.lastRow().name.startsWith(QStringLiteral("Split 'Bone' along a line, −")));
+        const auto above = [](const glm::dvec2& plane, const glm::dvec3&) { return 4.0 - plane.y; };
+        fixture.changedJustWhere(fixture.voxels(1), bone, above);
+        QCOMPARE(
+            told, QStringLiteral("Bone %1 · Bone 1 %2").arg(fixture.volume(1), fixture.volume(3)));
+        QCOMPARE(fixture.tool.partsLine(), QString());
+        // With Ctrl the larger side, by mouse; drawn the other way it is the same.
+        QVERIFY(fixture.session().undo() && fixture.session().settle());
+        fixture.drag({fixture.at(6.0, 4.0), fixture.at(0.0, 4.0), fixture.at(-6.0, 4.0)},
+            Qt::ControlModifier);
+        QVERIFY(fixture.lastSplit().side == core::SplitByCurve::Side::Larger);
+        fixture.changedJustWhere(fixture.voxels(3), bone, above);
+    }
+
+    /// What may not change does not, and then nothing is counted that would not come to be.
+    void whatIsSplitOffKeepsToLimits()
+    {
+        Fixture fixture;
+        fixture.workspace.setActiveSegment(2);
+        fixture.tool.setSettings({.does = Does::SplitInside, .shape = Shape::Rectangle});
+        ui::Workspace::BrushSettings limits =
+            fixture.workspace.brushSettings(ui::Workspace::Brush::Paint);
+        limits.onlyBetween = true;
+        limits.lower = 200.0;
+        limits.upper = -100.0;
+        fixture.workspace.setBrushSettings(ui::Workspace::Brush::Paint, limits);
+        fixture.workspace.setEditableSettings(
+            {.on = true, .byValue = true, .lower = -300.0, .upper = 150.0});
+        fixture.mouse(QEvent::MouseButtonPress, fixture.at(-4.0, 4.0));
+        fixture.mouse(QEvent::MouseMove, fixture.at(4.0, -4.0));
+        QVERIFY(fixture.session().settle());
+        QTest::qWait(50);
+        QCOMPARE(fixture.tool.partsLine(), QString());
+        fixture.mouse(QEvent::MouseButtonRelease, fixture.at(4.0, -4.0));
+        QVERIFY(fixture.session().settle());
+        QVERIFY(fixture.lastSplit().editable);
+        QCOMPARE(fixture.lastSplit().editable->lower.value_or(0.0), -100.0);
+        QCOMPARE(fixture.lastSplit().editable->upper.value_or(0.0), 150.0);
+        // No value is in both.
+        const std::size_t rows = fixture.rows();
+        fixture.workspace.setEditableSettings(
+            {.on = true, .byValue = true, .lower = 300.0, .upper = 400.0});
+        fixture.drag({fixture.at(-3.0, 3.0), fixture.at(3.0, -3.0)});
+        QCOMPARE(fixture.rows(), rows);
+    }
+
+    void whatCannotBeSplitSaysWhy()
+    {
+        Fixture fixture;
+        fixture.tool.setSettings({.does = Does::SplitAlong});
+        QSignalSpy said(&fixture.workspace, &ui::Workspace::said);
+        const std::size_t rows = fixture.rows();
+        fixture.drag({fixture.at(-1.0, 30.0), fixture.at(1.0, 30.0)});
+        QTRY_COMPARE(said.size(), 1);
+        QCOMPARE(said.back().front().toString(),
+            QStringLiteral("all of 'Bone' lies on one side of the line"));
+        const double step = 0.3 * fixture.view.context().mmPerPixel();
+        fixture.drag({fixture.at(0.0, 0.0), fixture.at(step, 0.0)});
+        QVERIFY(said.back().front().toString().contains(QStringLiteral("Draw a line")));
+        fixture.workspace.setActiveSegment(0);
+        QCOMPARE(fixture.tool.target(), QStringLiteral("no segment to split"));
+        fixture.drag({fixture.at(-5.0, 0.0), fixture.at(5.0, 0.0)});
+        QVERIFY(said.back().front().toString().contains(QStringLiteral("no segment to split")));
+        QCOMPARE(fixture.rows(), rows);
+        // Esc drops the line, and what is told of it.
+        fixture.workspace.setActiveSegment(1);
+        fixture.mouse(QEvent::MouseButtonPress, fixture.at(-5.0, 0.0));
+        fixture.mouse(QEvent::MouseMove, fixture.at(5.0, 0.0));
+        QTRY_VERIFY((fixture.session().poll(), !fixture.tool.partsLine().isEmpty()));
+        QTest::keyClick(&fixture.view, Qt::Key_Escape);
+        QCOMPARE(fixture.tool.partsLine(), QString());
+        fixture.mouse(QEvent::MouseButtonRelease, fixture.at(5.0, 0.0));
+        QVERIFY(fixture.session().settle());
+        QCOMPARE(fixture.rows(), rows);
     }
 
     void allThatAreShownAreErasedTogether()
