@@ -4,6 +4,7 @@
 #include "core/brick/RunRows.h"
 
 #include <algorithm>
+#include <cstring>
 #include <limits>
 
 namespace core {
@@ -16,8 +17,9 @@ VoxelBox boxOfLabel(
         for (int y = 0; y < size.y; ++y) {
             const auto* row = &labels[(std::size_t(z) * std::size_t(size.y) + std::size_t(y))
                 * std::size_t(size.x)];
-            const auto* first = std::find(row, row + size.x, label);
-            if (first == row + size.x)
+            const auto* first =
+                static_cast<const std::uint8_t*>(std::memchr(row, label, std::size_t(size.x)));
+            if (!first)
                 continue;
             const auto* last = row + size.x;
             while (*(last - 1) != label)

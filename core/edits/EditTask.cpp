@@ -84,7 +84,7 @@ std::unique_ptr<OpenStroke> openStrokeOf(Edit& edit)
         edit);
 }
 
-OpenManner surfaceMannerOf(const Edit& edit)
+OpenManner openMannerOf(const Edit& edit)
 {
     return visitEdit(
         [](const auto& known) -> OpenManner {

@@ -33,7 +33,8 @@ struct OpenManner;
 /// Null: the engine does not carry it out, or only whole.
 [[nodiscard]] std::unique_ptr<OpenStroke> openStrokeOf(Edit& edit);
 
-/// How an edit of the surface stands open; of others, OpenStroke says it.
-[[nodiscard]] OpenManner surfaceMannerOf(const Edit& edit);
+/// How an edit stands open that is not the engine's alone: of the surface, or of a segment, where
+/// it is worked out first. Of others, OpenStroke says it.
+[[nodiscard]] OpenManner openMannerOf(const Edit& edit);
 
 } // namespace core

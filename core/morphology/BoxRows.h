@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/base/Progress.h"
 #include "core/brick/BrickGrid.h"
 #include "core/brick/VoxelRuns.h"
 #include "core/morphology/BallFilters.h"
@@ -13,13 +14,15 @@
 
 namespace core {
 
-/// Goes through the rows of a box of a volume; both are stored x fastest.
+/// Goes through the rows of a box of a volume; both are stored x fastest. Once the work is
+/// cancelled it stops on the way, so what it returns then is of no use.
 /// @pre the box lies within the volume
 class BoxRows {
 public:
-    BoxRows(const VoxelBox& box, const glm::ivec3& volumeSize)
+    BoxRows(const VoxelBox& box, const glm::ivec3& volumeSize, const Progress& progress)
         : m_box(box)
         , m_size(volumeSize)
+        , m_progress(progress)
     {
     }
 
@@ -35,7 +38,7 @@ public:
     {
         const auto width = std::size_t(boxSize().x);
         std::size_t in = 0;
-        for (int z = m_box.minimum.z; z < m_box.maximum.z; ++z) {
+        for (int z = m_box.minimum.z; z < m_box.maximum.z && !m_progress.cancelled(); ++z) {
             for (int y = m_box.minimum.y; y < m_box.maximum.y; ++y, in += width) {
                 const std::size_t row = std::size_t(z) * std::size_t(m_size.y) + std::size_t(y);
                 visit(row * std::size_t(m_size.x) + std::size_t(m_box.minimum.x), in, width);
@@ -50,7 +53,7 @@ public:
         const glm::ivec3 to = glm::min(m_box.maximum, other.m_box.maximum);
         if (to.x <= from.x)
             return;
-        for (int z = from.z; z < to.z; ++z) {
+        for (int z = from.z; z < to.z && !m_progress.cancelled(); ++z) {
             for (int y = from.y; y < to.y; ++y)
                 visit(indexOf({from.x, y, z}), other.indexOf({from.x, y, z}),
                     std::size_t(to.x - from.x));
@@ -97,6 +100,7 @@ private:
 
     VoxelBox m_box;
     glm::ivec3 m_size;
+    const Progress& m_progress;
 };
 
 } // namespace core

@@ -103,7 +103,7 @@ Result<ShapeChange> gaussianChange(std::span<const std::uint8_t> labels, const g
     const VoxelBox own = boxOfLabel(labels, size, label);
     if (own.empty())
         return ShapeChange();
-    const BoxRows rows(own, size);
+    const BoxRows rows(own, size, progress);
     if (const Result<void> enough =
             checkBytes(gaussianBytes(rows.boxSize()), Clause::saying("the segment"));
         !enough)
@@ -115,10 +115,13 @@ Result<ShapeChange> gaussianChange(std::span<const std::uint8_t> labels, const g
     if (!blurry)
         return tl::unexpected(blurry.error());
     const std::vector<std::uint16_t>& values = blurry->values;
-    return ShapeChange{.given = rows.voxels(labels, 0,
+    ShapeChange change{.given = rows.voxels(labels, 0,
                            [&](std::size_t voxel) { return values[voxel] > BoxValues::half; }),
         .taken = rows.voxels(
             labels, label, [&](std::size_t voxel) { return values[voxel] < BoxValues::half; })};
+    if (progress.cancelled())
+        return failure(ErrorCode::Cancelled);
+    return change;
 }
 
 Result<JointChange> jointGaussianChange(std::span<const std::uint8_t> labels,
@@ -138,9 +141,9 @@ Result<JointChange> jointGaussianChange(std::span<const std::uint8_t> labels,
         return change;
     // Farther away no segment has a value; free space must be known as far again, to be blurred in
     // that box.
-    const BoxRows rows(widened(all, gaussian.reach(), size), size);
+    const BoxRows rows(widened(all, gaussian.reach(), size), size, progress);
     competitors.front().box = widened(all, 2 * gaussian.reach(), size);
-    const BoxRows widest(competitors.front().box, size);
+    const BoxRows widest(competitors.front().box, size, progress);
     if (const Result<void> enough =
             checkBytes(2.0 * gaussianBytes(widest.boxSize()), Clause::saying("the segments"));
         !enough)
@@ -150,7 +153,7 @@ Result<JointChange> jointGaussianChange(std::span<const std::uint8_t> labels,
     for (const Competitor& each : competitors) {
         if (progress.cancelled())
             return failure(ErrorCode::Cancelled);
-        const BoxRows its(each.box, size);
+        const BoxRows its(each.box, size, progress);
         const Result<BoxValues> values = blurred(its.mask(labels, each.label), gaussian, its.ends(),
             {.progress = progress, .number = stage++, .of = int(competitors.size())});
         if (!values)
@@ -160,6 +163,8 @@ Result<JointChange> jointGaussianChange(std::span<const std::uint8_t> labels,
     change.freed = winners.freed(segments);
     for (std::size_t segment = 0; segment < segments.size(); ++segment)
         change.given[segment] = winners.gained(segments[segment], segments);
+    if (progress.cancelled())
+        return failure(ErrorCode::Cancelled);
     return change;
 }
 

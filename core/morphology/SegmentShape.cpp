@@ -90,12 +90,12 @@ public:
 private:
     FilterStage nextStage() { return {m_progress, m_stage++, m_stages}; }
     /// Calls @p visit(index in the labels, index in the mask, width) for each row of the box, as
-    /// far as it lies in the volume.
+    /// far as it lies in the volume, and until the work is cancelled.
     template <class Visit> void forEachRow(const Visit& visit) const
     {
         const glm::ivec3 begin = glm::max(m_first, glm::ivec3(0));
         const glm::ivec3 end = glm::min(m_first + m_mask.size, m_size);
-        for (int z = begin.z; z < end.z; ++z) {
+        for (int z = begin.z; z < end.z && !m_progress.cancelled(); ++z) {
             for (int y = begin.y; y < end.y; ++y)
                 visit(indexOf({begin.x, y, z}, m_size),
                     indexOf(glm::ivec3(begin.x, y, z) - m_first, m_mask.size), end.x - begin.x);
@@ -211,23 +211,8 @@ Result<ShapeChange> smoothed(Reshaping& work)
     return change;
 }
 
-} // namespace
-
-Result<ShapeChange> shapeChange(std::span<const std::uint8_t> labels, const glm::ivec3& size,
-    std::uint8_t label, ShapeOperation operation, ShellPlace place, const MillimetreBall& ball,
-    const Progress& progress)
+Result<ShapeChange> changeBy(ShapeOperation operation, ShellPlace place, Reshaping& work)
 {
-    const VoxelBox own = boxOfLabel(labels, size, label);
-    if (own.empty())
-        return ShapeChange();
-    if (progress.cancelled())
-        return failure(ErrorCode::Cancelled);
-    Reshaping work(labels, size, label, ball, progress, stagesOf(operation, place));
-    const bool isNear = looksOnlyInside(operation, place) && ball.isStraight();
-    if (const Result<void> begun = work.begin(own, isNear ? glm::ivec3(1) : ball.extent,
-            operation == ShapeOperation::Close || operation == ShapeOperation::Wrap);
-        !begun)
-        return tl::unexpected(begun.error());
     switch (operation) {
     case ShapeOperation::Hollow:
         return hollowed(work, place);
@@ -252,6 +237,29 @@ Result<ShapeChange> shapeChange(std::span<const std::uint8_t> labels, const glm:
     if (grows)
         return ShapeChange{.given = work.freeIn(), .taken = {}};
     return ShapeChange{.given = {}, .taken = work.ownIn()};
+}
+
+} // namespace
+
+Result<ShapeChange> shapeChange(std::span<const std::uint8_t> labels, const glm::ivec3& size,
+    std::uint8_t label, ShapeOperation operation, ShellPlace place, const MillimetreBall& ball,
+    const Progress& progress)
+{
+    const VoxelBox own = boxOfLabel(labels, size, label);
+    if (own.empty())
+        return ShapeChange();
+    if (progress.cancelled())
+        return failure(ErrorCode::Cancelled);
+    Reshaping work(labels, size, label, ball, progress, stagesOf(operation, place));
+    const bool isNear = looksOnlyInside(operation, place) && ball.isStraight();
+    if (const Result<void> begun = work.begin(own, isNear ? glm::ivec3(1) : ball.extent,
+            operation == ShapeOperation::Close || operation == ShapeOperation::Wrap);
+        !begun)
+        return tl::unexpected(begun.error());
+    Result<ShapeChange> change = changeBy(operation, place, work);
+    if (progress.cancelled()) // then it is not all of it
+        return failure(ErrorCode::Cancelled);
+    return change;
 }
 
 } // namespace core

@@ -265,7 +265,7 @@ Result<ShapeChange> sidedMarginChange(std::span<const std::uint8_t> labels, cons
     const glm::ivec3 behind = grows ? ball.behind : glm::ivec3(1);
     const BoxRows rows({.minimum = glm::max(own.minimum - before, glm::ivec3(0)),
                            .maximum = glm::min(own.maximum + behind, size)},
-        size);
+        size, progress);
     if (const Result<void> enough =
             checkBytes(spreadBytes(rows.boxSize()), Clause::saying("the segment with this margin"));
         !enough)
@@ -278,9 +278,14 @@ Result<ShapeChange> sidedMarginChange(std::span<const std::uint8_t> labels, cons
     if (const Result<void> done = spread(mask, grows ? ball : reversed(ball), progress); !done)
         return tl::unexpected(done.error());
     const auto isReached = [&](std::size_t voxel) { return mask.voxels[voxel] != 0; };
+    ShapeChange change;
     if (grows)
-        return ShapeChange{.given = rows.voxels(labels, 0, isReached), .taken = {}};
-    return ShapeChange{.given = {}, .taken = rows.voxels(labels, label, isReached)};
+        change.given = rows.voxels(labels, 0, isReached);
+    else
+        change.taken = rows.voxels(labels, label, isReached);
+    if (progress.cancelled())
+        return failure(ErrorCode::Cancelled);
+    return change;
 }
 
 } // namespace core

@@ -131,6 +131,18 @@ const Edit* EditSession::openEdit() const
     return open ? &open->edit() : nullptr;
 }
 
+bool EditSession::openIsPreview() const
+{
+    const OpenOperation* open = m_queue->interactive();
+    return open && open->manner().withoutPen && open->manner().usualEnding == Ending::Rollback;
+}
+
+bool EditSession::openHasBegun() const
+{
+    const OpenOperation* open = m_queue->interactive();
+    return open && open->hasBegun();
+}
+
 bool EditSession::openIsRefused() const
 {
     const OpenOperation* open = m_queue->interactive();

@@ -97,6 +97,11 @@ public:
         const Edit* open = openEdit();
         return open && open->is<E>();
     }
+    /// Whether what stands open is a preview, which whatever is done next takes back.
+    [[nodiscard]] bool openIsPreview() const;
+    /// Whether an edit stands open that questions asked from now on are answered with. One of a
+    /// whole segment is worked out before that (SegmentWork), or may wait in line.
+    [[nodiscard]] bool openHasBegun() const;
     /// Whether an edit stands open of which nothing will remain: the engine has refused it.
     [[nodiscard]] bool openIsRefused() const;
 

@@ -14,7 +14,7 @@ SegmentWork::SegmentWork(OperationQueue& queue)
 
 std::optional<int> SegmentWork::percent() const
 {
-    const AbortableOperation* operation = m_queue.runningAbortable();
+    const AbortableWork* operation = m_queue.runningAbortable();
     if (!operation || !operation->isAbortable())
         return std::nullopt;
     return std::max(0, operation->percent());
@@ -22,7 +22,7 @@ std::optional<int> SegmentWork::percent() const
 
 void SegmentWork::abort()
 {
-    if (AbortableOperation* operation = m_queue.runningAbortable())
+    if (AbortableWork* operation = m_queue.runningAbortable())
         operation->abort();
 }
 

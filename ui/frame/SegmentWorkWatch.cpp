@@ -42,8 +42,9 @@ SegmentWorkWatch::SegmentWorkWatch(Workspace& workspace, LoadingBar& bar)
 void SegmentWorkWatch::look()
 {
     core::EditSession* session = m_workspace.session();
-    const std::optional<int> percent =
-        session ? session->segmentWork().percent() : std::optional<int>();
+    const std::optional<int> percent = session && !session->openIsPreview()
+        ? session->segmentWork().percent()
+        : std::optional<int>();
     if (percent && !m_works)
         m_bar.begin(tr("A segment is being worked out"));
     if (!percent && m_works)

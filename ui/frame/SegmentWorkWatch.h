@@ -11,7 +11,8 @@ class Workspace;
 
 /// Shows in a bar how far an edit of a whole segment is that is being computed
 /// (core/session/SegmentWork.h), wherever it was asked for, and abandons it when the bar's Abort is
-/// pressed. What takes less than about half a second shows no bar.
+/// pressed. What takes less than about half a second shows no bar, and previews show none: their
+/// dialogs do.
 class SegmentWorkWatch : public QObject {
     Q_OBJECT
 

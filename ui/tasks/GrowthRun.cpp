@@ -94,9 +94,9 @@ void GrowthRun::finish()
     m_watch.stop();
     m_running = false;
     m_nextTurn = false;
-    // What is open may be a threshold by now, which its dialog shows.
+    // What is open may be a preview by now, which its dialog shows.
     if (core::EditSession* session = m_workspace.session();
-        session && session->transactionOpen() && !session->isOpen<core::ThresholdSegment>())
+        session && session->transactionOpen() && !session->openIsPreview())
         session->end(core::Ending::Commit);
     Q_EMIT changed();
 }

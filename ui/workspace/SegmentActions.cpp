@@ -213,17 +213,29 @@ QString nothingText(const Workspace& workspace, const QString& nothing)
     return editable.isEmpty() ? nothing : QObject::tr("%1 (%2)").arg(nothing, editable);
 }
 
+/// How an edit is carried out as a whole.
+struct Carried {
+    bool isOpen = false; ///< it stands open already, as a preview
+    RowWords words = plainWords; ///< what is told of its row
+};
+
 /// The same for an edit as a whole, which keeps to the editable range.
-void carryOut(Workspace& workspace, core::Edit edit, const QString& nothing,
-    const RowWords& words = plainWords)
+void carryOut(
+    Workspace& workspace, core::Edit edit, const QString& nothing, const Carried& how = {})
 {
-    if (core::EditSession* session = workspace.session())
+    if (core::EditSession* session = workspace.session(); session && !how.isOpen)
         session->closeOpen();
     if (std::optional<core::EditableRange>* const range = core::editableRangeOf(edit))
         *range = workspace.editableRange();
     tellOf(
         workspace, edit.kind(), nothingText(workspace, nothing),
-        [&edit](core::EditSession& session) { return session.apply(edit); }, words);
+        [&edit, &how](core::EditSession& session) {
+            if (!how.isOpen)
+                return session.apply(edit);
+            session.end(core::Ending::Commit);
+            return core::Result<void>();
+        },
+        how.words);
 }
 
 /// @param to label that receives the island; none: nobody
@@ -298,7 +310,7 @@ void splitByPlane(Workspace& workspace, int label)
         carryOut(workspace, *edit,
             QObject::tr("all of '%1' lies on one side of the cutting plane")
                 .arg(nameOfSegment(workspace, label)),
-            wordsOfSplit(label));
+            {.words = wordsOfSplit(label)});
 }
 
 void splitByCurve(Workspace& workspace, const core::SplitByCurve& edit)
@@ -324,17 +336,19 @@ QString partsText(const Workspace& workspace, const QString& name, std::int64_t 
             millilitreText(otherVoxels, voxelMm3));
 }
 
-void reshapeSegment(Workspace& workspace, const core::ReshapeSegment& edit)
+void reshapeSegment(Workspace& workspace, const core::ReshapeSegment& edit, bool isOpen)
 {
     carryOut(workspace, edit,
-        QObject::tr("'%1' stays as it is").arg(nameOfSegment(workspace, edit.segment)));
+        QObject::tr("'%1' stays as it is").arg(nameOfSegment(workspace, edit.segment)),
+        {.isOpen = isOpen});
 }
 
-void fillBetweenSlices(Workspace& workspace, const core::FillBetweenSlices& edit)
+void fillBetweenSlices(Workspace& workspace, const core::FillBetweenSlices& edit, bool isOpen)
 {
     carryOut(workspace, edit,
         QObject::tr("There is nothing to fill between the slices of '%1'")
-            .arg(nameOfSegment(workspace, edit.segment)));
+            .arg(nameOfSegment(workspace, edit.segment)),
+        {.isOpen = isOpen});
 }
 
 void splitIslands(Workspace& workspace, const core::SplitIslands& edit)
@@ -360,17 +374,11 @@ void evolveContour(Workspace& workspace, const core::EvolveContour& edit)
         QObject::tr("'%1' stays as it is").arg(nameOfSegment(workspace, edit.segment)));
 }
 
-void takeThreshold(Workspace& workspace, const core::ThresholdSegment& edit, bool isShown)
+void takeThreshold(Workspace& workspace, const core::ThresholdSegment& edit, bool isOpen)
 {
-    const QString nothing =
-        QObject::tr("'%1' stays as it is").arg(nameOfSegment(workspace, edit.segment));
-    if (!isShown)
-        return carryOut(workspace, edit, nothing);
-    tellOf(workspace, core::Edit(edit).kind(), nothingText(workspace, nothing),
-        [](core::EditSession& session) {
-            session.end(core::Ending::Commit);
-            return core::Result<void>();
-        });
+    carryOut(workspace, edit,
+        QObject::tr("'%1' stays as it is").arg(nameOfSegment(workspace, edit.segment)),
+        {.isOpen = isOpen});
 }
 
 void removeIsland(Workspace& workspace, int label, const glm::dvec3& placeLps)

@@ -87,11 +87,16 @@ void splitByCurve(Workspace& workspace, const core::SplitByCurve& edit);
 [[nodiscard]] QString partsText(const Workspace& workspace, const QString& name,
     std::int64_t voxels, const QString& otherName, std::int64_t otherVoxels);
 
-/// Grows, shrinks, hollows out, smooths or wraps a segment.
-void reshapeSegment(Workspace& workspace, const core::ReshapeSegment& edit);
-
-/// Fills a segment between the slices on which it was drawn.
-void fillBetweenSlices(Workspace& workspace, const core::FillBetweenSlices& edit);
+/// The following three may be previewed before (EditTrial).
+/// @param isOpen whether @p edit stands open in the session, for its preview; it is committed then,
+/// and nothing is computed again
+///
+/// reshapeSegment() grows, shrinks, hollows out, smooths or wraps a segment; fillBetweenSlices()
+/// fills it between the slices on which it was drawn; takeThreshold() applies a threshold.
+void reshapeSegment(Workspace& workspace, const core::ReshapeSegment& edit, bool isOpen = false);
+void fillBetweenSlices(
+    Workspace& workspace, const core::FillBetweenSlices& edit, bool isOpen = false);
+void takeThreshold(Workspace& workspace, const core::ThresholdSegment& edit, bool isOpen);
 
 /// Makes islands of a segment segments of their own.
 void splitIslands(Workspace& workspace, const core::SplitIslands& edit);
@@ -105,11 +110,6 @@ void floodFill(Workspace& workspace, const core::FloodFill& edit);
 
 /// Accepts an evolved contour.
 void evolveContour(Workspace& workspace, const core::EvolveContour& edit);
-
-/// Applies a threshold.
-/// @param isShown whether @p edit is open in the session and shown (ThresholdSegment); it is
-/// committed then, and nothing is computed again
-void takeThreshold(Workspace& workspace, const core::ThresholdSegment& edit, bool isShown);
 
 /// The island of a segment that contains the voxel at a place (LPS mm) is removed, is kept while
 /// all others are removed, or is given to another segment.

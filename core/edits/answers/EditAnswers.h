@@ -33,8 +33,9 @@ namespace core {
 //     edit. Null: this one is carried out whole, although others of its kind are not. Their effects
 //     name opens<X>() or opensIf<X>() (Opening.h), which do not compile without this function.
 //   OpenManner openManner(const X&)
-//     Only for edits of the surface that stand open otherwise than under a pen. Tools of the
-//     surface are told further points of their path (SurfacePath), which needs no function.
+//     Only for edits that are not the engine's alone and stand open otherwise than under a pen: of
+//     the surface, or of a segment, where they are worked out first. Tools of the surface are told
+//     further points of their path (SurfacePath), which needs no function.
 //
 // This header contains only what headers of edits need to declare them.
 

@@ -105,10 +105,11 @@ template <class E> [[nodiscard]] constexpr EditTask engineTask()
 
 /// The effects of an edit that gives voxels to a segment or takes some from it, which the side
 /// thread computes first.
-[[nodiscard]] inline EditEffects workedOutEffects(int segment, bool boundToStudy)
+[[nodiscard]] inline EditEffects workedOutEffects(
+    int segment, bool boundToStudy, Opening standsOpen = false)
 {
     return {.task = EditTask::Islands,
-        .standsOpen = false,
+        .standsOpen = standsOpen,
         .writesTo = segment,
         .fills = {.label = segment},
         .boundToStudy = boundToStudy};

@@ -25,7 +25,7 @@ concept hasOpenStroke = requires(E& edit)
 template <class E>
 concept isSurfaceTool = std::is_same_v<decltype(E::path), SurfacePath>;
 
-/// Whether it works on the surface and stands open in another manner than under a pen.
+/// Whether it is not the engine's alone and stands open in another manner than under a pen.
 template <class E>
 concept hasOpenManner = requires(const E& edit)
 {
@@ -53,8 +53,8 @@ public:
     template <class E> [[nodiscard]] static Opening of(bool standsOpen)
     {
         static_assert(hasOpenStroke<E> || isSurfaceTool<E> || hasOpenManner<E>,
-            "an edit X that stands open needs std::unique_ptr<OpenStroke> openStroke(X&), or is a "
-            "tool of the surface");
+            "an edit X that stands open needs std::unique_ptr<OpenStroke> openStroke(X&) or "
+            "OpenManner openManner(const X&), or is a tool of the surface");
         Opening opening(false);
         opening.m_standsOpen = standsOpen;
         return opening;

@@ -16,18 +16,17 @@ constexpr int codesAtOnce = 1 << 21; ///< 4 MiB; one slice where it has more
 } // namespace
 
 ContourOperation::ContourOperation(const EvolveContour& edit, RowId again)
-    : WorkedOutOperation(again)
-    , m_edit(edit)
+    : WorkedOutOperation(edit, Kind::Whole, again)
     , m_work(std::make_shared<Work>())
 {
 }
 
 void ContourOperation::start(SessionState& state)
 {
-    if (!mayStart(state, m_edit))
+    if (!mayStart(state))
         return;
     m_reader.emplace(state.document.volumes.front().geometry.size,
-        state.document.segment(m_edit.segment)->plane);
+        state.document.segment(contour().segment)->plane);
     readLabels(state);
 }
 
@@ -45,7 +44,7 @@ void ContourOperation::readLabels(SessionState& state)
 void ContourOperation::findGround(SessionState& state)
 {
     workAside(state,
-        [this, edit = m_edit, work = m_work, document = state.document,
+        [this, edit = contour(), work = m_work, document = state.document,
             reader = std::make_shared<LabelReader>(*std::move(m_reader))] {
             std::optional<Error> failed;
             if (Result<ContourGround> ground = contourGround(edit, document, reader->takeLabels()))
@@ -68,7 +67,7 @@ void ContourOperation::readCodes(SessionState& state)
         return;
     VoxelBox slab = m_work->ground.box;
     if (slab.empty())
-        return leaveNoRow(state);
+        return leaveAsItIs(state);
     if (m_nextSlice >= slab.maximum.z)
         return evolve(state);
     const glm::ivec3 extent = slab.maximum - slab.minimum;
@@ -82,10 +81,10 @@ void ContourOperation::readCodes(SessionState& state)
 void ContourOperation::evolve(SessionState& state)
 {
     workAside(
-        state, [this, edit = m_edit, work = m_work, watch = watch(), document = state.document] {
+        state, [this, edit = contour(), work = m_work, watch = watch(), document = state.document] {
             auto listed = std::make_shared<Result<Listed>>(evolved(edit, document, *work, *watch));
             return SideThread::Sequel(
-                [this, listed](SessionState& known) { write(known, m_edit, std::move(*listed)); });
+                [this, listed](SessionState& known) { write(known, std::move(*listed)); });
         });
 }
 

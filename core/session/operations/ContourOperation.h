@@ -37,7 +37,8 @@ private:
     [[nodiscard]] static Result<RelabelListed> evolved(
         const EvolveContour& edit, const Document& document, Work& work, Watch& watch);
 
-    EvolveContour m_edit;
+    [[nodiscard]] const EvolveContour& contour() const { return edit().get<EvolveContour>(); }
+
     std::shared_ptr<Work> m_work;
     std::optional<LabelReader> m_reader;
     std::optional<Ticket> m_asked; ///< question for labels or codes that is not answered yet

@@ -24,23 +24,22 @@ bool sharesVoxels(const std::vector<std::uint8_t>& own, std::uint8_t label,
 } // namespace
 
 CopyOperation::CopyOperation(CopySegment edit, RowId again)
-    : WorkedOutOperation(again)
-    , m_edit(std::move(edit))
+    : WorkedOutOperation(std::move(edit), Kind::Whole, again)
 {
 }
 
 bool CopyOperation::foresee(Document& document) const
 {
-    return m_edit.plane && applyToDocument(m_edit, document);
+    return copy().plane && applyToDocument(edit(), document);
 }
 
 void CopyOperation::start(SessionState& state)
 {
-    if (!mayStart(state, m_edit))
+    if (!mayStart(state))
         return;
-    if (m_edit.plane)
+    if (copy().plane)
         return writeCopy(state);
-    const std::uint8_t own = state.document.segment(m_edit.segment)->plane;
+    const std::uint8_t own = state.document.segment(copy().segment)->plane;
     for (const std::uint8_t plane : state.document.labelPlanes()) {
         if (plane != own)
             m_left.insert(m_left.begin(), plane);
@@ -65,7 +64,7 @@ void CopyOperation::readNext(SessionState& state)
         return;
     }
     workAside(state,
-        [this, own = m_own, label = std::uint8_t(m_edit.segment),
+        [this, own = m_own, label = std::uint8_t(copy().segment),
             reader = std::make_shared<LabelReader>(*std::move(m_reader))] {
             auto labels = std::make_shared<std::vector<std::uint8_t>>(reader->takeLabels());
             if (!own)
@@ -94,19 +93,21 @@ void CopyOperation::lookFurther(SessionState& state)
         return lookAt(state, next);
     }
     m_own.reset();
-    const Result<int> plane = planeOfCopy(m_edit, state.document, m_taken);
+    CopySegment completed = copy();
+    const Result<int> plane = planeOfCopy(completed, state.document, m_taken);
     if (!plane)
         return giveUp(state, plane.error());
-    m_edit.plane = *plane;
+    completed.plane = *plane;
+    complete(std::move(completed));
     writeCopy(state);
 }
 
 void CopyOperation::writeCopy(SessionState& state)
 {
-    Result<MapLabels> map = mapLabels(m_edit, state.document);
+    Result<MapLabels> map = mapLabels(copy(), state.document);
     if (!map)
         return giveUp(state, map.error());
-    write(state, m_edit, Listed(*std::move(map)));
+    write(state, Listed(*std::move(map)));
 }
 
 void CopyOperation::takeResult(SessionState& state, EngineResult&& result)

@@ -29,12 +29,12 @@ private:
     /// The labels of the segment's plane, x fastest.
     using Labels = std::shared_ptr<const std::vector<std::uint8_t>>;
 
+    [[nodiscard]] const CopySegment& copy() const { return edit().get<CopySegment>(); }
     void lookAt(SessionState& state, std::uint8_t plane);
     void readNext(SessionState& state);
     void lookFurther(SessionState& state);
     void writeCopy(SessionState& state);
 
-    CopySegment m_edit;
     Labels m_own;
     std::vector<std::uint8_t> m_taken; ///< planes in which others have voxels of the segment
     std::vector<std::uint8_t> m_left; ///< planes that were not looked at, the next one last

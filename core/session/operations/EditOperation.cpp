@@ -22,6 +22,11 @@ namespace core {
 
 namespace {
 
+/// What is computed from all labels of a plane.
+template <class E>
+concept isWorkedOutKind = isOneOf<E, CleanSegment, ReshapeSegment, FillBetweenSlices, MirrorSegment,
+    SplitIslands, SplitSegment, SplitByCurve>;
+
 /// Makes the operation of an edit from its kind. A kind that the engine does not carry out and that
 /// is named nowhere here has no overload, so that it does not compile.
 class OperationMaker {
@@ -56,11 +61,9 @@ public:
     }
 
     template <class E>
-    requires isOneOf<E, CleanSegment, ReshapeSegment, FillBetweenSlices, MirrorSegment,
-        SplitIslands, SplitSegment, SplitByCurve>
-        Made operator()(const E& edit) const
+    requires isWorkedOutKind<E> Made operator()(const E& edit) const
     {
-        return std::make_unique<IslandOperation>(edit, m_again);
+        return std::make_unique<IslandOperation>(edit, IslandOperation::Kind::Whole, m_again);
     }
 
     Made operator()(const CopySegment& edit) const
@@ -114,6 +117,8 @@ std::unique_ptr<Operation> openOperationOf(const Edit& edit)
             else if constexpr (isSurfaceKind<E>)
                 return std::make_unique<SurfaceOperation>(
                     known, SurfaceOperation::Kind::Interactive);
+            else if constexpr (isWorkedOutKind<E>)
+                return std::make_unique<IslandOperation>(known, IslandOperation::Kind::Interactive);
             else
                 return nullptr;
         },

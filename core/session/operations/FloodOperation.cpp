@@ -33,22 +33,21 @@ BrickBits bitsOfLabel(const BrickImage& image, std::uint8_t label)
 } // namespace
 
 FloodOperation::FloodOperation(const FloodFill& edit, RowId again)
-    : WorkedOutOperation(again)
-    , m_edit(edit)
+    : WorkedOutOperation(edit, Kind::Whole, again)
 {
 }
 
 void FloodOperation::start(SessionState& state)
 {
-    if (!mayStart(state, m_edit))
+    if (!mayStart(state))
         return;
     const Volume& volume = state.document.volumes.front();
-    const glm::ivec3 first = firstVoxel(m_edit, volume.geometry).value();
-    m_work = std::make_shared<Work>(Work{.edit = m_edit,
+    const glm::ivec3 first = firstVoxel(fill(), volume.geometry).value();
+    m_work = std::make_shared<Work>(Work{.edit = fill(),
         .grid = BrickGrid{volume.geometry.size},
         .first = first,
         .flood = BrickFlood(
-            volume.geometry.size, first, {.corners = m_edit.corners, .within = m_edit.within}),
+            volume.geometry.size, first, {.corners = fill().corners, .within = fill().within}),
         .encoding = volume.encoding});
     askNext(state);
 }
@@ -58,9 +57,9 @@ std::vector<FloodOperation::Reading> FloodOperation::nextReadings() const
 {
     const glm::ivec3 size = m_work->grid.volumeSize;
     glm::ivec3 side(blockSide);
-    if (m_edit.within) {
+    if (fill().within) {
         side = glm::ivec3(m_isFirstReading ? firstSliceBlockSide : sliceBlockSide);
-        side[alongOf(*m_edit.within)] = 1;
+        side[alongOf(*fill().within)] = 1;
     }
     std::set<std::tuple<int, int, int>> blocks; // z, y, x
     for (const std::uint32_t brick : m_work->flood.wanted()) {
@@ -78,8 +77,8 @@ std::vector<FloodOperation::Reading> FloodOperation::nextReadings() const
             .bricks = {},
             .codes = {},
             .labels = {}};
-        if (m_edit.within) {
-            const int along = alongOf(*m_edit.within);
+        if (fill().within) {
+            const int along = alongOf(*fill().within);
             reading.box.minimum[along] = m_work->first[along];
             reading.box.maximum[along] = m_work->first[along] + 1;
         }
@@ -102,12 +101,12 @@ void FloodOperation::askNext(SessionState& state)
 {
     if (!mayGoOn(state))
         return;
-    const std::uint8_t plane = state.document.segment(m_edit.segment)->plane;
+    const std::uint8_t plane = state.document.segment(fill().segment)->plane;
     std::vector<Reading> readings = nextReadings();
     m_isFirstReading = false;
     for (Reading& reading : readings) {
         EngineCommand question = ReadCodes{reading.box};
-        if (m_edit.erase) {
+        if (fill().erase) {
             ReadBricks labels;
             for (const std::uint32_t brick : reading.bricks)
                 labels.keys.push_back({Field::Labels, plane, brick});
@@ -153,7 +152,7 @@ void FloodOperation::goOn(SessionState& state)
             auto listed = std::make_shared<Result<Listed>>(
                 relabelListed(work->edit, document, work->flood.found()));
             return SideThread::Sequel(
-                [this, listed](SessionState& known) { write(known, m_edit, std::move(*listed)); });
+                [this, listed](SessionState& known) { write(known, std::move(*listed)); });
         });
 }
 

@@ -50,7 +50,8 @@ private:
     [[nodiscard]] std::vector<Reading> nextReadings() const;
     static void give(Work& work, const Reading& reading);
 
-    FloodFill m_edit;
+    [[nodiscard]] const FloodFill& fill() const { return edit().get<FloodFill>(); }
+
     std::shared_ptr<Work> m_work; ///< null before it starts
     bool m_isFirstReading = true;
     std::map<Ticket, Reading> m_asked; ///< questions that are not answered yet

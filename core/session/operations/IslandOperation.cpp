@@ -28,12 +28,12 @@ template <class E> auto relabelling(const E& edit)
 
 } // namespace
 
-IslandOperation::IslandOperation(const CleanSegment& edit, RowId again)
-    : IslandOperation(edit, edit.segment, relabelling(edit), again)
+IslandOperation::IslandOperation(const CleanSegment& edit, Kind kind, RowId again)
+    : IslandOperation(edit, edit.segment, relabelling(edit), kind, again)
 {
 }
 
-IslandOperation::IslandOperation(const ReshapeSegment& edit, RowId again)
+IslandOperation::IslandOperation(const ReshapeSegment& edit, Kind kind, RowId again)
     : IslandOperation(
         edit, edit.segment,
         [edit](const Document& document, std::span<const std::uint8_t> labels,
@@ -42,44 +42,43 @@ IslandOperation::IslandOperation(const ReshapeSegment& edit, RowId again)
                 return labelListed(edit, document, labels, progress);
             return relabelListed(edit, document, labels, progress);
         },
-        again)
+        kind, again)
 {
 }
 
-IslandOperation::IslandOperation(const FillBetweenSlices& edit, RowId again)
-    : IslandOperation(edit, edit.segment, relabelling(edit), again)
+IslandOperation::IslandOperation(const FillBetweenSlices& edit, Kind kind, RowId again)
+    : IslandOperation(edit, edit.segment, relabelling(edit), kind, again)
 {
 }
 
-IslandOperation::IslandOperation(const MirrorSegment& edit, RowId again)
-    : IslandOperation(edit, edit.segment, relabelling(edit), again)
+IslandOperation::IslandOperation(const MirrorSegment& edit, Kind kind, RowId again)
+    : IslandOperation(edit, edit.segment, relabelling(edit), kind, again)
 {
 }
 
-IslandOperation::IslandOperation(const SplitIslands& edit, RowId again)
+IslandOperation::IslandOperation(const SplitIslands& edit, Kind kind, RowId again)
     : IslandOperation(
         edit, edit.segment,
         [](const Document& document, std::span<const std::uint8_t> labels, const Progress& progress,
             Edit& completed) -> Result<Listed> {
             return labelListed(completed.get<SplitIslands>(), document, labels, progress);
         },
-        again)
+        kind, again)
 {
 }
 
-IslandOperation::IslandOperation(const SplitSegment& edit, RowId again)
-    : IslandOperation(edit, edit.segment, relabelling(edit), again)
+IslandOperation::IslandOperation(const SplitSegment& edit, Kind kind, RowId again)
+    : IslandOperation(edit, edit.segment, relabelling(edit), kind, again)
 {
 }
 
-IslandOperation::IslandOperation(const SplitByCurve& edit, RowId again)
-    : IslandOperation(edit, edit.segment, relabelling(edit), again)
+IslandOperation::IslandOperation(const SplitByCurve& edit, Kind kind, RowId again)
+    : IslandOperation(edit, edit.segment, relabelling(edit), kind, again)
 {
 }
 
-IslandOperation::IslandOperation(Edit edit, int segment, LabelWork workOut, RowId again)
-    : WorkedOutOperation(again)
-    , m_edit(std::move(edit))
+IslandOperation::IslandOperation(Edit edit, int segment, LabelWork workOut, Kind kind, RowId again)
+    : WorkedOutOperation(std::move(edit), kind, again)
     , m_segment(segment)
     , m_workOut(std::move(workOut))
 {
@@ -87,13 +86,13 @@ IslandOperation::IslandOperation(Edit edit, int segment, LabelWork workOut, RowI
 
 bool IslandOperation::foresee(Document& document) const
 {
-    const auto* islands = m_edit.as<SplitIslands>();
-    return (!islands || islands->into) && applyToDocument(m_edit, document);
+    const auto* islands = edit().as<SplitIslands>();
+    return (!islands || islands->into) && applyToDocument(edit(), document);
 }
 
 void IslandOperation::start(SessionState& state)
 {
-    if (!mayStart(state, m_edit))
+    if (!mayStart(state))
         return;
     m_reader.emplace(
         state.document.volumes.front().geometry.size, state.document.segment(m_segment)->plane);
@@ -110,13 +109,13 @@ void IslandOperation::readNext(SessionState& state)
     }
     workAside(state,
         [this, workOut = m_workOut, watch = watch(), document = state.document,
-            edit = std::make_shared<Edit>(m_edit),
+            completed = std::make_shared<Edit>(edit()),
             reader = std::make_shared<LabelReader>(*std::move(m_reader))] {
             auto listed = std::make_shared<Result<Listed>>(
-                workOut(document, reader->takeLabels(), watch->progress, *edit));
-            return SideThread::Sequel([this, listed, edit](SessionState& known) {
-                m_edit = std::move(*edit);
-                write(known, m_edit, std::move(*listed));
+                workOut(document, reader->takeLabels(), watch->progress, *completed));
+            return SideThread::Sequel([this, listed, completed](SessionState& known) {
+                complete(std::move(*completed));
+                write(known, std::move(*listed));
             });
         });
     m_reader.reset();

@@ -16,13 +16,14 @@ namespace core {
 class IslandOperation final : public WorkedOutOperation {
 public:
     /// @param again as in VoxelOperation
-    explicit IslandOperation(const CleanSegment& edit, RowId again = 0);
-    explicit IslandOperation(const ReshapeSegment& edit, RowId again = 0);
-    explicit IslandOperation(const FillBetweenSlices& edit, RowId again = 0);
-    explicit IslandOperation(const MirrorSegment& edit, RowId again = 0);
-    explicit IslandOperation(const SplitIslands& edit, RowId again = 0);
-    explicit IslandOperation(const SplitSegment& edit, RowId again = 0);
-    explicit IslandOperation(const SplitByCurve& edit, RowId again = 0);
+    explicit IslandOperation(const CleanSegment& edit, Kind kind = Kind::Whole, RowId again = 0);
+    explicit IslandOperation(const ReshapeSegment& edit, Kind kind = Kind::Whole, RowId again = 0);
+    explicit IslandOperation(
+        const FillBetweenSlices& edit, Kind kind = Kind::Whole, RowId again = 0);
+    explicit IslandOperation(const MirrorSegment& edit, Kind kind = Kind::Whole, RowId again = 0);
+    explicit IslandOperation(const SplitIslands& edit, Kind kind = Kind::Whole, RowId again = 0);
+    explicit IslandOperation(const SplitSegment& edit, Kind kind = Kind::Whole, RowId again = 0);
+    explicit IslandOperation(const SplitByCurve& edit, Kind kind = Kind::Whole, RowId again = 0);
 
     void start(SessionState& state) override;
     void takeResult(SessionState& state, EngineResult&& result) override;
@@ -36,10 +37,9 @@ private:
     using LabelWork = std::function<Result<Listed>(const Document& document,
         std::span<const std::uint8_t> labels, const Progress& progress, Edit& edit)>;
 
-    IslandOperation(Edit edit, int segment, LabelWork workOut, RowId again);
+    IslandOperation(Edit edit, int segment, LabelWork workOut, Kind kind, RowId again);
     void readNext(SessionState& state);
 
-    Edit m_edit;
     int m_segment; ///< label
     LabelWork m_workOut;
     std::optional<LabelReader> m_reader;

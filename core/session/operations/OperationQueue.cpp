@@ -63,7 +63,7 @@ OperationQueue::~OperationQueue()
     });
     // A smoothing with a large ball may have minutes to go, and nobody could abort it any more.
     for (const std::unique_ptr<Operation>& operation : m_operations) {
-        if (auto* work = dynamic_cast<AbortableOperation*>(operation.get()))
+        if (auto* work = dynamic_cast<AbortableWork*>(operation.get()))
             work->abort();
     }
     static_cast<void>(settle());
@@ -110,10 +110,10 @@ SurfaceOperation* OperationQueue::runningSurface() const
         : nullptr;
 }
 
-AbortableOperation* OperationQueue::runningAbortable() const
+AbortableWork* OperationQueue::runningAbortable() const
 {
     return m_started && !m_operations.empty()
-        ? dynamic_cast<AbortableOperation*>(m_operations.front().get())
+        ? dynamic_cast<AbortableWork*>(m_operations.front().get())
         : nullptr;
 }
 

@@ -12,7 +12,7 @@
 
 namespace core {
 
-class AbortableOperation;
+class AbortableWork;
 class SurfaceOperation;
 
 /// The queue of everything that a session was asked to do: edits, walks through the history and
@@ -36,7 +36,7 @@ public:
     /// The edit of the surface that is running; null: another operation, or none.
     [[nodiscard]] SurfaceOperation* runningSurface() const;
     /// The edit that is being worked out; null: another operation is running, or none.
-    [[nodiscard]] AbortableOperation* runningAbortable() const;
+    [[nodiscard]] AbortableWork* runningAbortable() const;
     void end(OpenOperation& stroke, Ending ending);
     /// Ends what stands open without a pen, as is usual for it (OpenManner).
     void closeOpen() override;

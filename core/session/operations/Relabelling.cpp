@@ -12,37 +12,51 @@ Relabelling::Relabelling(RowId again)
 {
 }
 
-void Relabelling::begin(SessionState& state, Edit&& edit, EngineEdit&& command)
+template <class Listed> void Relabelling::submit(SessionState& state, Edit&& edit, Listed&& listed)
+{
+    if (listed.bricks.empty())
+        return;
+    m_edit = std::move(edit);
+    m_begun = state.engine.submit(BeginEdit{std::forward<Listed>(listed)});
+}
+
+void Relabelling::begin(SessionState& state, Edit edit, RelabelListed&& relabel)
+{
+    submit(state, std::move(edit), std::move(relabel));
+}
+
+void Relabelling::begin(SessionState& state, Edit edit, LabelListed&& label)
+{
+    submit(state, std::move(edit), std::move(label));
+}
+
+void Relabelling::begin(SessionState& state, Edit edit, const MapLabels& map)
 {
     m_edit = std::move(edit);
-    m_begun = state.engine.submit(BeginEdit{std::move(command)});
-    m_ended = state.engine.submit(EndEdit{});
+    m_begun = state.engine.submit(BeginEdit{map});
+}
+
+void Relabelling::end(SessionState& state, Ending ending)
+{
+    if (m_done || m_ended)
+        return;
+    if (!m_begun)
+        return leaveNoRow(state);
+    m_ended = state.engine.submit(EndEdit{ending});
 }
 
 void Relabelling::write(SessionState& state, Edit edit, RelabelListed&& relabel)
 {
-    if (relabel.bricks.empty())
-        return leaveNoRow(state);
     begin(state, std::move(edit), std::move(relabel));
-}
-
-void Relabelling::write(SessionState& state, Edit edit, LabelListed&& label)
-{
-    if (label.bricks.empty())
-        return leaveNoRow(state);
-    begin(state, std::move(edit), std::move(label));
-}
-
-void Relabelling::write(SessionState& state, Edit edit, const MapLabels& map)
-{
-    begin(state, std::move(edit), map);
+    end(state, Ending::Commit);
 }
 
 void Relabelling::takeResult(SessionState& state, EngineResult&& result)
 {
-    // The edit was refused; the result of EndEdit will fail again.
     if (m_begun && result.ticket == *m_begun) {
+        // The edit was refused; the result of an EndEdit that is under way will fail again.
         m_failed = true;
+        m_done = !m_ended;
         state.fail(*result.error);
     } else if (m_ended && result.ticket == *m_ended)
         finish(state, std::move(result));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/delta/Ending.h"
 #include "core/edits/kinds/Edit.h"
 #include "core/session/state/SessionState.h"
 
@@ -8,7 +9,6 @@
 
 namespace core {
 
-struct EngineEdit;
 struct LabelListed;
 struct MapLabels;
 struct RelabelListed;
@@ -21,12 +21,17 @@ public:
     /// @param again as in VoxelOperation
     explicit Relabelling(RowId again);
 
-    /// Lets the engine write.
+    /// Lets the engine write, and leaves that open until end(). If the engine refuses, it has
+    /// ended.
     /// @param edit the edit that the row will contain
-    /// @param relabel without bricks nothing is written, as by leaveNoRow()
+    /// @param relabel without bricks nothing is written
+    void begin(SessionState& state, Edit edit, RelabelListed&& relabel);
+    void begin(SessionState& state, Edit edit, LabelListed&& label);
+    void begin(SessionState& state, Edit edit, const MapLabels& map);
+    /// Ends what was begun. Without a row if nothing was.
+    void end(SessionState& state, Ending ending);
+    /// Both at once, to be committed.
     void write(SessionState& state, Edit edit, RelabelListed&& relabel);
-    void write(SessionState& state, Edit edit, LabelListed&& label);
-    void write(SessionState& state, Edit edit, const MapLabels& map);
     /// Ends without a row, because nothing has changed.
     void leaveNoRow(SessionState& state);
     void giveUp(SessionState& state, const Error& error);
@@ -35,12 +40,12 @@ public:
     [[nodiscard]] bool done() const { return m_done; }
 
 private:
-    void begin(SessionState& state, Edit&& edit, EngineEdit&& command);
+    template <class Listed> void submit(SessionState& state, Edit&& edit, Listed&& listed);
     void finish(SessionState& state, EngineResult&& result);
 
     RowId m_again;
     Edit m_edit;
-    std::optional<Ticket> m_begun;
+    std::optional<Ticket> m_begun; ///< none: nothing is written
     std::optional<Ticket> m_ended;
     bool m_failed = false; ///< whether it failed and the error was reported
     bool m_done = false;

@@ -16,7 +16,7 @@ namespace core {
 
 SurfaceOperation::SurfaceOperation(Edit edit, Kind kind, RowId again)
     : m_edit(std::move(edit))
-    , m_manner(surfaceMannerOf(m_edit))
+    , m_manner(openMannerOf(m_edit))
     , m_kind(kind)
     , m_again(again)
 {

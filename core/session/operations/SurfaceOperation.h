@@ -43,6 +43,7 @@ public:
     [[nodiscard]] bool open() const override { return m_kind == Kind::Interactive && !m_ending; }
     [[nodiscard]] const Edit& edit() const override { return m_edit; }
     [[nodiscard]] OpenManner manner() const override { return m_manner; }
+    [[nodiscard]] bool hasBegun() const override { return m_hasBegun; }
     /// By points of its path.
     void extend(SessionState& state, const StrokeExtension& extension) override;
     void end(SessionState& state, Ending ending) override;

@@ -32,6 +32,7 @@ public:
     /// The engine never opened it, or something has failed.
     [[nodiscard]] bool refused() const override { return m_refused || m_failed; }
     [[nodiscard]] OpenManner manner() const override { return m_manner; }
+    [[nodiscard]] bool hasBegun() const override { return m_begun.has_value(); }
 
     void start(SessionState& state) override;
     void takeResult(SessionState& state, EngineResult&& result) override;

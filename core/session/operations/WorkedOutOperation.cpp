@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/session/operations/WorkedOutOperation.h"
 
+#include "core/edits/EditTask.h"
 #include "core/edits/document/DocumentEdits.h"
 
 #include <algorithm>
@@ -16,15 +17,20 @@ WorkedOutOperation::Watch::Watch()
 {
 }
 
-WorkedOutOperation::WorkedOutOperation(RowId again)
-    : m_watch(std::make_shared<Watch>())
+WorkedOutOperation::WorkedOutOperation(Edit edit, Kind kind, RowId again)
+    : m_edit(std::move(edit))
+    , m_manner(openMannerOf(m_edit))
+    , m_ending(kind == Kind::Whole ? std::optional(Ending::Commit) : std::nullopt)
+    , m_watch(std::make_shared<Watch>())
     , m_relabelling(again)
 {
 }
 
-bool WorkedOutOperation::mayStart(SessionState& state, const Edit& edit)
+bool WorkedOutOperation::mayStart(SessionState& state)
 {
-    const Result<void> checked = checkAgainst(state.document, edit);
+    if (!mayGoOn(state))
+        return false;
+    const Result<void> checked = checkAgainst(state.document, m_edit);
     if (!checked)
         giveUp(state, checked.error());
     return checked.has_value();
@@ -44,14 +50,32 @@ void WorkedOutOperation::workAside(SessionState& state, SideThread::Work work)
         std::move(work), [this](SessionState& known, const Error& error) { giveUp(known, error); });
 }
 
-void WorkedOutOperation::write(SessionState& state, const Edit& edit, Result<Listed>&& listed)
+void WorkedOutOperation::write(SessionState& state, Result<Listed>&& listed)
 {
     if (!listed)
         return giveUp(state, listed.error());
     if (!mayGoOn(state))
         return;
     m_isWriting = true;
-    std::visit([&](auto& known) { m_relabelling.write(state, edit, std::move(known)); }, *listed);
+    std::visit([&](auto& known) { m_relabelling.begin(state, m_edit, std::move(known)); }, *listed);
+    if (m_ending)
+        m_relabelling.end(state, *m_ending);
+}
+
+void WorkedOutOperation::leaveAsItIs(SessionState& state)
+{
+    m_isWriting = true;
+    if (m_ending)
+        m_relabelling.end(state, *m_ending);
+}
+
+/// Nobody waits for what was rolled back, nor hears why it has failed.
+void WorkedOutOperation::giveUp(SessionState& state, const Error& error)
+{
+    if (isRolledBack())
+        m_relabelling.leaveNoRow(state);
+    else
+        m_relabelling.giveUp(state, error);
 }
 
 void WorkedOutOperation::takeWritten(SessionState& state, EngineResult&& result)
@@ -59,10 +83,36 @@ void WorkedOutOperation::takeWritten(SessionState& state, EngineResult&& result)
     m_relabelling.takeResult(state, std::move(result));
 }
 
+bool WorkedOutOperation::isAbortable() const
+{
+    return !m_isWriting && !done() && !isRolledBack();
+}
+
 void WorkedOutOperation::abort()
 {
     if (isAbortable())
         m_watch->progress.cancel();
+}
+
+void WorkedOutOperation::end(SessionState& state, Ending ending)
+{
+    if (!open())
+        return;
+    m_ending = ending;
+    if (m_isWriting)
+        m_relabelling.end(state, ending);
+    else if (isRolledBack())
+        m_watch->progress.cancel();
+}
+
+bool WorkedOutOperation::abandon(SessionState& state, const Error& error)
+{
+    // Before that, what it waits for may never come.
+    if (!m_isWriting || !open())
+        return false;
+    state.fail(error);
+    end(state, Ending::Rollback);
+    return true;
 }
 
 } // namespace core

@@ -35,9 +35,11 @@ public:
     [[nodiscard]] virtual bool foresee(Document&) const { return true; }
 };
 
-/// An operation that first works out on the side thread what is to be changed, which may take long.
-class AbortableOperation : public Operation {
+/// What an operation is, too, that first works out on the side thread what is to be changed, which
+/// may take long.
+class AbortableWork {
 public:
+    virtual ~AbortableWork() = default;
     /// Until the engine begins to write: it ends with Cancelled and changes nothing.
     virtual void abort() = 0;
     [[nodiscard]] virtual bool isAbortable() const = 0;
@@ -46,7 +48,8 @@ public:
     [[nodiscard]] virtual int percent() const = 0;
 };
 
-/// An operation that the user continues until it is ended: an open stroke, a running growth.
+/// An operation that the user continues until it is ended: an open stroke, a running growth, a
+/// preview.
 class OpenOperation : public Operation {
 public:
     [[nodiscard]] virtual bool open() const = 0;
@@ -55,6 +58,8 @@ public:
     virtual void end(SessionState& state, Ending ending) = 0;
     [[nodiscard]] virtual const Edit& edit() const = 0;
     [[nodiscard]] virtual OpenManner manner() const = 0;
+    /// Whether questions that are asked from now on are answered with it.
+    [[nodiscard]] virtual bool hasBegun() const = 0;
     /// Whether nothing of it will remain, however it is ended.
     [[nodiscard]] virtual bool refused() const { return false; }
 };

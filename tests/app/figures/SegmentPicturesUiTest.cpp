@@ -163,6 +163,36 @@ private Q_SLOTS:
         asked.close();
     }
 
+    /// A margin around the ventricles before it is a step.
+    void margin()
+    {
+        openHead();
+        apply(test::newSegment(QStringLiteral("Ventricles"), 0x4AA3FF));
+        workspace().setActiveSegment(1);
+        apply(test::paintAt(1, {{-12.0, 0.0, z}, {-12.0, 25.0, z}}, 7.0));
+        apply(test::paintAt(1, {{12.0, 0.0, z}, {12.0, 25.0, z}}, 7.0));
+        ui::SliceView& axial = axialAlone({0.0, 8.0, z}, 0.35);
+        const QImage before = test::middleOf(axial, {240, 226});
+        window().actionTable()[QStringLiteral("segments.margin")].trigger();
+        auto& asked = dialog<ui::ReshapeDialog>();
+        QVERIFY(QTest::qWaitForWindowExposed(&asked));
+        asked.findChild<QDoubleSpinBox*>(QStringLiteral("reshapeMm"))->setValue(5.0);
+        // To settle would end what is shown before it is applied.
+        const auto* size = asked.findChild<QLabel*>(QStringLiteral("reshapeNow"));
+        QVERIFY(wait([size] { return size->text().endsWith(u')'); }));
+        for (int picture = 0; picture < 3; ++picture) {
+            QTest::qWait(2 * restMs);
+            QVERIFY(wait([this] { return window().views().refined(); }));
+        }
+        QVERIFY(test::keepCollage(
+            {{before, test::middleOf(axial, {240, 226}), asked.grab().toImage()}}, "margin.png"));
+        // What was counted in the preview is what the step comes to.
+        const QString after = size->text().section(u' ', 4, 5);
+        asked.findChild<QPushButton*>(QStringLiteral("applyReshape"))->click();
+        QVERIFY(wait([&] { return size->text() == QStringLiteral("Now: ") + after; }));
+        asked.close();
+    }
+
     /// A segment with specks and a hole, the panel that cleans it, and a margin.
     void cleanUp()
     {

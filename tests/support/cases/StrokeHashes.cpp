@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/support/cases/StrokeHashes.h"
 
+#include "core/edits/EditTask.h"
 #include "core/edits/kinds/Edit.h"
 #include "core/edits/kinds/EditParts.h"
 #include "core/edits/kinds/SurfaceEdit.h"
@@ -160,6 +161,17 @@ bool tellInPieces(EditSession& session, const core::Edit& edit, core::Ending end
         // Whatever else is done takes it back.
         session.closeOpen();
         session.poll();
+        require(session.begin(edit), "begin once more");
+        session.poll();
+    } else if (core::taskOf(edit) == core::EditTask::Islands && core::canStandOpen(edit)) {
+        // What is worked out is dropped on the way, and once it is seen.
+        require(session.begin(edit), "begin");
+        session.poll();
+        session.closeOpen();
+        require(session.begin(edit), "begin again");
+        while (session.openEdit() && !session.openHasBegun())
+            session.poll();
+        session.end(core::Ending::Rollback);
         require(session.begin(edit), "begin once more");
         session.poll();
     } else if (edit.is<core::GrowSteps>()) {

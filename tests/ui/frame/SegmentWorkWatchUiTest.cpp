@@ -74,6 +74,21 @@ private Q_SLOTS:
         QVERIFY(fixture.session().stateHash() != fixture.before);
     }
 
+    /// The dialog of a preview says how far that is; once it is taken, it is work as any other.
+    void aPreviewShowsNoBar()
+    {
+        Fixture fixture;
+        QVERIFY(fixture.session().begin(core::MirrorSegment{.segment = 1}));
+        QVERIFY(fixture.session().segmentWork().percent());
+        QTest::qWait(700);
+        QVERIFY(!fixture.bar->isVisible());
+        fixture.session().end(core::Ending::Commit);
+        QTRY_VERIFY(fixture.bar->isVisible());
+        QVERIFY(fixture.session().settle());
+        QTRY_VERIFY(!fixture.bar->isVisible());
+        QVERIFY(fixture.session().stateHash() != fixture.before);
+    }
+
     /// It goes with the study.
     void aClosedSessionShowsNone()
     {

@@ -4,6 +4,7 @@
 #include "core/session/EditSession.h"
 #include "ui/base/NumberText.h"
 #include "ui/base/Theme.h"
+#include "ui/dialogs/segment/PreviewRow.h"
 #include "ui/dialogs/segment/SegmentWorkRow.h"
 #include "ui/geometry/ViewPlane.h"
 #include "ui/menus/EditableButton.h"
@@ -69,6 +70,7 @@ BetweenSlicesDialog::BetweenSlicesDialog(Workspace& workspace, QWidget* parent)
     , m_axis(new QComboBox(this))
     , m_drawn(new FittingLabel(Qt::AlignLeft, this))
     , m_result(new QLabel(this))
+    , m_preview(new PreviewRow(workspace, QStringLiteral("between"), this))
     , m_work(new SegmentWorkRow(workspace, QStringLiteral("Between"), tr("Fill"), this))
 {
     m_axis->setObjectName(QStringLiteral("betweenAxis"));
@@ -88,6 +90,7 @@ BetweenSlicesDialog::BetweenSlicesDialog(Workspace& workspace, QWidget* parent)
     column().addWidget(m_result);
     column().addWidget(new EditableNote(workspace, this));
     column().addSpacing(theme::smallPadding);
+    column().addWidget(m_preview);
     column().addWidget(m_work);
     connect(m_axis, &QComboBox::currentIndexChanged, this, [this] {
         if (m_planes)
@@ -96,6 +99,12 @@ BetweenSlicesDialog::BetweenSlicesDialog(Workspace& workspace, QWidget* parent)
     connect(m_work, &SegmentWorkRow::asked, this, &BetweenSlicesDialog::carryOut);
     connect(m_work, &SegmentWorkRow::looked, this, &BetweenSlicesDialog::showState);
     connect(m_work, &SegmentWorkRow::closed, this, &QDialog::reject);
+    connect(&workspace, &Workspace::editableChanged, this, &BetweenSlicesDialog::follow);
+    connect(m_preview, &PreviewRow::switched, this, &BetweenSlicesDialog::follow);
+    connect(m_preview, &PreviewRow::changed, this, [this] {
+        m_work->follow();
+        showState();
+    });
 }
 
 void BetweenSlicesDialog::ask(int label)
@@ -111,12 +120,14 @@ void BetweenSlicesDialog::forgetFound()
 {
     m_planes.reset();
     m_found.reset();
+    m_preview->preview(std::nullopt); // what is looked at next is the segment without it
 }
 
 void BetweenSlicesDialog::count(const LabelFetch::Planes& planes)
 {
     m_planes = planes;
     m_found.reset();
+    follow();
     lookThrough(
         [planes, geometry = workspace().volume()->geometry, label = std::uint8_t(label()),
             axis = chosenAxis()](const core::Progress& progress) -> core::Result<Found> {
@@ -133,7 +144,10 @@ void BetweenSlicesDialog::count(const LabelFetch::Planes& planes)
             found.voxels = std::int64_t(between->voxelCount());
             return found;
         },
-        [this](const Found& found) { m_found = found; });
+        [this](const Found& found) {
+            m_found = found;
+            follow();
+        });
     showState();
 }
 
@@ -152,6 +166,7 @@ void BetweenSlicesDialog::showState()
     if (why.isEmpty() && m_found && m_found->voxels == 0)
         why = tr("there is nothing to fill");
     m_work->showWhyNot(why);
+    m_preview->showState(segment());
     showFound();
 }
 
@@ -195,9 +210,22 @@ QString BetweenSlicesDialog::drawnText(const core::DrawnSlices& drawn) const
     return tr("Drawn: %1 slices").arg(drawn.slices.size()); // of no standard plane
 }
 
+core::FillBetweenSlices BetweenSlicesDialog::chosen() const
+{
+    return {.segment = label(), .axis = chosenAxis(), .editable = workspace().editableRange()};
+}
+
+void BetweenSlicesDialog::follow()
+{
+    const bool isWanted =
+        isVisible() && m_found && m_found->voxels > 0 && whyUnchangeable(segment()).isEmpty();
+    m_preview->preview(isWanted ? std::optional<core::Edit>(chosen()) : std::nullopt);
+}
+
 void BetweenSlicesDialog::carryOut()
 {
-    fillBetweenSlices(workspace(), {.segment = label(), .axis = chosenAxis()});
+    const core::FillBetweenSlices edit = chosen();
+    fillBetweenSlices(workspace(), edit, m_preview->handOver(edit));
     m_work->follow();
     showState();
 }

@@ -15,12 +15,13 @@ class QLabel;
 namespace ui {
 
 class FittingLabel;
+class PreviewRow;
 class SegmentWorkRow;
 
 /// Fills the empty slices between the drawn slices of a segment by interpolation. Before that it
-/// shows which slices count as drawn and how many voxels would be filled. It looks again whenever
-/// the segment changes, so the user can draw one more slice where the result would not be good
-/// enough.
+/// shows which slices count as drawn and how many voxels would be filled, and all views preview
+/// them. It looks again whenever the segment changes, so the user can draw one more slice where the
+/// result would not be good enough.
 class BetweenSlicesDialog : public LabelLookDialog {
     Q_OBJECT
 
@@ -40,7 +41,9 @@ private:
     void forgetFound() override;
     void showState() override;
     void showFound();
+    void follow(); ///< updates the preview to what was found
     void carryOut();
+    [[nodiscard]] core::FillBetweenSlices chosen() const;
     /// None: the axis is found automatically.
     [[nodiscard]] std::optional<core::SliceAxis> chosenAxis() const;
     [[nodiscard]] QString drawnText(const core::DrawnSlices& drawn) const;
@@ -50,6 +53,7 @@ private:
     QComboBox* m_axis;
     FittingLabel* m_drawn;
     QLabel* m_result;
+    PreviewRow* m_preview;
     SegmentWorkRow* m_work;
 };
 

@@ -8,6 +8,12 @@
 
 namespace ui {
 
+namespace {
+
+constexpr int againMilliseconds = 300;
+
+} // namespace
+
 LabelLookDialog::LabelLookDialog(
     Workspace& workspace, const QString& title, const QString& name, QWidget* parent)
     : SegmentDialog(workspace, title, name, parent)
@@ -47,6 +53,8 @@ void LabelLookDialog::look()
     const core::Segment* about = segment();
     // What is open ends with a step, after which it is looked again.
     m_isLooking = about && !session->transactionOpen();
+    if (about && session->openIsPreview())
+        m_lookSoon.start(againMilliseconds);
     if (m_isLooking) {
         m_position = session->history().position();
         m_fetch.start(*session, {about->plane});
@@ -61,7 +69,7 @@ void LabelLookDialog::follow(const core::DocumentChange& change)
     // The history also tells when a step is on the disk.
     if (change.what == core::DocumentChange::What::History
         && m_position != workspace().session()->history().position())
-        m_lookSoon.start();
+        m_lookSoon.start(0);
     showState();
 }
 

@@ -28,7 +28,8 @@ protected:
     void hideEvent(QHideEvent* event) override;
 
     /// Drops what is known, then reads and computes again. While an edit is open nothing is read;
-    /// the step with which it ends starts the next look.
+    /// the step with which it ends starts the next look, and while there is another dialog's
+    /// preview it is tried again.
     void look();
     /// Whether labels are being read or computed on.
     [[nodiscard]] bool isLooking() const { return m_isLooking; }

@@ -3,6 +3,7 @@
 
 #include "core/session/EditSession.h"
 #include "ui/base/Theme.h"
+#include "ui/dialogs/segment/PreviewRow.h"
 #include "ui/dialogs/segment/SegmentWorkRow.h"
 #include "ui/menus/EditableButton.h"
 #include "ui/menus/SegmentMenus.h"
@@ -135,6 +136,7 @@ ReshapeDialog::ReshapeDialog(Workspace& workspace, QWidget* parent)
     , m_mm(new NumberField(this))
     , m_bySides(new QCheckBox(tr("not the same on all sides"), this))
     , m_hint(new QLabel(this))
+    , m_preview(new PreviewRow(workspace, QStringLiteral("reshape"), this))
     , m_work(new SegmentWorkRow(workspace, QStringLiteral("Reshape"), tr("Apply"), this))
 {
     m_operation->setObjectName(QStringLiteral("reshapeOperation"));
@@ -171,12 +173,20 @@ ReshapeDialog::ReshapeDialog(Workspace& workspace, QWidget* parent)
     connect(m_bySides, &QCheckBox::toggled, this, &ReshapeDialog::showSides);
     column().addWidget(new EditableNote(workspace, this));
     column().addSpacing(theme::smallPadding);
+    column().addWidget(m_preview);
     column().addWidget(m_work);
     connect(m_operation, &QComboBox::currentIndexChanged, this, &ReshapeDialog::chooseOperation);
     connect(m_work, &SegmentWorkRow::asked, this, &ReshapeDialog::carryOut);
     connect(m_work, &SegmentWorkRow::looked, this, &ReshapeDialog::showState);
     connect(m_work, &SegmentWorkRow::closed, this, &QDialog::reject);
     connect(&workspace, &Workspace::documentChanged, this, &ReshapeDialog::showState);
+    connect(&workspace, &Workspace::editableChanged, this, &ReshapeDialog::follow);
+    connect(m_mm, &QDoubleSpinBox::valueChanged, this, &ReshapeDialog::follow);
+    connect(m_preview, &PreviewRow::switched, this, &ReshapeDialog::follow);
+    connect(m_preview, &PreviewRow::changed, this, [this] {
+        m_work->follow();
+        showState();
+    });
     chooseOperation();
 }
 
@@ -189,6 +199,7 @@ void ReshapeDialog::ask(int label, core::ShapeOperation first)
     m_operation->setCurrentIndex(int(found - all.begin()));
     showState();
     bringUp();
+    follow();
     m_mm->setFocus();
     m_mm->selectAll();
 }
@@ -217,6 +228,7 @@ QWidget* ReshapeDialog::sideFields()
         name->setBuddy(mm);
         grid->addWidget(name, side / 2, side % 2 * 2);
         grid->addWidget(mm, side / 2, side % 2 * 2 + 1);
+        connect(mm, &QDoubleSpinBox::valueChanged, this, &ReshapeDialog::follow);
         m_sides.push_back(mm);
     }
     return sides;
@@ -238,6 +250,7 @@ void ReshapeDialog::showSides()
     m_bySides->setVisible(isMargin);
     fields->setVisible(show);
     m_mm->setEnabled(!show);
+    follow();
 }
 
 void ReshapeDialog::chooseOperation()
@@ -252,6 +265,7 @@ void ReshapeDialog::showState()
 {
     SegmentDialog::showState();
     m_work->showWhyNot(whyUnchangeable(segment()));
+    m_preview->showState(segment());
 }
 
 core::ReshapeSegment ReshapeDialog::chosen() const
@@ -270,14 +284,24 @@ core::ReshapeSegment ReshapeDialog::chosen() const
             .posteriorMm = m_sides[3]->value(),
             .inferiorMm = m_sides[4]->value(),
             .superiorMm = m_sides[5]->value()};
+    edit.editable = workspace().editableRange();
     return edit;
+}
+
+void ReshapeDialog::follow()
+{
+    if (isVisible())
+        m_preview->preview(whyUnchangeable(segment()).isEmpty()
+                ? std::optional<core::Edit>(chosen())
+                : std::nullopt);
 }
 
 void ReshapeDialog::carryOut()
 {
     QSettings().setValue(
         settingOf(reshapings()[std::size_t(m_operation->currentIndex())]), m_mm->value());
-    reshapeSegment(workspace(), chosen());
+    const core::ReshapeSegment edit = chosen();
+    reshapeSegment(workspace(), edit, m_preview->handOver(edit));
     m_work->follow();
     showState();
 }

@@ -13,12 +13,14 @@ class QLabel;
 
 namespace ui {
 
+class PreviewRow;
 class SegmentWorkRow;
 
 /// Grows, shrinks, hollows out, smooths or wraps a segment by a size in millimetres. It stays open
-/// beside the window, so the user can look at the result, undo it and try another size. The last
-/// size of each operation is remembered. Growing and shrinking may have a different margin on each
-/// of the patient's six sides; these start with the common margin and are not remembered.
+/// beside the window, and all views preview the result, so the user can look at it and try another
+/// size. The last size of each operation is remembered. Growing and shrinking may have a different
+/// margin on each of the patient's six sides; these start with the common margin and are not
+/// remembered.
 class ReshapeDialog : public SegmentDialog {
     Q_OBJECT
 
@@ -34,6 +36,7 @@ private:
     void chooseOperation();
     void showSides();
     void showState() override;
+    void follow(); ///< updates the preview to what is chosen
     void carryOut();
     [[nodiscard]] core::ReshapeSegment chosen() const;
 
@@ -42,6 +45,7 @@ private:
     QCheckBox* m_bySides;
     QList<QDoubleSpinBox*> m_sides; ///< right, left, anterior, posterior, inferior, superior
     QLabel* m_hint;
+    PreviewRow* m_preview;
     SegmentWorkRow* m_work;
 };
 

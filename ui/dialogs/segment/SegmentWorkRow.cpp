@@ -55,7 +55,9 @@ SegmentWorkRow::SegmentWorkRow(
 void SegmentWorkRow::showWhyNot(const QString& why)
 {
     // An impatient second click would do it all once more.
-    m_apply->setEnabled(why.isEmpty() && !percentDone());
+    const core::EditSession* session = m_workspace.session();
+    const bool isPreview = session && session->openIsPreview();
+    m_apply->setEnabled(why.isEmpty() && (isPreview || !percentDone()));
     m_apply->setToolTip(why);
 }
 
@@ -74,9 +76,10 @@ void SegmentWorkRow::focusApply()
 void SegmentWorkRow::look()
 {
     const core::EditSession* session = m_workspace.session();
-    if (!session || session->idle())
-        m_watching.stop();
     const std::optional<int> percent = percentDone();
+    // A preview stands open once it is there.
+    if (!session || session->idle() || session->openHasBegun())
+        m_watching.stop();
     m_progress->setValue(percent.value_or(0));
     m_progress->setVisible(percent.has_value());
     m_abort->setEnabled(percent.has_value());

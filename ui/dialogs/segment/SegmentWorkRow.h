@@ -24,10 +24,10 @@ public:
     /// @param text of the apply button, which is the dialog's default button
     SegmentWorkRow(Workspace& workspace, const QString& name, const QString& text, QWidget* dialog);
 
-    /// Enables the apply button if @p why is empty and nothing is being computed; otherwise shows
-    /// @p why as its tool tip.
+    /// Enables the apply button if @p why is empty and nothing is being computed but a preview;
+    /// otherwise shows @p why as its tool tip.
     void showWhyNot(const QString& why);
-    /// Starts to show the progress. Call it right after the edit was started.
+    /// Starts to show the progress. Call it right after the edit or its preview was started.
     void follow();
     /// Gives the apply button the keyboard focus.
     void focusApply();

@@ -5,8 +5,9 @@
 #include "core/session/past/FollowedInterval.h"
 #include "ui/base/NumberText.h"
 #include "ui/base/Theme.h"
+#include "ui/dialogs/segment/EditTrial.h"
 #include "ui/dialogs/segment/IntervalSuggestions.h"
-#include "ui/dialogs/segment/ThresholdTrial.h"
+#include "ui/dialogs/segment/PreviewBox.h"
 #include "ui/menus/EditableButton.h"
 #include "ui/menus/SegmentMenus.h"
 #include "ui/settings/GrowSettings.h"
@@ -42,13 +43,14 @@ QCheckBox* box(const char* name, const QString& text, const QString& tip, QWidge
 
 ThresholdDialog::ThresholdDialog(Workspace& workspace, QWidget* parent)
     : SegmentDialog(workspace, tr("Threshold"), QStringLiteral("threshold"), parent)
-    , m_trial(new ThresholdTrial(workspace, this))
+    , m_trial(new EditTrial(workspace, EditTrial::Pace::AtOnce, this))
 {
     build();
     connect(m_range, &HistogramRange::rangeEdited, this, &ThresholdDialog::follow);
     connect(m_range, &HistogramRange::rangeCancelled, this, &ThresholdDialog::follow);
     connect(m_boxed, &QCheckBox::toggled, this, [this] { m_itsBox.reset(); });
-    for (const QCheckBox* each : {m_overwrite, m_onlyVisible, m_boxed, m_preview})
+    for (const QCheckBox* each :
+        std::initializer_list<const QCheckBox*>{m_overwrite, m_onlyVisible, m_boxed, m_preview})
         connect(each, &QCheckBox::toggled, this, &ThresholdDialog::follow);
     connect(m_mode, &QComboBox::currentIndexChanged, this, &ThresholdDialog::follow);
     connect(
@@ -58,7 +60,7 @@ ThresholdDialog::ThresholdDialog(Workspace& workspace, QWidget* parent)
             follow();
         });
     connect(m_apply, &QPushButton::clicked, this, &ThresholdDialog::carryOut);
-    connect(m_trial, &ThresholdTrial::changed, this, &ThresholdDialog::showState);
+    connect(m_trial, &EditTrial::changed, this, &ThresholdDialog::showState);
     connect(&workspace, &Workspace::documentChanged, this, &ThresholdDialog::showState);
     connect(&workspace, &Workspace::clipChanged, this, [this] {
         showState();
@@ -93,9 +95,7 @@ void ThresholdDialog::build()
         tr("What is carved away stays as it is"), this);
     m_boxed = box("thresholdBoxed", tr("only in the clip box"),
         tr("What lies outside of the clip box stays as it is"), this);
-    m_preview = box("thresholdPreview", tr("preview"),
-        tr("Show in all views what becomes of the segment"), this);
-    m_preview->setChecked(true);
+    m_preview = new PreviewBox(QStringLiteral("threshold"), this);
     m_now = new QLabel(this);
     m_now->setObjectName(QStringLiteral("thresholdNow"));
     m_now->setFont(theme::smallFont());
@@ -181,10 +181,8 @@ void ThresholdDialog::takeFollowed()
 
 void ThresholdDialog::setVisible(bool visible)
 {
-    if (!visible) {
+    if (!visible)
         m_suggestions->stopPicking();
-        m_trial->drop();
-    }
     QDialog::setVisible(visible);
 }
 
@@ -259,8 +257,11 @@ void ThresholdDialog::limitEditing()
 
 void ThresholdDialog::carryOut()
 {
-    if (workspace().session())
-        m_trial->take(chosen());
+    if (!workspace().session())
+        return;
+    const core::ThresholdSegment edit = chosen();
+    takeThreshold(workspace(), edit, m_trial->handOver(edit));
+    showState();
 }
 
 } // namespace ui

@@ -13,12 +13,13 @@ class QPushButton;
 
 namespace ui {
 
+class EditTrial;
 class HistogramRange;
 class IntervalSuggestions;
-class ThresholdTrial;
+class PreviewBox;
 
 /// Sets a segment to the voxels whose values lie in an interval, or adds or removes these voxels.
-/// While it is open, all views preview the result (ThresholdTrial). It stays open beside the
+/// While it is open, all views preview the result (EditTrial). It stays open beside the
 /// window, so the user can look at the result and try another interval.
 class ThresholdDialog : public SegmentDialog {
     Q_OBJECT
@@ -42,7 +43,7 @@ private:
     [[nodiscard]] std::optional<core::ThresholdSegment> followed() const;
     [[nodiscard]] core::ThresholdSegment chosen() const;
 
-    ThresholdTrial* m_trial;
+    EditTrial* m_trial;
     bool m_isFresh = true; ///< no interval was chosen in this study yet
     /// The box of the interval that the segment follows; none: limiting to a box means the clip
     /// box.
@@ -54,7 +55,7 @@ private:
     QCheckBox* m_overwrite = nullptr;
     QCheckBox* m_onlyVisible = nullptr;
     QCheckBox* m_boxed = nullptr;
-    QCheckBox* m_preview = nullptr;
+    PreviewBox* m_preview = nullptr;
     QLabel* m_now = nullptr; ///< the segment's size, in the preview and at present
     QPushButton* m_limit = nullptr;
     QPushButton* m_apply = nullptr;

@@ -142,9 +142,9 @@ void GenerationSection::goTo(int generation)
 
 void GenerationSection::end(bool kept)
 {
-    // What is open may be a threshold by now, which its dialog shows.
+    // What is open may be a preview by now, which its dialog shows.
     if (core::EditSession* session = m_workspace.session();
-        session && session->transactionOpen() && !session->isOpen<core::ThresholdSegment>())
+        session && session->transactionOpen() && !session->openIsPreview())
         session->end(kept ? core::Ending::Commit : core::Ending::Rollback);
     followPlane();
     m_countLater.start();

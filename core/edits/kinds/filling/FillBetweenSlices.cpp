@@ -8,6 +8,7 @@
 #include "core/edits/engine/EditableRanges.h"
 #include "core/edits/engine/EngineEdits.h"
 #include "core/edits/engine/ListedRuns.h"
+#include "core/edits/open/OpenStroke.h"
 #include "core/morphology/BetweenSlices.h"
 
 namespace core {
@@ -26,7 +27,13 @@ Result<bool> apply(const FillBetweenSlices&, Document&)
 
 EditEffects effects(const FillBetweenSlices& edit)
 {
-    return workedOutEffects(edit.segment, namesPlaces(edit.editable));
+    return workedOutEffects(edit.segment, namesPlaces(edit.editable), opens<FillBetweenSlices>());
+}
+
+/// A preview, for the user to decide.
+OpenManner openManner(const FillBetweenSlices&)
+{
+    return {.withoutPen = true, .endsIfRefused = true};
 }
 
 RowTitle rowTitle(const FillBetweenSlices& edit, const RowFacts& row)

@@ -30,6 +30,7 @@ Result<bool> apply(const FillBetweenSlices& edit, Document& document);
 [[nodiscard]] RowTitle rowTitle(const FillBetweenSlices& edit, const RowFacts& row);
 [[nodiscard]] EditDependencies dependencies(
     const FillBetweenSlices& edit, const DependencyFacts& row);
+[[nodiscard]] OpenManner openManner(const FillBetweenSlices& edit);
 
 /// The command that carries out the edit; without bricks if there is nothing to do. It takes only
 /// voxels that no segment has.

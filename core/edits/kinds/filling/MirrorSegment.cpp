@@ -9,6 +9,7 @@
 #include "core/edits/engine/EditableRanges.h"
 #include "core/edits/engine/EngineEdits.h"
 #include "core/edits/engine/ListedRuns.h"
+#include "core/edits/open/OpenStroke.h"
 #include "core/morphology/SidedBall.h"
 
 #include <cmath>
@@ -62,7 +63,14 @@ Result<bool> apply(const MirrorSegment&, Document&)
 
 EditEffects effects(const MirrorSegment& edit)
 {
-    return workedOutEffects(edit.segment, edit.placeLps.has_value() || namesPlaces(edit.editable));
+    return workedOutEffects(edit.segment, edit.placeLps.has_value() || namesPlaces(edit.editable),
+        opens<MirrorSegment>());
+}
+
+/// A preview, for the user to decide.
+OpenManner openManner(const MirrorSegment&)
+{
+    return {.withoutPen = true, .endsIfRefused = true};
 }
 
 RowTitle rowTitle(const MirrorSegment& edit, const RowFacts& row)

@@ -37,6 +37,7 @@ Result<bool> apply(const MirrorSegment& edit, Document& document);
 [[nodiscard]] EditEffects effects(const MirrorSegment& edit);
 [[nodiscard]] RowTitle rowTitle(const MirrorSegment& edit, const RowFacts& row);
 [[nodiscard]] EditDependencies dependencies(const MirrorSegment& edit, const DependencyFacts& row);
+[[nodiscard]] OpenManner openManner(const MirrorSegment& edit);
 
 /// The command that carries out the edit; without bricks if there is nothing to do.
 /// @param labels one for each voxel of the volume in the segment's plane, x fastest

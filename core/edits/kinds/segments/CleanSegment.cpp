@@ -9,6 +9,7 @@
 #include "core/edits/engine/EngineEdits.h"
 #include "core/edits/engine/IslandSizes.h"
 #include "core/edits/engine/ListedRuns.h"
+#include "core/edits/open/OpenStroke.h"
 
 #include <limits>
 
@@ -105,10 +106,16 @@ Result<bool> apply(const CleanSegment&, Document&)
 EditEffects effects(const CleanSegment& edit)
 {
     return {.task = EditTask::Islands,
-        .standsOpen = false,
+        .standsOpen = opens<CleanSegment>(),
         .writesTo = edit.segment,
         .fills = {.label = edit.to.value_or(edit.segment)},
         .boundToStudy = edit.islandLps.has_value() || namesPlaces(edit.editable)};
+}
+
+/// A preview, for the user to decide.
+OpenManner openManner(const CleanSegment&)
+{
+    return {.withoutPen = true, .endsIfRefused = true};
 }
 
 RowTitle rowTitle(const CleanSegment& edit, const RowFacts& row)

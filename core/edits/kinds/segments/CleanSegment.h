@@ -37,6 +37,7 @@ Result<bool> apply(const CleanSegment& edit, Document& document);
 [[nodiscard]] EditEffects effects(const CleanSegment& edit);
 [[nodiscard]] RowTitle rowTitle(const CleanSegment& edit, const RowFacts& row);
 [[nodiscard]] EditDependencies dependencies(const CleanSegment& edit, const DependencyFacts& row);
+[[nodiscard]] OpenManner openManner(const CleanSegment& edit);
 
 /// The command that carries out the edit; without bricks if there is nothing to do. Holes are
 /// filled only where no segment is.

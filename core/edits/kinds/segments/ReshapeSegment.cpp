@@ -8,6 +8,7 @@
 #include "core/edits/engine/EditableRanges.h"
 #include "core/edits/engine/EngineEdits.h"
 #include "core/edits/engine/ListedRuns.h"
+#include "core/edits/open/OpenStroke.h"
 #include "core/morphology/GaussianShape.h"
 #include "core/morphology/GridGaussian.h"
 #include "core/morphology/MillimetreBall.h"
@@ -201,7 +202,13 @@ Result<bool> apply(const ReshapeSegment&, Document&)
 
 EditEffects effects(const ReshapeSegment& edit)
 {
-    return workedOutEffects(edit.segment, namesPlaces(edit.editable));
+    return workedOutEffects(edit.segment, namesPlaces(edit.editable), opens<ReshapeSegment>());
+}
+
+/// A preview, for the user to decide.
+OpenManner openManner(const ReshapeSegment&)
+{
+    return {.withoutPen = true, .endsIfRefused = true};
 }
 
 RowTitle rowTitle(const ReshapeSegment& edit, const RowFacts& row)

@@ -56,6 +56,7 @@ Result<bool> apply(const ReshapeSegment& edit, Document& document);
 [[nodiscard]] EditEffects effects(const ReshapeSegment& edit);
 [[nodiscard]] RowTitle rowTitle(const ReshapeSegment& edit, const RowFacts& row);
 [[nodiscard]] EditDependencies dependencies(const ReshapeSegment& edit, const DependencyFacts& row);
+[[nodiscard]] OpenManner openManner(const ReshapeSegment& edit);
 
 /// The command that carries out an edit without `with`; without bricks if there is nothing to do.
 /// It takes only voxels that no segment has.

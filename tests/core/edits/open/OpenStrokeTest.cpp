@@ -31,6 +31,8 @@ static_assert(!hasOpenStroke<ScissorsCut> && !hasOpenStroke<SeedStroke>);
 static_assert(isSurfaceTool<SpherePush> && !isSurfaceTool<BrushStroke>);
 static_assert(!isSurfaceTool<ApplyTemplate> && hasOpenManner<ApplyTemplate>);
 static_assert(!isSurfaceTool<LaySurface> && !hasOpenManner<LaySurface>);
+static_assert(hasOpenManner<ReshapeSegment> && hasOpenManner<FillBetweenSlices>);
+static_assert(!hasOpenManner<SplitIslands> && !hasOpenManner<FloodFill>);
 
 namespace {
 
@@ -49,7 +51,7 @@ template <class E> void checkKind()
     QVERIFY2(!isTold || taskOf(edit) == EditTask::Engine, name.constData());
     QVERIFY2(
         canStandOpen(edit) == (isTold || isSurfaceTool<E> || hasOpenManner<E>), name.constData());
-    QVERIFY2(canStandOpen(edit) || !surfaceMannerOf(edit).withoutPen, name.constData());
+    QVERIFY2(canStandOpen(edit) || !openMannerOf(edit).withoutPen, name.constData());
 }
 
 template <class... Es> void checkKinds(EditKinds<Es...>)
@@ -151,8 +153,15 @@ private Q_SLOTS:
         Edit whole = ShrinkAt(), open = ShrinkAt{.steps = 1};
         QVERIFY(!canStandOpen(whole) && !openStrokeOf(whole));
         QVERIFY(canStandOpen(open) && openStrokeOf(open));
-        QVERIFY(surfaceMannerOf(ApplyTemplate()).withoutPen);
-        QVERIFY(!surfaceMannerOf(SpherePush()).withoutPen);
+        QVERIFY(openMannerOf(ApplyTemplate()).withoutPen);
+        QVERIFY(!openMannerOf(SpherePush()).withoutPen);
+        // What is worked out first is a preview as a threshold is.
+        for (const Edit& edit : std::vector<Edit>{
+                 CleanSegment(), ReshapeSegment(), FillBetweenSlices(), MirrorSegment()}) {
+            const OpenManner manner = openMannerOf(edit);
+            QVERIFY(manner.withoutPen && manner.endsIfRefused && !manner.keepsForNext);
+            QVERIFY(manner.usualEnding == Ending::Rollback);
+        }
         QCOMPARE(openCases().size(), openKinds(AllEdits()));
     }
 

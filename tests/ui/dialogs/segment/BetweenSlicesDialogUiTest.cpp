@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/dialogs/segment/BetweenSlicesDialog.h"
 
+#include "core/edits/kinds/filling/MirrorSegment.h"
+#include "core/growth/ProbedVoxel.h"
 #include "core/session/SegmentWork.h"
+#include "core/session/questions/VoxelQuestions.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/fixtures/WindowFixture.h"
 #include "tests/support/program/TestProgram.h"
@@ -9,12 +12,16 @@
 #include "tests/support/scenes/SmallStudy.h"
 #include "ui/base/NumberText.h"
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QLabel>
 #include <QPushButton>
+#include <QSettings>
 #include <QSignalSpy>
 #include <QTimer>
 #include <QtTest>
+
+#include <memory>
 
 namespace betweenSlicesDialogUiTest {
 
@@ -53,6 +60,19 @@ struct Fixture : test::WindowFixture {
         return *window.findChild<ui::BetweenSlicesDialog*>();
     }
 
+    /// The label in the middle of a slice now, also in what is no step yet.
+    [[nodiscard]] int labelIn(int slice)
+    {
+        const auto label = std::make_shared<int>(-1);
+        session().questions().probe({glm::ivec3(20, 18, slice)},
+            [label](const core::Result<std::vector<core::ProbedVoxel>>& probes) {
+                if (probes && !probes->empty())
+                    *label = probes->front().label;
+            });
+        session().poll();
+        return *label;
+    }
+
     QTimer wakeUp;
 };
 
@@ -72,7 +92,11 @@ class BetweenSlicesDialogUiTest : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void init() { test::failOnUnexpectedMessages(); }
+    void init()
+    {
+        test::failOnUnexpectedMessages();
+        QSettings().remove(QStringLiteral("between"));
+    }
 
     /// It says what is drawn and how much lies between; what it said is what it fills.
     void saysWhatItFills()
@@ -112,6 +136,67 @@ private Q_SLOTS:
         QTRY_COMPARE(textOf(dialog, "betweenResult"), promised);
         QVERIFY(buttonOf(dialog, "applyBetween").isEnabled());
         QCOMPARE(fixture.voxels(), before);
+    }
+
+    /// Seen before it is filled, anew with every slice that is drawn, and taken as it is seen.
+    void isSeenBeforeItIsFilled()
+    {
+        Fixture fixture;
+        const std::int64_t before = fixture.voxels();
+        const std::size_t rows = fixture.rows();
+        ui::BetweenSlicesDialog& dialog = fixture.opened();
+        QTRY_VERIFY(textOf(dialog, "betweenNow").endsWith(u')'));
+        QVERIFY(fixture.session().isOpen<core::FillBetweenSlices>());
+        QCOMPARE(fixture.labelIn(12), 1);
+        QCOMPARE(fixture.rows(), rows);
+        QCOMPARE(fixture.voxels(), before);
+        const QString promised = textOf(dialog, "betweenResult");
+        QVERIFY(promised.startsWith(QStringLiteral("Fills 7 empty slices")));
+
+        // One more slice: the preview goes, and comes again with it.
+        fixture.draw(12, 1.2);
+        QVERIFY(!fixture.session().openEdit());
+        QCOMPARE(fixture.labelIn(11), 0);
+        QTRY_VERIFY(textOf(dialog, "betweenResult").startsWith(QStringLiteral("Fills 6")));
+        QTRY_VERIFY(textOf(dialog, "betweenNow").endsWith(u')'));
+        QCOMPARE(fixture.labelIn(11), 1);
+        auto* box = dialog.findChild<QCheckBox*>(QStringLiteral("betweenPreview"));
+        box->setChecked(false);
+        QVERIFY(!fixture.session().openEdit());
+        QCOMPARE(fixture.labelIn(11), 0);
+        QVERIFY(textOf(dialog, "betweenNow").startsWith(QStringLiteral("Now: ")));
+        box->setChecked(true);
+        QTRY_COMPARE(fixture.labelIn(11), 1);
+
+        QTest::mouseClick(&buttonOf(dialog, "applyBetween"), Qt::LeftButton);
+        QVERIFY(!fixture.session().openEdit() && fixture.session().settle());
+        QCOMPARE(fixture.rows(), rows + 2);
+        QCOMPARE(fixture.labelIn(11), 1);
+        Fixture recipe;
+        recipe.draw(12, 1.2);
+        recipe.apply(core::FillBetweenSlices{.segment = 1});
+        QCOMPARE(fixture.session().stateHash(), recipe.session().stateHash());
+        // Nothing is left to be filled; undone, it is seen again until the dialog closes.
+        QTRY_VERIFY(!buttonOf(dialog, "applyBetween").isEnabled());
+        QVERIFY(fixture.session().undo());
+        QTRY_COMPARE(fixture.labelIn(11), 0);
+        QTRY_COMPARE(fixture.labelIn(11), 1);
+        dialog.reject();
+        QVERIFY(!fixture.session().openEdit());
+        QCOMPARE(fixture.labelIn(11), 0);
+        QCOMPARE(fixture.rows(), rows + 2);
+    }
+
+    /// While another preview is seen it cannot look; it does once that is gone.
+    void looksWhenAnotherPreviewIsGone()
+    {
+        Fixture fixture;
+        QVERIFY(fixture.session().begin(core::MirrorSegment{.segment = 1}));
+        const ui::BetweenSlicesDialog& dialog = fixture.opened();
+        QTRY_VERIFY(fixture.session().openHasBegun());
+        QVERIFY(textOf(dialog, "betweenResult").isEmpty());
+        fixture.session().end(core::Ending::Rollback);
+        QTRY_COMPARE(textOf(dialog, "betweenDrawn"), QStringLiteral("Drawn: axial slices 9, 17"));
     }
 
     /// Another slice, another axis: it follows both.

@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/dialogs/segment/ReshapeDialog.h"
 
+#include "core/brick/ThreadWithoutVoxels.h"
 #include "core/edits/kinds/segments/RemoveSegment.h"
 #include "core/edits/kinds/segments/ReshapeSegment.h"
 #include "core/session/SegmentWork.h"
+#include "core/session/past/LabelReader.h"
+#include "core/session/questions/VoxelQuestions.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/fixtures/WindowFixture.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/PlainEdits.h"
 #include "tests/support/scenes/SmallStudy.h"
+#include "ui/base/NumberText.h"
 #include "ui/panels/lists/SegmentsPanel.h"
 
 #include <QApplication>
@@ -25,6 +29,7 @@
 #include <QtTest>
 
 #include <algorithm>
+#include <memory>
 
 namespace reshapeDialogUiTest {
 
@@ -42,6 +47,11 @@ struct Fixture : test::WindowFixture {
                  test::paintAt(2, test::pointsInBone(), 1.5)})
             apply(edit);
         workspace.setActiveSegment(1);
+        // As the engine's thread wakes the window in the program.
+        QObject::connect(&wakeUp, &QTimer::timeout, [this] {
+            if (core::EditSession* open = workspace.session())
+                open->poll();
+        });
     }
     [[nodiscard]] std::int64_t voxels(int label)
     {
@@ -55,6 +65,36 @@ struct Fixture : test::WindowFixture {
         window.actionTable()[QLatin1String(action)].trigger();
         return *dialog();
     }
+    /// The labels as they are seen, also in what is no step yet.
+    [[nodiscard]] std::vector<std::uint8_t> labels()
+    {
+        const auto reader =
+            std::make_shared<core::LabelReader>(workspace.volume()->geometry.size, 0);
+        bool isAsked = true;
+        while (isAsked) {
+            bool isAnswered = false;
+            isAsked = session().questions().readOn(
+                reader, [&isAnswered](const core::Result<void>&) { isAnswered = true; });
+            while (isAsked && !isAnswered)
+                session().poll();
+        }
+        const core::VoxelsAllowed allowed; // the study is a small one
+        return reader->takeLabels();
+    }
+    /// With nobody to wake the window, so that what is worked out stays so.
+    [[nodiscard]] bool waitUntilItIsWorkedOut()
+    {
+        wakeUp.stop();
+        return QTest::qWaitFor([this] { return session().isOpen<core::ReshapeSegment>(); })
+            && !session().openHasBegun();
+    }
+    [[nodiscard]] QString sizeOf(std::int64_t voxels)
+    {
+        return ui::volumeText(
+            double(voxels) * workspace.volume()->geometry.voxelVolumeMm3() / 1000.0);
+    }
+
+    QTimer wakeUp;
 };
 
 QComboBox& operationOf(const QWidget& dialog)
@@ -75,6 +115,17 @@ QPushButton& buttonOf(const QWidget& dialog, const char* name)
 QString whoseOf(const QWidget& dialog)
 {
     return dialog.findChild<QLabel*>(QStringLiteral("reshapeWhose"))->text();
+}
+
+QCheckBox& previewOf(const QWidget& dialog)
+{
+    return *dialog.findChild<QCheckBox*>(QStringLiteral("reshapePreview"));
+}
+
+/// What it says of the segment's size.
+QString nowOf(const QWidget& dialog)
+{
+    return dialog.findChild<QLabel*>(QStringLiteral("reshapeNow"))->text();
 }
 
 void press(QPushButton& button)
@@ -276,6 +327,164 @@ private Q_SLOTS:
             QStringLiteral("Smooth by majority"));
         QCOMPARE(whoseOf(*fixture.dialog()), QStringLiteral("Brain"));
         QCOMPARE(fixture.window.findChildren<ui::ReshapeDialog*>().size(), 1);
+    }
+
+    /// Seen before it is a step, with its size; taken as it is seen, and the recipe's equal.
+    void isSeenBeforeItIsAStep()
+    {
+        Fixture fixture;
+        fixture.wakeUp.start(10);
+        const std::vector<std::uint8_t> first = fixture.labels();
+        const std::int64_t before = fixture.voxels(1);
+        const std::size_t rows = fixture.rows();
+        ui::ReshapeDialog& dialog = fixture.opened("segments.margin");
+        QCOMPARE(nowOf(dialog), QStringLiteral("Preview: %1 → …").arg(fixture.sizeOf(before)));
+        QTRY_VERIFY2(nowOf(dialog).endsWith(u')'), qPrintable(nowOf(dialog)));
+        const std::vector<std::uint8_t> seen = fixture.labels();
+        const std::int64_t after = std::count(seen.begin(), seen.end(), std::uint8_t(1));
+        QVERIFY(after > before && seen != first);
+        QCOMPARE(nowOf(dialog),
+            QStringLiteral("Preview: %1 → %2 (+%3)")
+                .arg(
+                    fixture.sizeOf(before), fixture.sizeOf(after), fixture.sizeOf(after - before)));
+        QCOMPARE(fixture.rows(), rows);
+        QCOMPARE(fixture.voxels(1), before);
+        QVERIFY(fixture.session().openIsPreview());
+
+        QSignalSpy said(&fixture.workspace, &ui::Workspace::said);
+        press(buttonOf(dialog, "applyReshape"));
+        QVERIFY(!fixture.session().openEdit());
+        QVERIFY(fixture.session().settle());
+        QTRY_COMPARE(said.size(), 1);
+        QCOMPARE(fixture.rows(), rows + 1);
+        QCOMPARE(fixture.labels(), seen);
+        QCOMPARE(said.front().front().toString(),
+            fixture.lastRow().name + QStringLiteral("; Ctrl+Z takes it back"));
+        QTRY_COMPARE(nowOf(dialog), QStringLiteral("Now: %1").arg(fixture.sizeOf(after)));
+        Fixture recipe;
+        recipe.apply(core::ReshapeSegment{.segment = 1, .mm = 2.0});
+        QCOMPARE(fixture.session().stateHash(), recipe.session().stateHash());
+        // What was taken is not done once more by itself.
+        QTest::qWait(500);
+        QVERIFY(!fixture.session().openEdit());
+        QVERIFY(fixture.session().undo() && fixture.session().settle());
+        QCOMPARE(fixture.labels(), first);
+        QTRY_COMPARE(nowOf(dialog), QStringLiteral("Now: %1").arg(fixture.sizeOf(before)));
+    }
+
+    /// It follows the fields; switched off, closed, or when anything else is done, all is as
+    /// before.
+    void thePreviewFollows()
+    {
+        Fixture fixture;
+        fixture.wakeUp.start(10);
+        const std::vector<std::uint8_t> first = fixture.labels();
+        const QByteArray hash = fixture.session().stateHash();
+        const std::size_t rows = fixture.rows();
+        ui::ReshapeDialog& dialog = fixture.opened("segments.margin");
+        const auto seen = [&](double mm) {
+            return QTest::qWaitFor([&] {
+                const core::Edit* open = fixture.session().openEdit();
+                const auto* edit = open ? open->as<core::ReshapeSegment>() : nullptr;
+                return edit && edit->mm == mm && nowOf(dialog).endsWith(u')');
+            });
+        };
+        QVERIFY(seen(2.0));
+        const std::vector<std::uint8_t> byTwo = fixture.labels();
+        mmOf(dialog).setValue(3.0);
+        QVERIFY(nowOf(dialog).endsWith(QStringLiteral("→ …")));
+        QVERIFY(seen(3.0) && fixture.labels() != byTwo);
+        mmOf(dialog).setValue(2.0);
+        QVERIFY(seen(2.0) && fixture.labels() == byTwo);
+        operationOf(dialog).setCurrentText(QStringLiteral("Shrink by a margin"));
+        QVERIFY(QTest::qWaitFor([&] { return nowOf(dialog).contains(QStringLiteral("(−")); }));
+        QVERIFY(fixture.labels() != byTwo);
+        previewOf(dialog).setChecked(false);
+        QVERIFY(!fixture.session().openEdit());
+        QCOMPARE(fixture.labels(), first);
+        QVERIFY(nowOf(dialog).startsWith(QStringLiteral("Now: ")));
+        mmOf(dialog).setValue(1.0);
+        QTest::qWait(500);
+        QVERIFY(!fixture.session().openEdit());
+        previewOf(dialog).setChecked(true);
+        QVERIFY(seen(1.0));
+        dialog.reject();
+        QVERIFY(!fixture.session().openEdit() && fixture.session().settle());
+        QCOMPARE(fixture.session().stateHash(), hash);
+        QCOMPARE(fixture.rows(), rows);
+
+        // What is done meanwhile takes it back; the next change of a field shows it again.
+        QVERIFY(&fixture.opened("segments.margin") == &dialog);
+        QVERIFY(seen(2.0));
+        fixture.apply(test::addSegment("Third"));
+        QVERIFY(!fixture.session().openEdit());
+        QCOMPARE(fixture.labels(), first);
+        QTRY_VERIFY(nowOf(dialog).startsWith(QStringLiteral("Now: ")));
+        mmOf(dialog).setValue(2.5);
+        QVERIFY(seen(2.5));
+        dialog.close();
+        QVERIFY(!fixture.session().openEdit());
+        QCOMPARE(fixture.rows(), rows + 1);
+    }
+
+    void theBoxIsRemembered()
+    {
+        for (const bool isOn : {true, false, true}) {
+            Fixture fixture;
+            ui::ReshapeDialog& dialog = fixture.opened("segments.margin");
+            QCOMPARE(previewOf(dialog).isChecked(), isOn);
+            previewOf(dialog).setChecked(!isOn);
+        }
+    }
+
+    /// What is being worked out is taken, too: nothing is begun anew.
+    void takenWhileItIsWorkedOut()
+    {
+        Fixture fixture;
+        ui::ReshapeDialog& dialog = fixture.opened("segments.margin");
+        QVERIFY(fixture.waitUntilItIsWorkedOut());
+        QPushButton& apply = buttonOf(dialog, "applyReshape");
+        QVERIFY(apply.isEnabled() && buttonOf(dialog, "abortReshape").isEnabled());
+        apply.click();
+        QVERIFY(!fixture.session().openEdit() && fixture.session().segmentWork().percent());
+        QVERIFY(!apply.isEnabled());
+        const std::size_t rows = fixture.rows();
+        QVERIFY(fixture.session().settle());
+        QCOMPARE(fixture.rows(), rows + 1);
+        Fixture recipe;
+        recipe.apply(core::ReshapeSegment{.segment = 1, .mm = 2.0});
+        QCOMPARE(fixture.session().stateHash(), recipe.session().stateHash());
+    }
+
+    /// Another field, or Abort, drops it at once; only who aborts is told.
+    void whatIsWorkedOutIsDropped()
+    {
+        Fixture fixture;
+        const QByteArray hash = fixture.session().stateHash();
+        ui::ReshapeDialog& dialog = fixture.opened("segments.margin");
+        QVERIFY(fixture.waitUntilItIsWorkedOut());
+        QSignalSpy failed(&fixture.workspace, &ui::Workspace::failed);
+        mmOf(dialog).setValue(4.0);
+        QVERIFY(!fixture.session().openEdit() && !fixture.session().segmentWork().percent());
+        QVERIFY(fixture.waitUntilItIsWorkedOut());
+        QCOMPARE(fixture.session().openEdit()->get<core::ReshapeSegment>().mm, 4.0);
+        QCOMPARE(failed.size(), 0);
+        fixture.wakeUp.start(10);
+        QTRY_VERIFY(nowOf(dialog).endsWith(u')'));
+        mmOf(dialog).setValue(3.0);
+        fixture.wakeUp.stop();
+        QVERIFY(QTest::qWaitFor(
+            [&] { return fixture.session().openEdit() && !fixture.session().openHasBegun(); }));
+        fixture.session().poll(); // the one before is gone
+        QTRY_VERIFY(buttonOf(dialog, "abortReshape").isEnabled());
+        buttonOf(dialog, "abortReshape").click();
+        fixture.wakeUp.start(10);
+        QTRY_COMPARE(failed.size(), 1);
+        QVERIFY(!fixture.session().openEdit() && !fixture.session().settle());
+        QCOMPARE(fixture.session().stateHash(), hash);
+        QTRY_VERIFY(nowOf(dialog).startsWith(QStringLiteral("Now: ")));
+        QTRY_VERIFY(!buttonOf(dialog, "abortReshape").isEnabled());
+        QVERIFY(buttonOf(dialog, "applyReshape").isEnabled());
     }
 
     /// What cannot be changed says why; what has nothing to be done is told.

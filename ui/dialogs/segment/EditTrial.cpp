@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ui/dialogs/segment/ThresholdTrial.h"
+#include "ui/dialogs/segment/EditTrial.h"
 
+#include "core/edits/EditJson.h"
+#include "core/edits/EditTask.h"
+#include "core/edits/kinds/values/ThresholdSegment.h"
 #include "core/session/EditSession.h"
 #include "core/session/past/LabelReader.h"
 #include "core/session/questions/VoxelQuestions.h"
-#include "ui/workspace/SegmentActions.h"
 #include "ui/workspace/Workspace.h"
 
+#include <QDialog>
 #include <QPointer>
 
 #include <utility>
@@ -16,59 +19,80 @@ namespace ui {
 namespace {
 
 constexpr int soonMilliseconds = 30;
+constexpr int restMilliseconds = 300;
 constexpr int laterMilliseconds = 200; ///< while a stroke is under the pen
 constexpr int countMilliseconds = 150; ///< a handle that is dragged goes on sooner than this
 
+/// Of this dialog or of another one.
+bool isTrial(const core::Edit& open)
+{
+    return open.is<core::ThresholdSegment>() || core::taskOf(open) == core::EditTask::Islands;
+}
+
 } // namespace
 
-ThresholdTrial::ThresholdTrial(Workspace& workspace, QObject* parent)
-    : QObject(parent)
+EditTrial::EditTrial(Workspace& workspace, Pace pace, QDialog* dialog)
+    : QObject(dialog)
     , m_workspace(workspace)
+    , m_pace(pace)
 {
     m_soon.setSingleShot(true);
-    connect(&m_soon, &QTimer::timeout, this, &ThresholdTrial::begin);
+    connect(&m_soon, &QTimer::timeout, this, &EditTrial::begin);
     m_countSoon.setSingleShot(true);
     m_countSoon.setInterval(countMilliseconds);
-    connect(&m_countSoon, &QTimer::timeout, this, &ThresholdTrial::count);
-    connect(&workspace, &Workspace::sessionClosing, this, &ThresholdTrial::drop);
+    connect(&m_countSoon, &QTimer::timeout, this, &EditTrial::count);
+    connect(&workspace, &Workspace::sessionClosing, this, &EditTrial::drop);
+    connect(dialog, &QDialog::finished, this, &EditTrial::drop);
 }
 
-bool ThresholdTrial::isOpen() const
+bool EditTrial::isOpen() const
 {
     const core::EditSession* session = m_workspace.session();
-    return m_shown && session && session->isOpen<core::ThresholdSegment>();
+    const core::Edit* open = session ? session->openEdit() : nullptr;
+    return m_shown && open && open->kind() == m_shown->kind();
 }
 
-std::optional<std::int64_t> ThresholdTrial::voxels() const
+/// Whether that edit is the one that is shown, or being worked out.
+bool EditTrial::isOf(const core::Edit& edit) const
+{
+    return isOpen() && core::editToJson(*m_shown) == core::editToJson(edit);
+}
+
+std::optional<std::int64_t> EditTrial::voxels() const
 {
     // Another edit may have taken the preview back; or it is about to be another one.
     return isOpen() && !m_wanted ? m_voxels : std::nullopt;
 }
 
-bool ThresholdTrial::isCounting() const
+bool EditTrial::isCounting() const
 {
     return m_wanted || (isOpen() && (m_countSoon.isActive() || m_reader));
 }
 
-void ThresholdTrial::show(const core::ThresholdSegment& edit)
+void EditTrial::show(const core::Edit& edit)
 {
     m_wanted = edit;
-    if (!m_soon.isActive())
+    if (m_pace == Pace::AtRest) {
+        // What is seen stays until there is something else to be seen.
+        if (isOpen() && !m_workspace.session()->openHasBegun() && !isOf(edit))
+            rollBack();
+        m_soon.start(restMilliseconds);
+    } else if (!m_soon.isActive()) {
         m_soon.start(soonMilliseconds);
+    }
     Q_EMIT changed();
 }
 
-void ThresholdTrial::begin()
+void EditTrial::begin()
 {
     core::EditSession* session = m_workspace.session();
     if (!session || !m_wanted)
         return;
-    // The one before is taken back by another one. A growth that stands open is left to its user.
-    const bool isTaken = session->transactionOpen() && !session->isOpen<core::ThresholdSegment>();
-    if (isTaken)
+    // A growth or a stroke that stands open is left to its user.
+    if (const core::Edit* open = session->openEdit(); open && !isTrial(*open))
         return m_soon.start(laterMilliseconds);
-    const core::ThresholdSegment wanted = *std::exchange(m_wanted, std::nullopt);
-    if (!isOpen() || *m_shown != wanted) {
+    const core::Edit wanted = *std::exchange(m_wanted, std::nullopt);
+    if (!isOf(wanted)) {
         m_shown.reset();
         stopCounting();
         if (session->begin(wanted)) {
@@ -79,14 +103,15 @@ void ThresholdTrial::begin()
     Q_EMIT changed();
 }
 
-void ThresholdTrial::count()
+void EditTrial::count()
 {
     const core::EditSession* session = m_workspace.session();
-    const core::Segment* segment =
-        isOpen() ? session->document().segment(m_shown->segment) : nullptr;
+    const std::optional<int> label =
+        isOpen() ? core::effectsOf(*m_shown).writesTo : std::optional<int>();
+    const core::Segment* segment = label ? session->document().segment(*label) : nullptr;
     if (!segment) {
         Q_EMIT changed();
-    } else if (m_hasBegun && session->growthProgress().running) {
+    } else if (!session->openHasBegun() || (m_hasBegun && session->growthProgress().running)) {
         m_countSoon.start();
     } else {
         m_reader = std::make_shared<core::LabelReader>(
@@ -100,7 +125,7 @@ void ThresholdTrial::count()
 
 /// Large volumes are gone through in slices of time, and questions are answered in between. Whether
 /// that is going on is known only when the engine has begun, which is when it answers a question.
-void ThresholdTrial::awaitBegin()
+void EditTrial::awaitBegin()
 {
     // One that has read nothing yet always has something to ask.
     static_cast<void>(m_workspace.session()->questions().readOn(
@@ -116,7 +141,7 @@ void ThresholdTrial::awaitBegin()
         }));
 }
 
-void ThresholdTrial::readOn()
+void EditTrial::readOn()
 {
     const bool isAsked = m_workspace.session()->questions().readOn(
         m_reader, [self = QPointer(this), reader = m_reader](const core::Result<void>& portion) {
@@ -131,8 +156,8 @@ void ThresholdTrial::readOn()
         return;
     m_counting.replace(
         this,
-        [reader = m_reader, label = m_shown->segment] {
-            return reader->voxelsOf(std::uint8_t(label));
+        [reader = m_reader, label = std::uint8_t(*core::effectsOf(*m_shown).writesTo)] {
+            return reader->voxelsOf(label);
         },
         [this](const core::Result<std::int64_t>& counted) {
             m_reader.reset();
@@ -142,7 +167,7 @@ void ThresholdTrial::readOn()
         });
 }
 
-void ThresholdTrial::stopCounting()
+void EditTrial::stopCounting()
 {
     m_countSoon.stop();
     m_counting.cancel();
@@ -151,26 +176,30 @@ void ThresholdTrial::stopCounting()
     m_hasBegun = false;
 }
 
-void ThresholdTrial::drop()
+void EditTrial::rollBack()
 {
-    m_soon.stop();
-    m_wanted.reset();
     stopCounting();
     if (isOpen())
         m_workspace.session()->end(core::Ending::Rollback);
     m_shown.reset();
+}
+
+void EditTrial::drop()
+{
+    m_soon.stop();
+    m_wanted.reset();
+    rollBack();
     Q_EMIT changed();
 }
 
-void ThresholdTrial::take(const core::ThresholdSegment& edit)
+bool EditTrial::handOver(const core::Edit& edit)
 {
     m_soon.stop();
     m_wanted.reset();
     stopCounting();
-    const bool isShown = isOpen() && *m_shown == edit;
+    const bool isHandedOver = isOf(edit);
     m_shown.reset();
-    takeThreshold(m_workspace, edit, isShown);
-    Q_EMIT changed();
+    return isHandedOver;
 }
 
 } // namespace ui

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QCheckBox>
+
+namespace ui {
+
+/// The box of a dialog that switches its preview on and off (EditTrial). It is checked at first;
+/// each dialog remembers its own.
+class PreviewBox : public QCheckBox {
+    Q_OBJECT
+
+public:
+    /// @param name of the dialog: "reshape" gives the object name "reshapePreview"
+    explicit PreviewBox(const QString& name, QWidget* parent = nullptr);
+};
+
+} // namespace ui
