@@ -7,9 +7,9 @@ namespace core {
 
 class OperationQueue;
 
-/// The edit of a segment that is being computed at present (CleanSegment, ReshapeSegment,
-/// FillBetweenSlices, FloodFill, MirrorSegment, EvolveContour, SplitIslands, SplitSegment,
-/// CopySegment, SplitByCurve). Part of EditSession.
+/// The edit of a segment that is being computed at present, also for its preview (CleanSegment,
+/// ReshapeSegment, FillBetweenSlices, FloodFill, MirrorSegment, EvolveContour, SplitIslands,
+/// SplitSegment, CopySegment, SplitByCurve). Part of EditSession.
 class SegmentWork {
 public:
     explicit SegmentWork(OperationQueue& queue);

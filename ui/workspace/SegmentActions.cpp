@@ -157,7 +157,7 @@ RowWords wordsOfSplit(int label)
         if (!segment)
             return nameOf(row);
         const core::Segment& made = document.segments.back();
-        return QObject::tr("%1: %2").arg(nameOf(row),
+        return QObject::tr("%1. %2").arg(nameOf(row),
             partsText(workspace, segment->name, segment->voxels, made.name, made.voxels));
     };
 }
@@ -331,7 +331,7 @@ QString partsText(const Workspace& workspace, const QString& name, std::int64_t 
     const QString& otherName, std::int64_t otherVoxels)
 {
     const double voxelMm3 = workspace.volume()->geometry.voxelVolumeMm3();
-    return QObject::tr("%1 %2 · %3 %4")
+    return QObject::tr("%1: %2 · %3: %4")
         .arg(name, millilitreText(voxels, voxelMm3), otherName,
             millilitreText(otherVoxels, voxelMm3));
 }

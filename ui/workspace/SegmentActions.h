@@ -83,7 +83,7 @@ void splitByPlane(Workspace& workspace, int label);
 /// Makes the part of a segment on one side of a drawn curve a new segment. Unlike those above it
 /// keeps to the editable range that the edit has.
 void splitByCurve(Workspace& workspace, const core::SplitByCurve& edit);
-/// "Liver 1043 mL · Liver 1 482 mL": the volumes of two parts of the open study.
+/// "Liver: 1 043 mL · Liver 1: 482.1 mL": the volumes of two parts of the open study.
 [[nodiscard]] QString partsText(const Workspace& workspace, const QString& name,
     std::int64_t voxels, const QString& otherName, std::int64_t otherVoxels);
 

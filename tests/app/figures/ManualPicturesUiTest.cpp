@@ -6,7 +6,7 @@
 #include "core/edits/kinds/surface/SpherePush.h"
 #include "core/study/StudyLoader.h"
 #include "tests/support/faults/FailingLog.h"
-#include "tests/support/fixtures/ManualWindow.h"
+#include "tests/support/fixtures/pictures/ManualWindow.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/CutEdits.h"
 #include "tests/support/scenes/PlainEdits.h"

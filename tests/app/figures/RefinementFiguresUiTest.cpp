@@ -3,7 +3,7 @@
 #include "core/edits/kinds/surface/PlaneScrape.h"
 #include "core/edits/kinds/surface/WriteBack.h"
 #include "tests/support/faults/FailingLog.h"
-#include "tests/support/fixtures/ManualWindow.h"
+#include "tests/support/fixtures/pictures/ManualWindow.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/FigurePanels.h"
 #include "ui/tools/refine/RefineTool.h"

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/brick/VoxelRuns.h"
+#include "core/edits/kinds/segments/CleanSegment.h"
 #include "core/edits/kinds/segments/ImportMask.h"
 #include "core/edits/kinds/segments/ReshapeSegment.h"
 #include "core/edits/kinds/values/ThresholdSegment.h"
 #include "core/masks/MaskOverlap.h"
 #include "core/masks/ReadImport.h"
 #include "tests/support/faults/FailingLog.h"
-#include "tests/support/fixtures/Collage.h"
-#include "tests/support/fixtures/FigureWindow.h"
 #include "tests/support/fixtures/WindowFixture.h"
+#include "tests/support/fixtures/pictures/Collage.h"
+#include "tests/support/fixtures/pictures/FigureWindow.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/PlainEdits.h"
 #include "tests/support/scenes/SharedData.h"
@@ -35,7 +36,7 @@
 namespace segmentPicturesUiTest {
 
 /// The manual's pictures of what is done to segments as a whole and in the 3D view: threshold,
-/// clean up, scissors, overlaps, points in time. It only runs where
+/// previews, clean up, scissors, overlaps, points in time. It only runs where
 /// somebody wants pictures: BURIN_SCREENSHOTS names the folder.
 class SegmentPicturesUiTest : public QObject, private test::FigureWindow {
     Q_OBJECT
@@ -80,8 +81,8 @@ private:
         }
         return core::packedRuns(runs);
     }
-    /// From the front: a lesion that was drawn on five slices, and what is filled between them.
-    [[nodiscard]] std::vector<QImage> lesionBetweenSlices()
+    /// From the front: a lesion that was drawn on five slices.
+    ui::SliceView& lesionOnSlices()
     {
         openHead();
         apply(test::newSegment(QStringLiteral("Lesion"), 0xE07A5F));
@@ -98,6 +99,12 @@ private:
         QCoreApplication::processEvents();
         coronal.setPlace({.centreLps = middle, .mmPerPixel = 0.28});
         rest();
+        return coronal;
+    }
+    /// The same, and what is filled between them.
+    [[nodiscard]] std::vector<QImage> lesionBetweenSlices()
+    {
+        ui::SliceView& coronal = lesionOnSlices();
         std::vector<QImage> seen{test::middleOf(coronal, cleanSize)};
         workspace().askToFillBetween(1);
         auto& asked = dialog<ui::BetweenSlicesDialog>();
@@ -116,6 +123,15 @@ private:
         const std::size_t rows = session().history().rows().size();
         found->click();
         QVERIFY(wait([&] { return session().history().rows().size() > rows; }));
+    }
+    /// Waits until a preview is there, and drawn. To settle would end it.
+    void previewed(const QLabel& size)
+    {
+        QVERIFY(wait([&size] { return size.text().endsWith(u')'); }));
+        for (int picture = 0; picture < 3; ++picture) {
+            QTest::qWait(2 * restMs);
+            QVERIFY(wait([this] { return window().views().refined(); }));
+        }
     }
 
 private Q_SLOTS:
@@ -163,34 +179,47 @@ private Q_SLOTS:
         asked.close();
     }
 
-    /// A margin around the ventricles before it is a step.
-    void margin()
+    /// A margin around the ventricles, and a lesion between its slices, before they are steps.
+    void previews()
     {
+        constexpr QSize side(240, 226);
         openHead();
         apply(test::newSegment(QStringLiteral("Ventricles"), 0x4AA3FF));
         workspace().setActiveSegment(1);
-        apply(test::paintAt(1, {{-12.0, 0.0, z}, {-12.0, 25.0, z}}, 7.0));
-        apply(test::paintAt(1, {{12.0, 0.0, z}, {12.0, 25.0, z}}, 7.0));
-        ui::SliceView& axial = axialAlone({0.0, 8.0, z}, 0.35);
-        const QImage before = test::middleOf(axial, {240, 226});
-        window().actionTable()[QStringLiteral("segments.margin")].trigger();
-        auto& asked = dialog<ui::ReshapeDialog>();
-        QVERIFY(QTest::qWaitForWindowExposed(&asked));
-        asked.findChild<QDoubleSpinBox*>(QStringLiteral("reshapeMm"))->setValue(5.0);
-        // To settle would end what is shown before it is applied.
-        const auto* size = asked.findChild<QLabel*>(QStringLiteral("reshapeNow"));
-        QVERIFY(wait([size] { return size->text().endsWith(u')'); }));
-        for (int picture = 0; picture < 3; ++picture) {
-            QTest::qWait(2 * restMs);
-            QVERIFY(wait([this] { return window().views().refined(); }));
-        }
-        QVERIFY(test::keepCollage(
-            {{before, test::middleOf(axial, {240, 226}), asked.grab().toImage()}}, "margin.png"));
+        apply(core::ThresholdSegment{.segment = 1,
+            .lower = -20.0,
+            .upper = 16.0,
+            .box = core::GrowBox{.fromLps = {-45.0, -45.0, -10.0}, .toLps = {45.0, 55.0, 50.0}}});
+        apply(core::CleanSegment{.segment = 1, .rule = core::IslandRule::FillHoles});
+        apply(
+            core::CleanSegment{.segment = 1, .rule = core::IslandRule::RemoveSmall, .mm3 = 100.0});
+        ui::SliceView& axial = axialAlone({0.0, 8.0, z}, 0.34);
+        rest();
+        std::vector<QImage> margin{test::middleOf(axial, side)};
+        workspace().askToReshape(1, core::ShapeOperation::Grow);
+        auto& reshape = dialog<ui::ReshapeDialog>();
+        QVERIFY(QTest::qWaitForWindowExposed(&reshape));
+        reshape.findChild<QDoubleSpinBox*>(QStringLiteral("reshapeMm"))->setValue(1.5);
+        const auto& size = *reshape.findChild<QLabel*>(QStringLiteral("reshapeNow"));
+        previewed(size);
+        margin.push_back(test::middleOf(axial, side));
+        margin.push_back(reshape.grab().toImage());
         // What was counted in the preview is what the step comes to.
-        const QString after = size->text().section(u' ', 4, 5);
-        asked.findChild<QPushButton*>(QStringLiteral("applyReshape"))->click();
-        QVERIFY(wait([&] { return size->text() == QStringLiteral("Now: ") + after; }));
-        asked.close();
+        const QString after = size.text().section(u' ', 4, 5);
+        press("applyReshape");
+        QVERIFY(wait([&] { return size.text() == QStringLiteral("Now: ") + after; }));
+        reshape.close();
+
+        ui::SliceView& coronal = lesionOnSlices();
+        std::vector<QImage> filling{test::middleOf(coronal, side)};
+        workspace().askToFillBetween(1);
+        auto& between = dialog<ui::BetweenSlicesDialog>();
+        QVERIFY(QTest::qWaitForWindowExposed(&between));
+        previewed(*between.findChild<QLabel*>(QStringLiteral("betweenNow")));
+        filling.push_back(test::middleOf(coronal, side));
+        filling.push_back(between.grab().toImage());
+        between.close();
+        QVERIFY(test::keepCollage({margin, filling}, "previews.png"));
     }
 
     /// A segment with specks and a hole, the panel that cleans it, and a margin.
@@ -253,6 +282,37 @@ private Q_SLOTS:
         rest();
         panels.push_back(test::middleOf(stage, size));
         QVERIFY(test::keepCollage({panels}, "segment-scissors.png"));
+    }
+
+    /// The skull is split along a line that is drawn across; both volumes are told.
+    void split()
+    {
+        openHead();
+        addSkull();
+        show(gpu::Context::Hidden);
+        ui::VolumeView& stage = window().views().volume();
+        window().views().maximise(&stage);
+        stage.lookFrom({-0.8, -1.0, 0.1});
+        auto& tool = hand<ui::SegmentScissorsTool>();
+        tool.setSettings({.does = ui::SegmentScissorsTool::Does::SplitAlong});
+        rest();
+        const QPointF middle(stage.width() / 2.0, stage.height() / 2.0);
+        const auto at = [&](double part) {
+            return middle + QPointF(110.0 - 260.0 * part, -60.0 - 25.0 * std::sin(6.0 * part));
+        };
+        Mouse::hover(stage, at(0.0));
+        Mouse::mouse(stage, QEvent::MouseButtonPress, at(0.0));
+        for (double part = 0.02; part < 1.0; part += 0.02)
+            Mouse::mouse(stage, QEvent::MouseMove, at(part));
+        rest();
+        QVERIFY(!tool.partsLine().isEmpty());
+        constexpr QSize size(520, 470);
+        std::vector<QImage> panels{test::middleOf(stage, size)};
+        Mouse::mouse(stage, QEvent::MouseButtonRelease, at(1.0));
+        Mouse::hover(stage, QPointF(5.0, 5.0));
+        rest();
+        panels.push_back(test::middleOf(stage, size));
+        QVERIFY(test::keepCollage({panels}, "segment-split.png"));
     }
 
     /// Two segments of a file that overlap: each view in its own way, and what was asked before.

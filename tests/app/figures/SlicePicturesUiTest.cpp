@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/support/faults/FailingLog.h"
-#include "tests/support/fixtures/Collage.h"
-#include "tests/support/fixtures/FigureWindow.h"
 #include "tests/support/fixtures/WindowFixture.h"
+#include "tests/support/fixtures/pictures/Collage.h"
+#include "tests/support/fixtures/pictures/FigureWindow.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/PlainEdits.h"
 #include "ui/frame/PanelSection.h"

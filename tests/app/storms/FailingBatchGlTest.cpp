@@ -253,10 +253,14 @@ QStringList FailingBatchGlTest::wrongsOfRecord(const QString& record, const Scen
 /// What a run has finished that failed is whole, too: steps up to one of them.
 bool FailingBatchGlTest::isAsMade(const QString& path, const Scene& scene, bool mayBeBegun)
 {
-    const QByteArray content = contentOf(path);
+    QByteArray content = contentOf(path);
     const QByteArray made = scene.made.value(path);
-    return content == made
-        || (mayBeBegun && path.endsWith(QLatin1String(".burin")) && made.startsWith(content));
+    if (content == made || !mayBeBegun || !path.endsWith(QLatin1String(".burin")))
+        return content == made;
+    // A step that lacks its second half is carried out again when the session is opened.
+    while (content.endsWith("\n\n") || content == "\n")
+        content.chop(1);
+    return made.startsWith(content);
 }
 
 QStringList FailingBatchGlTest::wrongs(

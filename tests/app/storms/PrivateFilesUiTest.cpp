@@ -18,6 +18,7 @@
 
 #include <csignal>
 
+#include <sys/resource.h>
 #include <sys/stat.h>
 
 namespace privateFilesUiTest {
@@ -70,6 +71,7 @@ private Q_SLOTS:
     void everythingIsWritten();
     void aStudyComesFromAServer();
     void aWindowIsOpened();
+    void aWindowIsKilled_data();
     void aWindowIsKilled();
     void nothingIsSaid();
     void noFileTellsWhoThePatientIs();
@@ -183,12 +185,28 @@ void PrivateFilesUiTest::aWindowIsOpened()
         m_events += event;
 }
 
-/// What it left, and what the next window makes of that.
+void PrivateFilesUiTest::aWindowIsKilled_data()
+{
+    QTest::addColumn<int>("signal");
+    QTest::newRow("from outside") << SIGKILL;
+    QTest::newRow("as if it had crashed") << SIGSEGV;
+    QTest::newRow("as if a library had given up") << SIGABRT;
+}
+
+/// What it left and said, and what the next window makes of that.
 void PrivateFilesUiTest::aWindowIsKilled()
 {
+    QFETCH(int, signal);
     const QDir notes(m_home.path(QStringLiteral("state/burin/windows")));
     QProcess process;
     process.setProcessEnvironment(m_home.environment());
+    // A core would hold everything.
+    process.setChildProcessModifier([] {
+        const rlimit none{0, 0};
+        ::setrlimit(RLIMIT_CORE, &none);
+    });
+    // That of the row before.
+    QVERIFY(QDir(m_home.path(QStringLiteral("state/burin/sessions"))).removeRecursively());
     process.start(QStringLiteral(BURIN_PROGRAM), {key("open"), m_study});
     QElapsedTimer waited;
     waited.start();
@@ -200,9 +218,12 @@ void PrivateFilesUiTest::aWindowIsKilled()
         open = walk.hasNext();
     }
     QVERIFY2(open, process.readAllStandardError().constData());
-    process.kill();
+    ::kill(pid_t(process.processId()), signal);
     QVERIFY(process.waitForFinished(60'000));
-    m_said += QString::fromUtf8(process.readAllStandardError() + process.readAllStandardOutput());
+    const QString said =
+        QString::fromUtf8(process.readAllStandardError() + process.readAllStandardOutput());
+    QCOMPARE(said.isEmpty(), signal == SIGKILL);
+    m_said += said;
     const QStringList left = notes.entryList(QDir::Files);
     QCOMPARE(left.size(), 1);
     QVERIFY(test::markersIn(notes.filePath(left.front())).isEmpty());

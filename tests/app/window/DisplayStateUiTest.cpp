@@ -545,20 +545,21 @@ private Q_SLOTS:
             << QByteArray("{'crosshairLps':'here','window':7,'inverted':'yes','volume':[1,2],"
                           "'views':'four','activeSegment':'one','tool':9,'drill':[],"
                           "'growth':null,'tools':[3]}");
-        QTest::newRow("out of range") << QByteArray(
-            "{'crosshairLps':[1,2],'window':{'centre':'x','width':-1},"
-            "'activeSegment':99,'tool':'chainsaw','clip':{'box':{'minimum':[9,9,9],'"
-            "maximum':[1,1,1],'on':true},"
-            "'planes':[{'normalLps':[0,0,0],'on':true}]},'volume':{'mode':'hologram',"
-            "'transferFunction':[{'value':3,'color':'#fff','opacity':2}]},"
-            "'views':{'alone':'ceiling','interpolation':'sinc','axial':{'mmPerPixel':-1},"
-            "'segments':[3,{'segment':700,'opacityPercent':9},"
-            "{'segment':1,'opacityPercent':'half'}],'volume':"
-            "{'up':[0,0,0],'towardsViewer':[1,1,1],'heightMm':-3}},"
-            "'drill':{'shape':9,'sweep':-1,'rate':'often','freehand':true,"
-            "'outline':[[0,0],[1,'far']]},"
-            "'tools':{'peel':{'depthMm':'deep'},'carve-scissors':7},"
-            "'growth':{'lower':9,'upper':-9}}");
+        QTest::newRow("out of range")
+            << QByteArray("{'crosshairLps':[1,2],'window':{'centre':'x','width':-1},"
+                          "'activeSegment':99,'tool':'chainsaw','clip':{'box':{'minimum':[9,9,9],'"
+                          "maximum':[1,1,1],'on':true},"
+                          "'planes':[{'normalLps':[0,0,0],'on':true}]},'volume':{'mode':'hologram',"
+                          "'transferFunction':[{'value':3,'color':'#fff','opacity':2}]},"
+                          "'views':{'alone':'ceiling','interpolation':'sinc',"
+                          "'axial':{'mmPerPixel':-1},"
+                          "'segments':[3,{'segment':700,'opacityPercent':9},"
+                          "{'segment':1,'opacityPercent':'half'}],'volume':"
+                          "{'up':[0,0,0],'towardsViewer':[1,1,1],'heightMm':-3}},"
+                          "'drill':{'shape':9,'sweep':-1,'rate':'often','freehand':true,"
+                          "'outline':[[0,0],[1,'far']]},"
+                          "'tools':{'peel':{'depthMm':'deep'},'carve-scissors':7},"
+                          "'growth':{'lower':9,'upper':-9}}");
     }
     void passesOverWhatMakesNoSense()
     {

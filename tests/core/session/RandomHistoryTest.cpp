@@ -62,7 +62,7 @@ private Q_SLOTS:
                  "cleanSegment remove clicked", "cleanSegment give clicked", "fillOutline",
                  "reshapeSegment", "fillBetweenSlices", "floodFill", "thresholdSegment",
                  "segmentScissors", "mirrorSegment", "evolveContour", "splitIslands",
-                 "splitSegment", "undo", "redo", "goTo", "reopen", "given up"})
+                 "splitSegment", "splitByCurve", "undo", "redo", "goTo", "reopen", "given up"})
             QVERIFY2(m_done[QLatin1String(kind)] > 0, kind);
     }
 

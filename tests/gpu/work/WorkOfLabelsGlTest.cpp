@@ -150,7 +150,7 @@ void WorkOfLabelsGlTest::workOnAll(CountedSession& counts)
     counts.step("margin", reshape(ShapeOperation::Grow, 2.0));
     counts.step("smoothing by a ball", reshape(ShapeOperation::Median, 2.0));
     counts.step("smoothing by a Gaussian", reshape(ShapeOperation::Gaussian, 1.5));
-    counts.step("closing", reshape(ShapeOperation::Close, 3.0));
+    counts.step("smaller margin", reshape(ShapeOperation::Shrink, 1.0));
     counts.step("islands", CleanSegment{.segment = label, .rule = IslandRule::KeepLargest});
     counts.step(
         "contour", EvolveContour{.segment = label, .lower = Ball::valueAt(14.0), .generations = 3});
@@ -196,7 +196,7 @@ void WorkOfLabelsGlTest::growsWithTheVolumeOnlyWhereItHasTo()
     // What works on all of a segment reads its plane in portions (LabelReader), of which a dispatch
     // fetches what is not empty, and has a byte in memory for each voxel of the volume.
     const QByteArrayList onAll{"margin", "smoothing by a ball", "smoothing by a Gaussian",
-        "closing", "islands", "contour", "laying a surface", "writing a surface back"};
+        "smaller margin", "islands", "contour", "laying a surface", "writing a surface back"};
     const auto voxelsOf = [](int side) { return std::int64_t(side) * side * side; };
     const QStringList wrong =
         test::grownWork(m_gpu, QStringLiteral("labels"), small, large, [&](const QByteArray& name) {

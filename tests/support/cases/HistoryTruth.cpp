@@ -42,6 +42,7 @@
 #include "core/edits/kinds/segments/RemoveSegment.h"
 #include "core/edits/kinds/segments/ReshapeSegment.h"
 #include "core/edits/kinds/segments/SegmentSeen.h"
+#include "core/edits/kinds/splitting/LineAcross.h"
 #include "core/edits/kinds/values/ThresholdSegment.h"
 #include "core/edits/kinds/views/Bookmarks.h"
 #include "core/edits/kinds/views/Measurements.h"
@@ -54,6 +55,7 @@
 #include "tests/reference/filling/Contour.h"
 #include "tests/reference/filling/FloodFill.h"
 #include "tests/reference/sculpt/ElementPlane.h"
+#include "tests/reference/sculpt/LayerWrites.h"
 #include "tests/support/cases/IslandTruth.h"
 
 #include <QJsonDocument>
@@ -134,7 +136,8 @@ bool changesLabels(const Edit& edit)
         || edit.is<CleanSegment>() || edit.is<FillOutline>() || edit.is<ReshapeSegment>()
         || edit.is<FillBetweenSlices>() || edit.is<FloodFill>() || edit.is<ThresholdSegment>()
         || edit.is<SegmentScissors>() || edit.is<MirrorSegment>() || edit.is<EvolveContour>()
-        || edit.is<SplitIslands>() || edit.is<SplitSegment>() || edit.is<CopySegment>();
+        || edit.is<SplitIslands>() || edit.is<SplitSegment>() || edit.is<CopySegment>()
+        || edit.is<SplitByCurve>();
 }
 
 bool isOf(const BrickKey& key, bool coverage)
@@ -193,6 +196,39 @@ std::uint32_t& counterOf(Document& document, std::uint8_t plane)
     if (at == growths.end() || at->plane != plane)
         at = growths.insert(at, {.plane = plane, .generation = 0});
     return at->generation;
+}
+
+/// The area on the left of a line, past the voxels of its segment.
+std::vector<glm::dvec2> farAround(const SplitByCurve& edit, const VolumeGeometry& geometry,
+    const std::vector<std::uint8_t>& labels)
+{
+    glm::ivec3 first = geometry.size;
+    glm::ivec3 last(-1);
+    std::size_t at = 0;
+    for (int z = 0; z < geometry.size.z; ++z) {
+        for (int y = 0; y < geometry.size.y; ++y) {
+            for (int x = 0; x < geometry.size.x; ++x, ++at) {
+                if (labels[at] != edit.segment)
+                    continue;
+                first = glm::min(first, glm::ivec3(x, y, z));
+                last = glm::max(last, glm::ivec3(x, y, z));
+            }
+        }
+    }
+    const glm::dmat3 toPlane = glm::transpose(viewAxes(edit.view, {}).value());
+    std::vector<glm::dvec2> places = edit.curveMm;
+    for (const int x : {first.x, last.x})
+        for (const int y : {first.y, last.y})
+            for (const int z : {first.z, last.z})
+                places.emplace_back(
+                    toPlane * (geometry.toWorld(glm::dvec3(x, y, z)) - edit.view.targetLps));
+    glm::dvec2 low = places.front();
+    glm::dvec2 high = low;
+    for (const glm::dvec2& place : places) {
+        low = glm::min(low, place);
+        high = glm::max(high, place);
+    }
+    return leftOfLine(edit.curveMm, low - 8.0, high + 8.0);
 }
 
 } // namespace
@@ -352,6 +388,44 @@ HistoryTruth::Bricks HistoryTruth::copied(
     const RelabelListed like{.target = {.plane = std::uint8_t(edit.plane.value()),
                                  .label = std::uint8_t(document.lastLabelGiven() + 1)},
         .editable = editableVoxels(edit.editable, document, "copySegment").value()};
+    return relabelled(before, like, meant, RelabelListed::give);
+}
+
+/// What the oracle's scissors erase of the segment, inside and outside.
+HistoryTruth::Bricks HistoryTruth::splitByCurve(
+    const Bricks& before, const SplitByCurve& edit, const Document& document) const
+{
+    using Side = SplitByCurve::Side;
+    const VolumeGeometry& geometry = m_study.volume.geometry;
+    const std::uint8_t plane = document.segment(edit.segment)->plane;
+    const std::vector<std::uint8_t> labels = labelsBeside(edit.segment, before, document);
+    SegmentScissors scissors{.segment = edit.segment, .view = edit.view, .erase = true};
+    scissors.polygonMm = edit.open ? farAround(edit, geometry, labels) : edit.curveMm;
+    scissors.depthMm = edit.depthMm;
+    scissors.hidden = edit.hidden;
+    const auto erased = [&](bool outside) {
+        scissors.outside = outside;
+        reference::DenseFields fields(geometry.size);
+        fields.labels(plane).values = labels;
+        reference::labelScissors(
+            {geometry.size, m_study.codes}, fields, labelScissors(scissors, document).value());
+        std::vector<bool> meant;
+        for (std::size_t at = 0; at < labels.size(); ++at)
+            meant.push_back(fields.labels(plane).values[at] != labels[at]);
+        return meant;
+    };
+    std::vector<bool> meant = erased(edit.side == Side::Outside);
+    if (edit.side == Side::Smaller || edit.side == Side::Larger) {
+        const std::vector<bool> outside = erased(true);
+        const bool isInsideSmaller = std::count(meant.begin(), meant.end(), true)
+            <= std::count(outside.begin(), outside.end(), true);
+        if (isInsideSmaller != (edit.side == Side::Smaller))
+            meant = outside;
+    }
+    RelabelListed like{
+        .target = {.plane = plane, .label = std::uint8_t(document.lastLabelGiven() + 1)},
+        .editable = editableVoxels(edit.editable, document, "splitByCurve").value()};
+    like.target.overwritable.set(std::size_t(edit.segment));
     return relabelled(before, like, meant, RelabelListed::give);
 }
 
@@ -532,6 +606,8 @@ HistoryTruth::Bricks HistoryTruth::grown(
         return splitByPlane(before, *split, document);
     if (const auto* copy = edit.as<CopySegment>())
         return copied(before, *copy, document);
+    if (const auto* curve = edit.as<SplitByCurve>())
+        return splitByCurve(before, *curve, document);
     if (const auto* outline = edit.as<FillOutline>())
         return after(before, *labelOutlined(*outline, document), {}, nullptr);
     if (const auto* threshold = edit.as<ThresholdSegment>())
@@ -947,6 +1023,10 @@ void HistoryTruth::changeDocument(const Edit& edit, Document& document) const
         addTarget({.segment = {}, .name = copy->name, .rgb = copy->rgb}, document);
         document.segments.back().code = code;
         document.segments.back().plane = std::uint8_t(copy->plane.value());
+    } else if (const auto* curve = edit.as<SplitByCurve>()) {
+        const std::uint8_t plane = with(segments, &Segment::label, curve->segment)->plane;
+        addTarget({.segment = {}, .name = curve->into.name, .rgb = curve->into.rgb}, document);
+        document.segments.back().plane = plane;
     } else if (const auto* view = edit.as<AddBookmark>()) {
         int id = document.greatestRemovedBookmark;
         for (const CameraBookmark& bookmark : document.bookmarks)

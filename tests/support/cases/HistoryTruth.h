@@ -8,6 +8,7 @@
 #include "core/edits/kinds/filling/FloodFill.h"
 #include "core/edits/kinds/segments/CleanSegment.h"
 #include "core/edits/kinds/splitting/CopySegment.h"
+#include "core/edits/kinds/splitting/SplitByCurve.h"
 #include "core/edits/kinds/splitting/SplitIslands.h"
 #include "core/edits/kinds/splitting/SplitSegment.h"
 #include "core/edits/sculpt/SculptEdits.h"
@@ -99,6 +100,8 @@ private:
         const Bricks& before, const core::SplitSegment& edit, const core::Document& document) const;
     [[nodiscard]] Bricks copied(
         const Bricks& before, const core::CopySegment& edit, const core::Document& document) const;
+    [[nodiscard]] Bricks splitByCurve(
+        const Bricks& before, const core::SplitByCurve& edit, const core::Document& document) const;
     [[nodiscard]] Bricks evolved(const Bricks& before, const core::EvolveContour& edit,
         const core::Document& document) const;
     /// Returns the bricks after a label was given to voxels of the whole volume, or taken from

@@ -577,6 +577,8 @@ private:
             if (const std::optional<SplitIslands> split = randomIslands(document))
                 return *split;
         }
+        if (m_session->history().rows().size() % 64 == (m_draws.limited ? 20 : 52) && document.segments.size() < 7)
+            return randomCurveSplit(document);
         if (m_session->history().rows().size() % 32 == 20 && document.segments.size() < 7)
             return randomSplit(document);
         SegmentChoice target{.segment = any(document.segments).label};
@@ -1040,6 +1042,24 @@ private:
         const auto rows = std::size_t(geometry.size.y);
         split.placeLps = geometry.toWorld(
             glm::dvec3(voxel % columns, voxel / columns % rows, voxel / columns / rows));
+        return split;
+    }
+    /// Through where its voxels are seen, if it has any.
+    SplitByCurve randomCurveSplit(const Document& document)
+    {
+        using Side = SplitByCurve::Side;
+        const DrillStroke stroke = randomDrill();
+        SplitByCurve split{.segment = any(document.segments).label, .view = stroke.view};
+        split.open = chance(50);
+        const double half = stroke.mask.radiusMm + 3.0;
+        const glm::dvec2 middle(stroke.samples.front().xMm, stroke.samples.front().yMm);
+        split.curveMm = {middle - half, middle + glm::dvec2(half, -half),
+            middle + glm::dvec2(-half, half + 1.0)};
+        split.side = Side(between(0, 3));
+        if (split.side == Side::Inside && chance(50))
+            split.depthMm = stroke.depthMm;
+        split.hidden = stroke.hidden;
+        split.into = {.name = randomName(), .rgb = 0x709080};
         return split;
     }
     MirrorSegment randomMirror(const Document& document)

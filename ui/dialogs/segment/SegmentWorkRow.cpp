@@ -78,7 +78,8 @@ void SegmentWorkRow::look()
     const core::EditSession* session = m_workspace.session();
     const std::optional<int> percent = percentDone();
     // A preview stands open once it is there.
-    if (!session || session->idle() || session->openHasBegun())
+    const bool isSeen = session && session->openIsPreview() && session->openHasBegun();
+    if (!session || session->idle() || isSeen)
         m_watching.stop();
     m_progress->setValue(percent.value_or(0));
     m_progress->setVisible(percent.has_value());

@@ -51,8 +51,8 @@ public:
     [[nodiscard]] const std::optional<Parts>& parts() const { return m_parts; }
     /// Whether an answer is on its way.
     [[nodiscard]] bool isLooking() const { return bool(m_wanted) || m_counting.busy(); }
-    /// "Liver 1043 mL · Liver 1 482 mL": the parts in words, or that all lies on one side; empty
-    /// before they are known.
+    /// "Liver: 1 043 mL · Liver 1: 482.1 mL": the parts in words, or that all lies on one side;
+    /// empty before they are known.
     /// @param name of the segment; @param newName of the part that is split off
     [[nodiscard]] QString text(const QString& name, const QString& newName) const;
 

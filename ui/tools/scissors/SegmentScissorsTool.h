@@ -70,9 +70,9 @@ public:
 
     void paintOverlay(QPainter& painter, const ViewContext& view) const override;
 
-    /// The volumes of both parts that the curve drawn so far would make ("Liver 1043 mL · Liver 1
-    /// 482 mL"), as far as they are counted; empty while nothing is being split, or where limits of
-    /// editing would make them others.
+    /// The volumes of both parts that the curve drawn so far would make ("Liver: 1 043 mL · Liver
+    /// 1: 482.1 mL"), as far as they are counted; empty while nothing is being split, or where
+    /// limits of editing would make them others.
     [[nodiscard]] QString partsLine() const;
 
     [[nodiscard]] const Settings& settings() const { return m_settings; }

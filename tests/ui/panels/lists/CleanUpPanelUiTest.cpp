@@ -207,7 +207,7 @@ private Q_SLOTS:
         QVERIFY(fixture.session().settle());
         QTRY_COMPARE(said.size(), 1);
         QCOMPARE(said.front().front().toString(),
-            QStringLiteral("Split 'Parts' by a plane, −%1 voxels: Parts %2 · Parts 1 %3; Ctrl+Z "
+            QStringLiteral("Split 'Parts' by a plane, −%1 voxels. Parts: %2 · Parts 1: %3; Ctrl+Z "
                            "takes it back")
                 .arg(QString::number(fixture.other), fixture.millilitres(1),
                     fixture.millilitres(3)));
@@ -245,7 +245,7 @@ private Q_SLOTS:
         };
         const double voxelMm3 = geometry.voxelVolumeMm3();
         const auto text = [voxelMm3](std::int64_t one, std::int64_t other) {
-            return QStringLiteral("Parts %1 · Parts 1 %2")
+            return QStringLiteral("Parts: %1 · Parts 1: %2")
                 .arg(ui::millilitreText(one, voxelMm3), ui::millilitreText(other, voxelMm3));
         };
         place(20.0);

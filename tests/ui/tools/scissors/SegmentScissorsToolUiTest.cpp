@@ -291,8 +291,9 @@ private Q_SLOTS:
         QCOMPARE(edit.curveMm.size(), std::size_t(4));
         QTRY_COMPARE(said.size(), 1);
         QCOMPARE(said.front().front().toString(),
-            QStringLiteral("Split 'Bone' by a curve, −%1 voxels: Bone %2 · Bone 1 %3; Ctrl+Z takes "
-                           "it back")
+            QStringLiteral(
+                "Split 'Bone' by a curve, −%1 voxels. Bone: %2 · Bone 1: %3; Ctrl+Z takes "
+                "it back")
                 .arg(ui::countText(qlonglong(part.size())), fixture.volume(1), fixture.volume(3)));
         QVERIFY(fixture.session().undo() && fixture.session().settle());
         QVERIFY(fixture.voxels(1) == bone);
@@ -359,8 +360,8 @@ private Q_SLOTS:
         QVERIFY(fixture.lastRow().name.startsWith(QStringLiteral("Split 'Bone' along a line, −")));
         const auto above = [](const glm::dvec2& plane, const glm::dvec3&) { return 4.0 - plane.y; };
         fixture.changedJustWhere(fixture.voxels(1), bone, above);
-        QCOMPARE(
-            told, QStringLiteral("Bone %1 · Bone 1 %2").arg(fixture.volume(1), fixture.volume(3)));
+        QCOMPARE(told,
+            QStringLiteral("Bone: %1 · Bone 1: %2").arg(fixture.volume(1), fixture.volume(3)));
         QCOMPARE(fixture.tool.partsLine(), QString());
         // With Ctrl the larger side, by mouse; drawn the other way it is the same.
         QVERIFY(fixture.session().undo() && fixture.session().settle());
