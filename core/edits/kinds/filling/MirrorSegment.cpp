@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/edits/kinds/filling/MirrorSegment.h"
 
+#include "core/base/ParallelFor.h"
 #include "core/brick/LabelBox.h"
 #include "core/edits/answers/EditChecks.h"
 #include "core/edits/answers/EditDependencies.h"
@@ -13,6 +14,7 @@
 #include "core/morphology/SidedBall.h"
 
 #include <cmath>
+#include <vector>
 
 namespace core {
 
@@ -45,6 +47,54 @@ Result<MirrorPlane> mirrorPlane(const MirrorSegment& edit, const VolumeGeometry&
             Clause::saying("lies outside the volume"));
     return MirrorPlane{axis, int(std::floor(2.0 * index + 0.5))};
 }
+
+/// Compares a segment with its mirror image.
+struct Mirrored {
+    struct Changes {
+        VoxelRuns given; ///< free voxels of the image
+        VoxelRuns taken; ///< the segment's that are not the image's
+    };
+
+    MirrorPlane plane;
+    glm::ivec3 size{0};
+    std::span<const std::uint8_t> labels; ///< of the volume, x fastest
+    std::uint8_t label = 0;
+    bool keep = false; ///< nothing is taken
+
+    /// @param box what is compared @param z the slice of it
+    [[nodiscard]] Changes changesIn(const VoxelBox& box, int z) const
+    {
+        Changes changes;
+        for (int y = box.minimum.y; y < box.maximum.y; ++y)
+            compareRow(box.minimum.x, box.maximum.x, y, z, changes);
+        return changes;
+    }
+
+private:
+    [[nodiscard]] std::size_t rowAt(int y, int z) const
+    {
+        return (std::size_t(z) * std::size_t(size.y) + std::size_t(y)) * std::size_t(size.x);
+    }
+    void compareRow(int first, int end, int y, int z, Changes& changes) const
+    {
+        const std::size_t row = rowAt(y, z);
+        const glm::ivec3 image = plane.imageOf({first, y, z});
+        const bool hasImage = image.y >= 0 && image.y < size.y && image.z >= 0 && image.z < size.z;
+        const std::size_t imageRow = hasImage ? rowAt(image.y, image.z) : 0;
+        const int step = plane.axis == 0 ? -1 : 1;
+        for (int x = first, there = image.x; x < end; ++x, there += step) {
+            const std::size_t voxel = row + std::size_t(x);
+            const bool isImage = hasImage && there >= 0 && there < size.x
+                && labels[imageRow + std::size_t(there)] == label;
+            if (isImage == (labels[voxel] == label))
+                continue;
+            if (!isImage && !keep)
+                changes.taken.append(voxel, 1);
+            else if (isImage && labels[voxel] == 0)
+                changes.given.append(voxel, 1);
+        }
+    }
+};
 
 } // namespace
 
@@ -95,10 +145,6 @@ Result<RelabelListed> relabelListed(const MirrorSegment& edit, const Document& d
     if (!plane)
         return tl::unexpected(plane.error());
     const glm::ivec3& size = geometry.size;
-    const auto indexOf = [&size](const glm::ivec3& at) {
-        return (std::size_t(at.z) * std::size_t(size.y) + std::size_t(at.y)) * std::size_t(size.x)
-            + std::size_t(at.x);
-    };
     const VoxelBox own = boxOfLabel(labels, size, target->label);
     ListedRuns listed(size);
     if (own.empty())
@@ -108,26 +154,19 @@ Result<RelabelListed> relabelListed(const MirrorSegment& edit, const Document& d
     const glm::ivec3 other = plane->imageOf(own.maximum - 1);
     const VoxelBox both = own.united(
         {glm::max(glm::min(one, other), glm::ivec3(0)), glm::min(glm::max(one, other) + 1, size)});
-    VoxelRuns given;
-    VoxelRuns taken;
-    for (int z = both.minimum.z; z < both.maximum.z; ++z) {
-        if (progress.cancelled())
-            return failure(ErrorCode::Cancelled);
-        for (int y = both.minimum.y; y < both.maximum.y; ++y) {
-            for (int x = both.minimum.x; x < both.maximum.x; ++x) {
-                const std::size_t voxel = indexOf({x, y, z});
-                const glm::ivec3 image = plane->imageOf({x, y, z});
-                const bool isImage =
-                    geometry.contains(image) && labels[indexOf(image)] == target->label;
-                if (isImage && labels[voxel] == 0)
-                    given.append(voxel, 1);
-                else if (!isImage && !edit.keep && labels[voxel] == target->label)
-                    taken.append(voxel, 1);
-            }
-        }
+    const Mirrored mirrored{
+        .plane = *plane, .size = size, .labels = labels, .label = target->label, .keep = edit.keep};
+    std::vector<Mirrored::Changes> slices(std::size_t(both.maximum.z - both.minimum.z));
+    parallelFor(int(slices.size()), [&](int slice) {
+        if (!progress.cancelled())
+            slices[std::size_t(slice)] = mirrored.changesIn(both, both.minimum.z + slice);
+    });
+    if (progress.cancelled())
+        return failure(ErrorCode::Cancelled);
+    for (const Mirrored::Changes& slice : slices) {
+        listed.add(slice.given, RelabelListed::give);
+        listed.add(slice.taken, RelabelListed::take);
     }
-    listed.add(given, RelabelListed::give);
-    listed.add(taken, RelabelListed::take);
     return keepingTo(edit.editable, document, "mirrorSegment", listed.relabel(*std::move(target)));
 }
 
