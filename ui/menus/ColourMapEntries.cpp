@@ -4,28 +4,18 @@
 #include "ui/workspace/Workspace.h"
 
 #include <QActionGroup>
-#include <QCoreApplication>
 #include <QMenu>
 
 namespace ui {
 
-namespace {
-
-QString colourText(const char* english)
-{
-    return QCoreApplication::translate("ui::ColourMapEntries", english);
-}
-
-} // namespace
-
 const std::vector<ColourMapEntry>& colourMapEntries()
 {
     static const std::vector<ColourMapEntry> entries{
-        {"view.coloursGrey", colourText("Grey"), gpu::ColourMap::Grey},
-        {"view.coloursHotIron", colourText("Hot iron"), gpu::ColourMap::HotIron},
-        {"view.coloursHotMetalBlue", colourText("Hot metal blue"), gpu::ColourMap::HotMetalBlue},
-        {"view.coloursPet20Step", colourText("PET, 20 steps"), gpu::ColourMap::Pet20Step},
-        {"view.coloursEvenLightness", colourText("Blue to yellow, evenly lighter"),
+        {"view.coloursGrey", QObject::tr("Grey"), gpu::ColourMap::Grey},
+        {"view.coloursHotIron", QObject::tr("Hot iron"), gpu::ColourMap::HotIron},
+        {"view.coloursHotMetalBlue", QObject::tr("Hot metal blue"), gpu::ColourMap::HotMetalBlue},
+        {"view.coloursPet20Step", QObject::tr("PET, 20 steps"), gpu::ColourMap::Pet20Step},
+        {"view.coloursEvenLightness", QObject::tr("Blue to yellow, evenly lighter"),
             gpu::ColourMap::EvenLightness},
     };
     return entries;
@@ -40,7 +30,7 @@ void showColours(Workspace& workspace, gpu::ColourMap map)
 
 void addColourMaps(QMenu& menu, Workspace& workspace)
 {
-    QMenu* colours = menu.addMenu(colourText("Colours of slices"));
+    QMenu* colours = menu.addMenu(QObject::tr("Colours of slices"));
     colours->setObjectName(QStringLiteral("coloursOfSlices"));
     auto* onlyOne = new QActionGroup(colours);
     for (const ColourMapEntry& each : colourMapEntries()) {

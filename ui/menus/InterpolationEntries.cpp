@@ -4,31 +4,20 @@
 #include "ui/workspace/Workspace.h"
 
 #include <QActionGroup>
-#include <QCoreApplication>
 #include <QMenu>
 
 namespace ui {
-
-namespace {
-
-QString interpolationText(const char* english)
-{
-    return QCoreApplication::translate("ui::InterpolationEntries", english);
-}
-
-} // namespace
 
 const std::vector<InterpolationEntry>& interpolationEntries()
 {
     using gpu::Interpolation;
     static const std::vector<InterpolationEntry> entries{
-        {"view.interpolationUsual", interpolationText("As usual: linear, the cutting plane cubic"),
+        {"view.interpolationUsual", QObject::tr("As usual: linear, the cutting plane cubic"),
             std::nullopt},
-        {"view.interpolationNearest", interpolationText("Nearest voxel, as acquired"),
+        {"view.interpolationNearest", QObject::tr("Nearest voxel, as acquired"),
             Interpolation::Nearest},
-        {"view.interpolationLinear", interpolationText("Linear"), Interpolation::Linear},
-        {"view.interpolationCubic", interpolationText("Cubic, once nothing moves"),
-            Interpolation::Cubic},
+        {"view.interpolationLinear", QObject::tr("Linear"), Interpolation::Linear},
+        {"view.interpolationCubic", QObject::tr("Cubic, once nothing moves"), Interpolation::Cubic},
     };
     return entries;
 }
@@ -42,7 +31,7 @@ void interpolate(Workspace& workspace, std::optional<gpu::Interpolation> interpo
 
 void addInterpolations(QMenu& menu, Workspace& workspace)
 {
-    QMenu* ways = menu.addMenu(interpolationText("Interpolation of slices"));
+    QMenu* ways = menu.addMenu(QObject::tr("Interpolation of slices"));
     ways->setObjectName(QStringLiteral("interpolationOfSlices"));
     auto* onlyOne = new QActionGroup(ways);
     for (const InterpolationEntry& each : interpolationEntries()) {

@@ -1,16 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/menus/SliceTurnEntries.h"
 
-#include <QCoreApplication>
+#include <QObject>
 
 namespace ui {
 
 namespace {
-
-QString turnText(const char* english)
-{
-    return QCoreApplication::translate("ui::SliceTurnEntries", english);
-}
 
 SliceTurn turnedLeft(const SliceTurn& before)
 {
@@ -22,14 +17,14 @@ SliceTurn turnedLeft(const SliceTurn& before)
 const std::vector<SliceTurnEntry>& sliceTurnEntries()
 {
     static const std::vector<SliceTurnEntry> entries{
-        {"view.flipLeftRight", turnText("Flip left and right"),
+        {"view.flipLeftRight", QObject::tr("Flip left and right"),
             [](const SliceTurn& before) { return before.flippedLeftRight(); }},
-        {"view.flipTopBottom", turnText("Flip top and bottom"),
+        {"view.flipTopBottom", QObject::tr("Flip top and bottom"),
             [](const SliceTurn& before) { return before.flippedTopBottom(); }},
-        {"view.quarterRight", turnText("Turn right by 90°"),
+        {"view.quarterRight", QObject::tr("Turn right by 90°"),
             [](const SliceTurn& before) { return before.turnedClockwise(); }},
-        {"view.quarterLeft", turnText("Turn left by 90°"), &turnedLeft},
-        {"view.upright", turnText("Lay upright again"),
+        {"view.quarterLeft", QObject::tr("Turn left by 90°"), &turnedLeft},
+        {"view.upright", QObject::tr("Lay upright again"),
             [](const SliceTurn&) { return SliceTurn(); }},
     };
     return entries;
