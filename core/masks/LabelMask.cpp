@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <set>
+#include <unordered_set>
 
 namespace core {
 
@@ -80,6 +81,24 @@ std::vector<std::uint16_t> halfTaken(const StoredGrid& stored, int layer)
     return labels;
 }
 
+/// Whether there are more values than there can be labels. Of a map of labels that was damaged or
+/// resampled there are few, where fractions are not counted.
+bool hasManyValues(const StoredGrid& stored, int layer)
+{
+    std::unordered_set<std::int64_t> known;
+    std::int64_t last = -1;
+    for (std::size_t voxel = 0; voxel < stored.voxels(); ++voxel) {
+        const double value = stored.value(voxel, layer);
+        if (!(std::abs(value) < 1e9))
+            continue;
+        const std::int64_t whole = std::llround(value);
+        if (whole != last && known.insert(whole).second && known.size() > mostSegments)
+            return true;
+        last = whole;
+    }
+    return false;
+}
+
 using LayersOnVolume = std::vector<LabelsOnVolume>;
 
 /// Segments in the order of the header, then labels that it does not name.
@@ -152,7 +171,8 @@ Result<MaskOnVolume> readLabelMask(
             : labelsFrom(stored->bytes, stored->type, stored->slope, stored->intercept,
                 stored->layers, layer, path);
         if (!values)
-            return tl::unexpected(values.error());
+            return hasManyValues(*stored, layer) ? holdsImage(path)
+                                                 : tl::unexpected(values.error());
         const std::set<std::uint16_t> present(values->begin(), values->end());
         labels += present.size() - present.count(0);
         if (labels > mostSegments)

@@ -25,9 +25,8 @@ struct MaskNote {
         OverlapsKept, ///< overlaps are kept: the segments lie in `some` label planes
         /// `some` of the file's `all` segments have no voxels and are left out.
         SegmentsWithoutVoxel,
-        /// `some` files of a folder are images and no masks, and are left out; `names`: the first
-        /// of them.
-        ImagesLeftOut,
+        ImagesLeftOut, ///< files of a folder whose values are those of images: `names`
+        SlicesLeftOut, ///< `some` DICOM files of a folder are images
         FilesWithoutVoxel, ///< `some` of a folder's `all` files have no voxel in the study
         NothingSurrounded, ///< the segments of `names` enclose nothing and are left out
         Fractional, ///< voxels with a share or probability of at least one half are taken

@@ -2,6 +2,7 @@
 #include "core/masks/MaskOnVolume.h"
 
 #include "core/base/files/ReadableFile.h"
+#include "core/dicom/header/ImageHeaderReader.h"
 #include "core/dicom/items/SopClass.h"
 #include "core/masks/MaskParts.h"
 #include "core/meshfile/MeshReader.h"
@@ -20,8 +21,6 @@ namespace core {
 namespace {
 
 constexpr const char* rtStructClass = "1.2.840.10008.5.1.4.1.1.481.3";
-/// More files that were left out are only counted.
-constexpr int mostNamed = 3;
 
 } // namespace
 
@@ -81,6 +80,12 @@ tl::unexpected<Error> holdsNoLabels(const QString& path, double value)
         Clause::saying("its values are not labels: %1 is among them", value));
 }
 
+tl::unexpected<Error> holdsImage(const QString& path)
+{
+    return failure(ErrorCode::UnsupportedFormat, path,
+        Clause::saying("its values are those of an image and no labels"));
+}
+
 tl::unexpected<Error> holdsTooManyLabels(const QString& path)
 {
     return failure(ErrorCode::UnsupportedFormat, path,
@@ -113,8 +118,7 @@ bool saysNoLabel(const Error& error)
 /// Whether a file was refused because its values are those of an image.
 bool saysImage(const Error& error)
 {
-    return isAlike(error, holdsNoLabels({}, 0.0).value())
-        || isAlike(error, holdsTooManyLabels({}).value());
+    return isAlike(error, holdsImage({}).value()) || isAlike(error, holdsTooManyLabels({}).value());
 }
 
 bool isLabelMapName(const QString& path)
@@ -122,13 +126,14 @@ bool isLabelMapName(const QString& path)
     return isNiftiName(path) || isNrrdName(path) || isMetaImageName(path);
 }
 
-/// Whether it is a DICOM file of something else than a mask, such as a slice.
-bool isOtherDicom(const QString& path)
+/// Whether it is an image in DICOM, such as a slice. What is neither that nor a mask is refused by
+/// its reader.
+bool isDicomImage(const QString& path)
 {
     if (isLabelMapName(path) || isMeshName(path))
         return false;
-    const Result<QString> sopClass = sopClassOf(path);
-    return sopClass && !isMaskClass(*sopClass);
+    const Result<ImageHeader> header = readImageHeader(path);
+    return header && !header->sopClassUid.isEmpty() && kindWithoutSlices(*header).isEmpty();
 }
 
 /// One file; without a segment if it lies wholly outside the study.
@@ -174,20 +179,20 @@ Result<MaskOnVolume> readFolder(const QString& path, const Volume& volume, const
             Clause::saying("no mask file lies in this folder (%1)", maskNamePatterns().join(u' ')));
     MaskOnVolume mask;
     std::uint64_t empty = 0;
-    QStringList images;
+    QStringList images; ///< that could have been masks by their names
+    std::uint64_t slices = 0;
     std::optional<Error> whyNoMask;
     for (int i = 0; i < files.size(); ++i) {
         if (progress.cancelled())
             return failure(ErrorCode::Cancelled);
         progress.report(ProgressStep::PlacingMask, i, int(files.size()));
-        const QString name = QFileInfo(files[i]).fileName();
-        if (isOtherDicom(files[i])) {
-            images.append(name);
+        if (isDicomImage(files[i])) {
+            ++slices;
             continue;
         }
         Result<MaskOnVolume> one = readFile(files[i], volume, progress);
         if (!one && saysImage(one.error())) {
-            images.append(name);
+            images.append(QFileInfo(files[i]).fileName());
             if (!whyNoMask)
                 whyNoMask = one.error();
             continue;
@@ -205,14 +210,15 @@ Result<MaskOnVolume> readFolder(const QString& path, const Volume& volume, const
         for (const MaskNote& note : one->notes)
             addNote(mask.notes, note);
     }
-    if (images.size() == files.size())
-        return whyNoMask ? tl::unexpected(*whyNoMask)
-                         : failure(ErrorCode::UnsupportedFormat, path,
-                             Clause::saying("its DICOM files are images and no masks"));
+    if (mask.segments.empty() && whyNoMask)
+        return tl::unexpected(*whyNoMask);
+    if (slices == std::uint64_t(files.size()))
+        return failure(ErrorCode::UnsupportedFormat, path,
+            Clause::saying("its DICOM files are images and no masks"));
     if (!images.isEmpty())
-        mask.notes.push_back({.code = MaskNote::Code::ImagesLeftOut,
-            .names = images.mid(0, mostNamed),
-            .some = std::uint64_t(images.size())});
+        mask.notes.push_back({.code = MaskNote::Code::ImagesLeftOut, .names = images});
+    if (slices > 0)
+        mask.notes.push_back({.code = MaskNote::Code::SlicesLeftOut, .some = slices});
     if (empty > 0 && !mask.segments.empty())
         mask.notes.push_back({.code = MaskNote::Code::FilesWithoutVoxel,
             .some = empty,

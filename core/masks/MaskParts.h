@@ -48,9 +48,13 @@ constexpr std::size_t mostSegments = 255;
 /// The error of a label map without a label. In a folder such a file is left out.
 [[nodiscard]] tl::unexpected<Error> hasNoLabel(const QString& path);
 
-/// The failure of a file whose values cannot be labels, as those of an image.
-/// @param value one of them
+/// The failure of a file in which a value cannot be a label.
+/// @param value the first of them
 [[nodiscard]] tl::unexpected<Error> holdsNoLabels(const QString& path, double value);
+
+/// The failure of a file whose values cannot be labels and are as many as those of an image. In a
+/// folder such a file is left out, and so is one of the following.
+[[nodiscard]] tl::unexpected<Error> holdsImage(const QString& path);
 
 /// The failure of a file with more labels than a session has segments.
 [[nodiscard]] tl::unexpected<Error> holdsTooManyLabels(const QString& path);

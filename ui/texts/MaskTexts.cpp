@@ -57,10 +57,10 @@ QString maskNoteText(const core::MaskNote& note)
             .arg(note.some)
             .arg(note.all);
     case Code::ImagesLeftOut:
-        return note.some > std::uint64_t(note.names.size())
-            ? MaskTexts::tr("Left out, since they are images and no masks: %1 and %2 more files.")
-                  .arg(names, grouped(note.some - std::uint64_t(note.names.size())))
-            : MaskTexts::tr("Left out, since they are images and no masks: %1.").arg(names);
+        return MaskTexts::tr("Left out, since their values are those of images: %1.").arg(names);
+    case Code::SlicesLeftOut:
+        return MaskTexts::tr("%1 DICOM files of the folder are images and are left out.")
+            .arg(grouped(note.some));
     case Code::FilesWithoutVoxel:
         return MaskTexts::tr("%1 of the folder's %2 mask files have no voxel inside the study and "
                              "are left out.")

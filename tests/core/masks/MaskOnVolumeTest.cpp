@@ -13,6 +13,9 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <dcmtk/config/osconfig.h>
+#include <dcmtk/dcmdata/dctk.h>
+
 namespace maskOnVolumeTest {
 
 using namespace core;
@@ -168,11 +171,46 @@ private Q_SLOTS:
         const Result<MaskOnVolume> mask = folder.read();
         QVERIFY2(mask, qPrintable(mask ? QString() : mask.error().arguments.join(u' ')));
         QCOMPARE(mask->segments.size(), std::size_t(1));
-        const std::vector<MaskNote> notes{{.code = MaskNote::Code::ImagesLeftOut,
-            .names = {QStringLiteral("ct.nii"), QStringLiteral("mr.nii"),
-                QStringLiteral("slice0.dcm")},
-            .some = 5}};
+        const std::vector<MaskNote> notes{
+            {.code = MaskNote::Code::ImagesLeftOut,
+                .names = {QStringLiteral("ct.nii"), QStringLiteral("mr.nii")}},
+            {.code = MaskNote::Code::SlicesLeftOut, .some = 3}};
         QCOMPARE(mask->notes, notes);
+    }
+
+    /// One that is damaged, or was resampled linearly, is no image: it is named, and nothing of
+    /// the others is taken.
+    void aDamagedMaskIsNoImage()
+    {
+        const MaskFolder folder;
+        folder.add(QStringLiteral("liver.nii"), liver);
+        std::vector<std::int16_t> values(test::smallGrid().voxelCount(), 0);
+        for (std::size_t i = 1000; i < 3000; ++i)
+            values[i] = 1;
+        values[2000] = -1;
+        folder.addImage(QStringLiteral("spleen.nii"), values);
+        const Result<MaskOnVolume> mask = folder.read();
+        QVERIFY(!mask);
+        QCOMPARE(QString(mask.error().arguments[0]), folder.path(QStringLiteral("spleen.nii")));
+        QCOMPARE(QString(mask.error().arguments[1]),
+            QStringLiteral("its values are not labels: -1 is among them"));
+    }
+
+    /// What is neither image nor mask is refused by name.
+    void otherDicomIsRefused()
+    {
+        const MaskFolder folder;
+        folder.add(QStringLiteral("liver.nii"), liver);
+        const test::SyntheticSeries doses{.size = {8, 8, 1},
+            .fileName = [](int) { return QStringLiteral("dose.dcm"); },
+            .adjust =
+                [](DcmDataset& set, int) {
+                    set.putAndInsertString(DCM_SOPClassUID, "1.2.840.10008.5.1.4.1.1.481.2");
+                }};
+        QCOMPARE(test::writeSeries(doses, folder.path()).size(), 1);
+        const Result<MaskOnVolume> mask = folder.read();
+        QVERIFY(!mask);
+        QCOMPARE(QString(mask.error().arguments[0]), folder.path(QStringLiteral("dose.dcm")));
     }
 
     void aFolderHasNoMoreSegmentsThanASession()
