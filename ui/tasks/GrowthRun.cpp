@@ -103,7 +103,9 @@ void GrowthRun::finish()
 
 void GrowthRun::goToNextTurn()
 {
-    const core::EditSession& session = *m_workspace.session();
+    core::EditSession& session = *m_workspace.session();
+    if (session.openIsPreview())
+        session.closeOpen();
     // The progress is that of the turn before until its row is there.
     if (session.transactionOpen() || !session.idle())
         return;
@@ -123,7 +125,7 @@ void GrowthRun::poll()
     if (session && m_nextTurn)
         return goToNextTurn();
     // Another edit, undo or export closes a running burst by itself.
-    if (!session || !session->transactionOpen()) {
+    if (!session || !session->transactionOpen() || session->openIsPreview()) {
         m_turns.clear();
         return finish();
     }

@@ -72,7 +72,8 @@ void LabelFetch::take(const core::Result<void>& portion)
     const core::RowId position = work.session.history().position();
     if (!work.position)
         work.position = position;
-    if (*work.position != position)
+    // What stands open has begun since: it is no step yet.
+    if (*work.position != position || work.session.transactionOpen())
         return fail(editedMeanwhile());
     if (!portion)
         return fail(portion.error());

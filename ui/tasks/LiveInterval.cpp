@@ -34,7 +34,8 @@ LiveInterval::LiveInterval(Workspace& workspace, QObject* parent)
 bool LiveInterval::possible() const
 {
     const core::EditSession* session = m_workspace.session();
-    return session && session->whyReadOnly().isEmpty() && (m_open || !session->transactionOpen())
+    return session && session->whyReadOnly().isEmpty()
+        && (m_open || !session->isOpen<core::ChangeInterval>())
         && m_workspace.seeds().past().of(*session, m_workspace.growthPlane()).criteria.has_value();
 }
 
@@ -51,7 +52,7 @@ void LiveInterval::settle()
         send(true);
     core::EditSession* session = m_workspace.session();
     // However short the drag was, what it suspends is to be seen afterwards.
-    if (m_open && !m_comparison && session && session->transactionOpen()
+    if (m_open && !m_comparison && session && session->isOpen<core::ChangeInterval>()
         && m_workspace.viewOptions().suspendedBodies)
         session->questions().compareGrowth([](const auto&) {}, true);
     end(core::Ending::Commit);
@@ -65,7 +66,7 @@ void LiveInterval::cancel()
 void LiveInterval::end(core::Ending ending)
 {
     core::EditSession* session = m_workspace.session();
-    const bool open = m_open && session && session->transactionOpen();
+    const bool open = m_open && session && session->isOpen<core::ChangeInterval>();
     close();
     if (open)
         session->end(ending);
@@ -76,7 +77,7 @@ void LiveInterval::send(bool atOnce)
     core::EditSession* session = m_workspace.session();
     if (!session)
         return close();
-    if (m_open && !session->transactionOpen())
+    if (m_open && !session->isOpen<core::ChangeInterval>())
         m_open = false; // something else has closed it
     if (!m_open) {
         core::ChangeInterval change;
@@ -113,7 +114,7 @@ void LiveInterval::send(bool atOnce)
 void LiveInterval::poll()
 {
     const core::EditSession* session = m_workspace.session();
-    if (!session || !session->transactionOpen())
+    if (!session || !session->isOpen<core::ChangeInterval>())
         return close();
     if (m_wanted)
         send(false);

@@ -30,7 +30,9 @@ CopyOperation::CopyOperation(CopySegment edit, RowId again)
 
 bool CopyOperation::foresee(Document& document) const
 {
-    return copy().plane && applyToDocument(edit(), document);
+    // Its label is taken even while the plane is not known.
+    const bool isApplied = bool(applyToDocument(edit(), document));
+    return isApplied && copy().plane.has_value();
 }
 
 void CopyOperation::start(SessionState& state)

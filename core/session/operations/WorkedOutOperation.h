@@ -38,7 +38,11 @@ public:
     [[nodiscard]] bool isAbortable() const final;
     [[nodiscard]] int percent() const final { return m_watch->percent; }
 
-    [[nodiscard]] bool open() const final { return !m_ending && !done(); }
+    /// What was aborted no longer stands open, although its computation may not have noticed yet.
+    [[nodiscard]] bool open() const final
+    {
+        return !m_ending && !done() && !m_watch->progress.cancelled();
+    }
     /// It can be told nothing.
     void extend(SessionState&, const StrokeExtension&) final { }
     void end(SessionState& state, Ending ending) final;

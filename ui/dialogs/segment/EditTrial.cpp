@@ -93,11 +93,12 @@ void EditTrial::begin()
         return m_soon.start(laterMilliseconds);
     const core::Edit wanted = *std::exchange(m_wanted, std::nullopt);
     if (!isOf(wanted)) {
-        m_shown.reset();
         stopCounting();
         if (session->begin(wanted)) {
             m_shown = wanted;
             m_countSoon.start();
+        } else {
+            rollBack();
         }
     }
     Q_EMIT changed();

@@ -220,7 +220,8 @@ void FloodFillTool::press(const PointerSample& sample, const ViewContext& view)
     if (m_erases && m_workspace.session()->document().segments.empty())
         return m_workspace.say(tr("There is no segment to erase"));
     // An impatient second click would do it all once more.
-    if (m_workspace.session()->segmentWork().percent())
+    core::EditSession& session = *m_workspace.session();
+    if (!session.openIsPreview() && session.segmentWork().percent())
         return m_workspace.say(tr("A segment is being worked out; Esc abandons it"));
     const core::Result<int> label = ensureActiveSegment(m_workspace);
     if (!label)
@@ -238,7 +239,8 @@ void FloodFillTool::press(const PointerSample& sample, const ViewContext& view)
 
 void FloodFillTool::cancel()
 {
-    if (core::EditSession* session = m_workspace.session())
+    core::EditSession* session = m_workspace.session();
+    if (session && !session->openIsPreview()) // which is a dialog's
         session->segmentWork().abort();
 }
 

@@ -105,7 +105,8 @@ void PeelTool::setGaps(const Gaps& gaps)
     m_gaps = gaps;
     if (m_open) {
         // Which surface is peeled is decided where a peel begins.
-        workspace().session()->end(core::Ending::Rollback);
+        if (workspace().session()->isOpen<core::PeelCut>())
+            workspace().session()->end(core::Ending::Rollback);
         m_open = open(m_peel.get<core::PeelCut>());
     }
     Q_EMIT changed();
@@ -179,7 +180,8 @@ void PeelTool::close(core::Ending ending)
 {
     m_open = false;
     m_depthDrag.reset();
-    if (core::EditSession* session = workspace().session())
+    core::EditSession* session = workspace().session();
+    if (session && session->isOpen<core::PeelCut>())
         session->end(ending);
     Q_EMIT changed();
     Q_EMIT overlayChanged();
@@ -221,7 +223,7 @@ void PeelTool::follow()
 {
     const core::EditSession* session = workspace().session();
     // What is open then may be another's: a growth begins in the moment that it ends a peel.
-    if (m_open && !(session && session->transactionOpen() && keptRow() == 0)) {
+    if (m_open && !(session && session->isOpen<core::PeelCut>() && keptRow() == 0)) {
         m_open = false;
         m_depthDrag.reset();
         m_endedByOther = session != nullptr;
