@@ -255,7 +255,9 @@ QString StudyAttempt::told(QString text) const
 Result<void> StudyAttempt::survey()
 {
     // One whose disk failed as it was closed is closed by opening it, or is not finished.
-    if (QFileInfo::exists(sessionPath()) && !core::strayPartOf(sessionPath()).isEmpty())
+    if (QFileInfo::exists(sessionPath())
+        && (!core::strayPartOf(sessionPath()).isEmpty()
+            || !core::sessionLoss(sessionPath()).leftOpen.isEmpty()))
         static_cast<void>(core::SessionFile::open(sessionPath(), core::SessionAccess::ReadWrite));
     for (const QString& place : std::as_const(m_places)) {
         const QStringList names = entries(place);

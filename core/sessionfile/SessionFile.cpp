@@ -25,6 +25,7 @@ SessionFile::SessionFile(const QString& path)
         m_writer.run([&] {
             writeWaiting();
             m_tables.reset();
+            m_whyShut.reset();
             const std::lock_guard guard(m_mutex);
             m_whyNoFile = why;
         });
@@ -222,7 +223,7 @@ void SessionFile::saveAs(const QString& target, bool replaceExisting,
             const Result<void> moved =
                 guarded([&] { return moveTo(target, replaceExisting, images); });
             images = {}; // what was staged and is not used is gone before anybody is told
-            openAgain();
+            writeWaiting();
             done(moved);
         },
         [done](const Error& error) { done(tl::unexpected(error)); });
@@ -261,8 +262,11 @@ void SessionFile::copyTo(const QString& path, std::function<void(const Result<vo
     m_writer.post(
         [this, path, done] {
             writeWaiting();
-            const Result<void> copied =
-                guarded([&] { return copySessionInto(path, parts(), {.kept = false}); });
+            const Result<void> copied = guarded([&]() -> Result<void> {
+                if (m_whyShut)
+                    return tl::unexpected(*m_whyShut);
+                return copySessionInto(path, parts(), {.kept = false});
+            });
             if (!copied)
                 removeSession(path);
             done(copied);
@@ -386,7 +390,7 @@ void SessionFile::writeWaiting()
     if (m_tables)
         setTrouble(m_waiting.carryOut(*m_tables, m_path));
     else
-        setTrouble(m_waiting.holdStep() ? std::optional(whyNoTables()) : std::nullopt);
+        setTrouble(m_whyShut || m_waiting.holdStep() ? std::optional(whyNoTables()) : std::nullopt);
 }
 
 void SessionFile::setTrouble(const std::optional<Error>& trouble)
@@ -416,6 +420,7 @@ Result<BrickDelta> SessionFile::readDelta(RowId row)
 {
     Result<BrickDelta> result;
     m_writer.run([&] {
+        openAgain();
         if (const BrickDelta* waits = m_waiting.deltaOf(row))
             result = *waits;
         else if (m_tables)

@@ -128,8 +128,8 @@ StagedFile& StagedFile::operator=(StagedFile&& other) noexcept
 
 StagedFile::~StagedFile()
 {
-    if (m_path.isEmpty())
-        return;
+    if (m_path.isEmpty() || (m_isAdopted && !m_committed))
+        return; // there is no other copy of an adopted file
     // With what SQLite kept beside it, where it was a session whose disk failed.
     for (const char* part : {"", "-wal", "-shm", "-journal"})
         QFile::remove(m_path + QLatin1String(part));

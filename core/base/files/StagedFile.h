@@ -30,7 +30,8 @@ public:
     static Result<StagedFile> create(
         const QString& target, bool replaceExisting, bool overSession = false);
 
-    /// Takes over an existing file in the folder of its target, which may be replaced.
+    /// Takes over an existing file in the folder of its target, which may be replaced. It is not
+    /// removed if it is never committed.
     static StagedFile adopt(const QString& path, const QString& target);
 
     StagedFile(StagedFile&& other) noexcept;
