@@ -4,6 +4,7 @@
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/fixtures/EditEngineFixture.h"
 #include "tests/support/program/LongRun.h"
+#include "tests/support/program/Sanitizer.h"
 #include "tests/support/program/TestProgram.h"
 
 #include <QtTest>
@@ -53,6 +54,7 @@ bool refuses(std::size_t bytes, const void* caller)
 
 } // namespace refusedNewGlTest
 
+#if !__has_feature(address_sanitizer) // whose own these would replace for all tests of the program
 void* operator new(std::size_t bytes)
 {
     if (refusedNewGlTest::refuses(bytes, __builtin_return_address(0)))
@@ -71,6 +73,7 @@ void operator delete(void* place, std::size_t) noexcept
 {
     std::free(place);
 }
+#endif
 
 namespace refusedNewGlTest {
 
