@@ -391,7 +391,7 @@ private Q_SLOTS:
         Fixture fixture;
         fixture.apply(core::AddSegment{.name = QStringLiteral("Lesion"), .rgb = 0x40C080});
         ui::SliceView& view = fixture.window.views().axial();
-        const auto& slice = std::get<gpu::SliceScene>(view.context().scene);
+        const auto slice = std::get<gpu::SliceScene>(view.context().scene);
         core::FillOutline fill{.segment = 1,
             .originLps = slice.centreLps,
             .rightLps = slice.rightLps,
