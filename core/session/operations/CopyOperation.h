@@ -22,7 +22,8 @@ public:
 
     void start(SessionState& state) override;
     void takeResult(SessionState& state, EngineResult&& result) override;
-    /// As Operation::foresee(). Returns false as long as the edit names no plane.
+    /// As Operation::foresee(). Returns false as long as the edit names no plane; the copy, with
+    /// its label, is in the document all the same.
     [[nodiscard]] bool foresee(Document& document) const override;
 
 private:

@@ -358,6 +358,26 @@ private Q_SLOTS:
         QVERIFY(fixture.session().document().measurements.empty());
     }
 
+    /// A segment that is added while a copy is still looking for its label plane is not that copy.
+    void whoComesNextIsNotTheCopy()
+    {
+        Fixture fixture;
+        QVERIFY(ui::addSegment(fixture.workspace, 1)); // so that planes must be looked at
+        QVERIFY(fixture.session().settle());
+        fixture.workspace.setActiveSegment(1);
+        fixture.window.actionTable().refresh();
+        fixture.window.actionTable()[QStringLiteral("segments.duplicate")].trigger();
+        const core::Result<int> added = ui::addSegment(fixture.workspace);
+        QVERIFY(added);
+        QVERIFY(fixture.session().settle());
+        const core::Document& document = fixture.session().document();
+        QCOMPARE(document.segments.size(), std::size_t(6));
+        QCOMPARE(fixture.workspace.activeSegment(), *added);
+        QCOMPARE(document.segment(*added)->voxels, std::int64_t(0));
+        QCOMPARE(document.segments[4].name, QStringLiteral("Brain copy"));
+        QCOMPARE(int(document.segments[5].label), *added);
+    }
+
     /// What cannot be chosen says why.
     void whatCannotBeSaysWhy()
     {
