@@ -290,7 +290,9 @@ void Application::followSaved(const QString& before, const QString& now)
     // The copy stands: what a working session held lies in a file of the user's own.
     if (!before.isEmpty() && isWorkingSession(before) && !core::isSessionInUse(before))
         core::removeSession(before);
-    ui::RecentStudies::add(now);
+    // A working session that was written anew is found by its study.
+    if (!isWorkingSession(now))
+        ui::RecentStudies::add(now);
     if (!m_workspace->session() || m_workspace->session()->file() != now)
         return;
     m_sessionFile = now;

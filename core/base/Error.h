@@ -46,6 +46,7 @@ enum class ErrorCode {
     SessionDamaged,
     SessionMismatch,
     SessionUnwritten, ///< work continues in memory; argument 1: the error of the disk
+    SessionMoved, ///< another program took its name: it goes on here; argument 2: the file before
     SessionReadOnly, ///< it was opened for viewing; argument 1: why
     StudyMissing, ///< argument 1: where the session's study was
     // Machine.

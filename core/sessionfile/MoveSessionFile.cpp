@@ -5,6 +5,7 @@
 #include "core/base/files/StagedError.h"
 #include "core/base/files/StagedFile.h"
 #include "core/sessionfile/SessionCopy.h"
+#include "core/sessionfile/SessionPlaces.h"
 #include "core/sessionfile/records/SessionTables.h"
 #include "core/sessionfile/records/SessionUse.h"
 
@@ -49,11 +50,8 @@ Result<void> SessionFile::renameTo(const QString& target)
         return closed;
     StagedFile staged = StagedFile::adopt(m_path, target);
     const Result<void> gone = goOnIn(staged);
-    if (gone)
-        return gone;
-    setPath(staged.path().isEmpty() ? target : staged.path());
-    staged.release();
-    openAgain();
+    if (!gone)
+        goOnUnnamed(staged);
     return gone;
 }
 
@@ -101,6 +99,11 @@ Result<void> SessionFile::moveTo(
     // What waits is in the copy, too, which may have had to stay in the file's place.
     if (gone || (ownPlace && (*staged)->path().isEmpty()))
         m_waiting.clear();
+    // Somebody deleted the one before meanwhile.
+    if (!gone && ownPlace && !QFileInfo::exists(m_path)) {
+        m_waiting.clear();
+        goOnUnnamed(**staged);
+    }
     if (!gone)
         return gone;
     {
@@ -125,8 +128,18 @@ Result<void> SessionFile::goOnIn(StagedFile& staged)
     if (gone || !staged.isCommitted())
         return gone;
     // SQLite made them for the new file: the old one had none.
-    removeSessionParts(staged.target());
+    if (!isSessionInUse(staged.target()))
+        removeSessionParts(staged.target());
     return tl::unexpected(takingBack(gone.error(), staged));
+}
+
+/// On the writer's thread. There is no other file that holds the session, and goOnIn() could not
+/// give it its name.
+void SessionFile::goOnUnnamed(StagedFile& staged)
+{
+    setPath(staged.path().isEmpty() ? staged.target() : staged.path());
+    staged.release();
+    openAgain();
 }
 
 /// On the writer's thread. Only for as long as the file gets another name or is replaced: nothing
@@ -144,13 +157,87 @@ Result<void> SessionFile::closeAsOneFile()
         ErrorCode::FileUnwritable, m_path, Clause::saying("it could not be closed as one file"));
 }
 
+/// On the writer's thread. What is written to a file without a name, or under one that the session
+/// does not know, would be lost when it is closed.
+Result<void> SessionFile::keepName()
+{
+    if (!m_tables || m_followed.isAt(m_path))
+        return {};
+    const QString before = m_path;
+    const QString now = m_followed.path();
+    const Result<void> kept = now.isEmpty() ? writeAnew() : followTo(now);
+    if (!kept)
+        return kept;
+    {
+        const std::lock_guard lock(m_mutex);
+        m_moved = Error{ErrorCode::SessionMoved,
+            {m_path,
+                !now.isEmpty() ? Clause::saying("another program renamed '%1'", before)
+                    : before == m_path
+                    ? Clause::saying("another program deleted it; it was written anew")
+                    : Clause::saying("another program replaced '%1'", before),
+                before}};
+    }
+    if (m_troubleListener)
+        m_troubleListener();
+    return {};
+}
+
+/// On the writer's thread. The file has another name now.
+Result<void> SessionFile::followTo(const QString& path)
+{
+    if (!m_tables->leaveName())
+        return failure(ErrorCode::FileUnwritable, path,
+            Clause::saying("another program renamed '%1' while it was open", m_path));
+    m_whyShut = Error{ErrorCode::FileUnwritable, {path}};
+    m_tables.reset();
+    setPath(path);
+    const Result<void> opened = reopen(path);
+    if (!opened)
+        m_whyShut = opened.error();
+    return opened;
+}
+
+/// On the writer's thread. The file has no name any more: it stays open until a copy of it has one.
+Result<void> SessionFile::writeAnew()
+{
+    const auto named = [this](Error error) {
+        error.arguments.set(1,
+            Clause::saying("another program deleted '%1' while it was open, and it cannot be "
+                           "written anew: %2",
+                m_path, error.arguments.value(1)));
+        return error;
+    };
+    const QString target = freeSessionName(m_path);
+    const Result<std::shared_ptr<StagedFile>> made =
+        stageSessionCopy(target, false, true, parts(), {});
+    if (!made)
+        return tl::unexpected(named(made.error()));
+    // From here on it is the only one.
+    StagedFile staged = StagedFile::adopt((*made)->path(), target);
+    (*made)->release();
+    m_tables->leaveName();
+    m_whyShut = Error{ErrorCode::FileUnwritable, {target}};
+    m_tables.reset();
+    m_waiting.clear();
+    const Result<void> gone = goOnIn(staged);
+    if (gone)
+        return gone;
+    goOnUnnamed(staged);
+    return tl::unexpected(named(gone.error()));
+}
+
 /// On the writer's thread.
 Result<void> SessionFile::reopen(const QString& path)
 {
+    // SQLite would make one that is not there.
+    if (const Result<void> there = checkSessionToOpen(path, Access::ReadWrite); !there)
+        return there;
     auto tables = std::make_unique<SessionTables>(path);
     if (const Result<SessionContents> read = tables->open(Access::ReadWrite); !read)
         return tl::unexpected(read.error());
     m_tables = std::move(tables);
+    m_followed = FollowedFile(path);
     m_whyShut.reset();
     const std::lock_guard lock(m_mutex);
     m_whyNoFile.reset();
@@ -163,6 +250,8 @@ void SessionFile::openAgain()
 {
     if (!m_whyShut)
         return;
+    if (const QString now = m_followed.path(); !now.isEmpty() && !m_followed.isAt(m_path))
+        setPath(now);
     if (const Result<void> opened = guarded([this] { return reopen(m_path); }); !opened)
         m_whyShut = opened.error();
 }

@@ -77,6 +77,7 @@ Result<std::unique_ptr<SessionFile>> SessionFile::begin(
     if (!created)
         return tl::unexpected(created.error());
     file->m_contents.source = source;
+    file->m_followed = FollowedFile(path);
     return file;
 }
 
@@ -102,6 +103,8 @@ Result<std::unique_ptr<SessionFile>> SessionFile::open(const QString& path, Acce
     file->m_contents = *std::move(contents);
     file->m_holdsImages = file->m_contents.holdsImages;
     file->m_isPrivateCopy = access == Access::PrivateCopy;
+    if (access == Access::ReadWrite)
+        file->m_followed = FollowedFile(path);
     return file;
 }
 
@@ -232,6 +235,8 @@ void SessionFile::retry()
 void SessionFile::writeWaiting()
 {
     openAgain();
+    if (const Result<void> kept = guarded([this] { return keepName(); }); !kept)
+        return setTrouble(kept.error());
     if (m_tables)
         setTrouble(m_waiting.carryOut(*m_tables, m_path));
     else
@@ -254,6 +259,12 @@ std::optional<Error> SessionFile::trouble() const
 {
     const std::lock_guard lock(m_mutex);
     return m_trouble;
+}
+
+std::optional<Error> SessionFile::takeMove()
+{
+    const std::lock_guard lock(m_mutex);
+    return std::exchange(m_moved, std::nullopt);
 }
 
 void SessionFile::setTroubleListener(std::function<void()> listener)

@@ -3,6 +3,7 @@
 
 #include "core/base/Result.h"
 #include "core/base/TaskThread.h"
+#include "core/base/files/FollowedFile.h"
 #include "core/sessionfile/CloseSessionFiles.h"
 #include "core/sessionfile/SessionWrites.h"
 #include "core/sessionfile/records/SavedImages.h"
@@ -27,6 +28,10 @@ struct AuditReport;
 /// connection belongs to one writer thread. Calls that write return at once and are carried out in
 /// order. If writing fails (the disk is full, the folder is gone), the write waits in memory with
 /// all that follow it, and is tried again with each later call. Any thread may call.
+///
+/// Another program may rename, move, delete or replace the file while it is open. The next write
+/// notices: the session then goes on in the file under its new name, or, if it has none, in a new
+/// file that holds everything (takeMove()).
 class SessionFile {
 public:
     /// Creates a file that only its owner can read. It never replaces one: to replace a file,
@@ -107,13 +112,18 @@ public:
     /// Errors: FileUnwritable.
     void copyTo(const QString& path, std::function<void(const Result<void>&)> done);
 
+    /// Where the session has gone on since the last call, because another program took the name
+    /// from its file: SessionMoved. None: where it was.
+    [[nodiscard]] std::optional<Error> takeMove();
+
     /// Tries to write what waits in memory. Never blocks.
     void retry();
     /// The reason why something waits in memory (without a file: a step); none: all is on disk or
     /// being written.
     [[nodiscard]] std::optional<Error> trouble() const;
-    /// @param listener called on the writer's thread when writing begins to fail and when
-    /// everything is written again; to be set before the first write
+    /// @param listener called on the writer's thread when writing begins to fail, when everything
+    /// is written again, and when there is something for takeMove(); to be set before the first
+    /// write
     void setTroubleListener(std::function<void()> listener);
 
 private:
@@ -129,7 +139,11 @@ private:
         const QString& target, bool replaceExisting, const SavedImages& images);
     [[nodiscard]] Result<void> renameTo(const QString& target);
     [[nodiscard]] Result<void> goOnIn(StagedFile& staged);
+    void goOnUnnamed(StagedFile& staged);
     [[nodiscard]] Result<void> closeAsOneFile();
+    [[nodiscard]] Result<void> keepName();
+    [[nodiscard]] Result<void> followTo(const QString& path);
+    [[nodiscard]] Result<void> writeAnew();
     [[nodiscard]] SessionParts parts() const;
     [[nodiscard]] Result<void> reopen(const QString& path);
     void openAgain();
@@ -144,12 +158,14 @@ private:
     bool m_isPrivateCopy = false;
     std::optional<Error> m_trouble;
     std::optional<Error> m_whyNoFile;
+    std::optional<Error> m_moved;
     bool m_holdsImages = false;
     // The writer's thread only:
     std::unique_ptr<SessionTables> m_tables; ///< null: there is no file, or none that opens
     /// Why the file at m_path, which has all steps but those that wait, is not open; none: it is,
     /// or there is no file.
     std::optional<Error> m_whyShut;
+    FollowedFile m_followed; ///< the file that is open for writing
     SessionWrites m_waiting;
 
     std::optional<ClosableSessionFile> m_closable; ///< destroyed first

@@ -5,6 +5,7 @@
 #include "core/base/files/StagedFile.h"
 #include "core/sessionfile/records/SessionUse.h"
 
+#include <QDir>
 #include <QFile>
 #include <QFileInfo>
 
@@ -23,6 +24,23 @@ Result<void> makeEmptySession(const QString& path)
             QFileDevice::ReadOwner | QFileDevice::WriteOwner))
         return failure(ErrorCode::FileUnwritable, path, empty.errorString());
     return {};
+}
+
+QString freeSessionName(const QString& path)
+{
+    const QFileInfo info(path);
+    QString free = path;
+    const auto isTaken = [](const QString& name) {
+        const QFileInfo there(name);
+        return there.exists() || there.isSymLink();
+    };
+    for (int count = 2; isTaken(free); ++count)
+        free = info.absoluteDir().filePath(
+            QStringLiteral("%1 (%2)%3")
+                .arg(info.completeBaseName())
+                .arg(count)
+                .arg(info.suffix().isEmpty() ? QString() : QLatin1Char('.') + info.suffix()));
+    return free;
 }
 
 Result<void> checkSessionToOpen(const QString& path, SessionAccess access)

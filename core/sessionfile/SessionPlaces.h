@@ -12,6 +12,9 @@ namespace core {
 /// FileUnwritable.
 [[nodiscard]] Result<void> makeEmptySession(const QString& path);
 
+/// The path itself if no file lies there, else one beside it with a number, "case (2).burin".
+[[nodiscard]] QString freeSessionName(const QString& path);
+
 /// Checks that a file exists and can be opened with this access, whatever it contains. Errors:
 /// FileNotFound, FileUnreadable, FileTruncated (empty), FileUnwritable.
 [[nodiscard]] Result<void> checkSessionToOpen(const QString& path, SessionAccess access);

@@ -123,6 +123,8 @@ QString errorText(const core::Error& error)
             "%1 cannot be written now%2. Work goes on and is kept in memory; it is "
             "written as soon as that is possible")
             .arg(first, reason);
+    case ErrorCode::SessionMoved:
+        return ErrorTexts::tr("the session goes on in %1%2. Nothing is lost").arg(first, reason);
     case ErrorCode::SessionMismatch:
         return ErrorTexts::tr("%1: the session was made on another volume%2").arg(first, reason);
     case ErrorCode::SessionReadOnly:

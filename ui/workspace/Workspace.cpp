@@ -69,7 +69,11 @@ void Workspace::setSession(std::unique_ptr<core::EditSession> session)
                 followOpacities();
             Q_EMIT documentChanged(change);
         });
-        m_session->setErrorListener([this](const core::Error& error) { fail(error); });
+        m_session->setErrorListener([this](const core::Error& error) {
+            if (error.code == core::ErrorCode::SessionMoved)
+                noteSaved({}, error.arguments.value(0));
+            fail(error);
+        });
         m_session->setOrigin([] { return core::presentOrigin(authorName()); });
         applyHistoryMemory();
     }

@@ -260,7 +260,8 @@ public:
     /// Shows one sentence in the status line: what happened, to what, what to do.
     void say(const QString& sentence) { Q_EMIT said(sentence); }
     /// Tells that the session was moved to another file.
-    /// @param before the previous file; empty if the session was read-only
+    /// @param before the previous file; empty if the session was read-only, or another program
+    /// has taken the name from it
     void noteSaved(const QString& before, const QString& now) { Q_EMIT sessionSaved(before, now); }
     /// Reports a failure in the bar above the views.
     void fail(const core::Error& error) { Q_EMIT failed(error); }

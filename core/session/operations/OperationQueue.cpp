@@ -182,6 +182,10 @@ void OperationQueue::waitForEngine()
 /// Told once when writing begins to fail; settle() tells whoever waits for the disk each time.
 void OperationQueue::noticeTrouble()
 {
+    if (const std::optional<Error> moved = m_state.file ? m_state.file->takeMove() : std::nullopt) {
+        m_state.errors.push_back(*moved);
+        m_state.notify(DocumentChange::What::Disk);
+    }
     const std::optional<Error> trouble = m_state.file ? m_state.file->trouble() : std::nullopt;
     if (trouble.has_value() == m_troubled)
         return;

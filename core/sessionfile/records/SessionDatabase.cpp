@@ -4,6 +4,7 @@
 #include "core/base/Guarded.h"
 #include "core/sessionfile/records/SessionSchema.h"
 
+#include <QFile>
 #include <QFileInfo>
 #include <QSqlQuery>
 #include <QStorageInfo>
@@ -27,6 +28,11 @@ bool isNetworkFileSystem(const QString& path)
     return false;
 }
 
+QString walOf(const QString& file)
+{
+    return file + QLatin1String("-wal");
+}
+
 const auto notForWriting = QStringLiteral("unable to open database file for writing");
 
 } // namespace
@@ -48,7 +54,7 @@ SessionDatabase::~SessionDatabase()
 void SessionDatabase::leaveWal()
 {
     constexpr int tries = 3;
-    bool left = m_readOnly || !m_connection.wasOpened();
+    bool left = m_readOnly || m_hasLeftName || !m_connection.wasOpened();
     for (int i = 0; !left && i < tries; ++i) {
         // The last thing that leaving writes is the mode: it is entered again to be left again.
         if (i > 0)
@@ -254,7 +260,21 @@ Result<void> SessionDatabase::beginWriting()
     // The file says from now on that its last writes are in the one beside it, which SQLite makes
     // at the first access only: until then a program that is killed would leave a session that
     // seems to lack something.
-    return m_connection.number("user_version") < 0 ? failed() : Result<void>();
+    if (m_connection.number("user_version") < 0)
+        return failed();
+    m_wal = FollowedFile(walOf(m_file));
+    return {};
+}
+
+bool SessionDatabase::leaveName()
+{
+    // SQLite itself does not leave WAL in a file whose name is not its own any more.
+    if (!run(QStringLiteral("PRAGMA wal_checkpoint(TRUNCATE)")))
+        return false;
+    m_hasLeftName = true;
+    if (const QString wal = walOf(m_file); QFile::exists(wal) && m_wal.isAt(wal))
+        QFile::remove(wal);
+    return true;
 }
 
 bool SessionDatabase::run(const QString& sql, const QVariantList& values)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/Result.h"
+#include "core/base/files/FollowedFile.h"
 #include "core/sessionfile/records/SessionUse.h"
 #include "core/sessionfile/records/SqliteConnection.h"
 
@@ -56,6 +57,11 @@ public:
     /// copied verbatim, since the chain depends on it.
     bool copyHistoryInto(const QString& path);
 
+    /// Of a file that another program has renamed, deleted or replaced while it was open for
+    /// writing: puts everything into the file itself and leaves nothing beside its name of before.
+    /// To be destroyed then. @return false: see reason()
+    bool leaveName();
+
     [[nodiscard]] Clause reason() const;
     /// What the file lacks. Of a file that is cut off, the existing part is read.
     [[nodiscard]] const SessionLoss& loss() const { return m_loss; }
@@ -79,6 +85,8 @@ private:
     SessionUse m_use; ///< while this process writes it
     SessionLoss m_loss;
     bool m_readOnly = false;
+    bool m_hasLeftName = false;
+    FollowedFile m_wal; ///< while it is written
     SqliteConnection m_connection; ///< last, so that it is closed before the copy and the lock go
 };
 

@@ -30,6 +30,8 @@ public:
     /// Copies everything but the images into a session without rows.
     [[nodiscard]] Result<void> copyHistoryInto(const QString& path);
     [[nodiscard]] bool holdsImages();
+    /// SessionDatabase::leaveName()
+    bool leaveName() { return m_database->leaveName(); }
 
     // One transaction each. One that fails (FileUnwritable) leaves the file as it was and may be
     // tried again. A row may be written only when the one before it exists.

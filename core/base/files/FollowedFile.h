@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QString>
+
+namespace core {
+
+/// A file that is known again after another program has renamed, moved, deleted or replaced it. It
+/// is not opened for reading or writing, so that locks which this process holds on it stay: closing
+/// any other descriptor of a file drops them (POSIX, fcntl).
+class FollowedFile {
+public:
+    FollowedFile() = default; ///< of no file, which is everywhere
+    /// Follows the file to which @p path leads; none if there is none, or no descriptor is free.
+    explicit FollowedFile(const QString& path);
+    FollowedFile(FollowedFile&& other) noexcept;
+    FollowedFile& operator=(FollowedFile&& other) noexcept;
+    ~FollowedFile();
+
+    /// Whether @p path leads to the file. A path that cannot be looked at just now counts as such.
+    /// Cost: one file system call.
+    [[nodiscard]] bool isAt(const QString& path) const;
+    /// The path that leads to it now; empty: it has none, since it was deleted.
+    [[nodiscard]] QString path() const;
+
+private:
+    int m_descriptor = -1;
+};
+
+} // namespace core
