@@ -125,9 +125,7 @@ QStringList StudyAttempt::entries(const QString& place) const
 {
     QStringList names =
         QDir(staged(place)).entryList(QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot);
-    const bool isOpen = place == m_places.front()
-        && !(core::strayPartOf(sessionPath()).isEmpty()
-            && core::sessionLoss(sessionPath()).leftOpen.isEmpty());
+    const bool isOpen = place == m_places.front() && isSessionLeftOpen();
     names.removeIf([this, isOpen](const QString& name) {
         return name.startsWith(QLatin1String(".burin-")) || (isOpen && name == m_session)
             || name == m_session + QLatin1String("-wal")
@@ -135,6 +133,13 @@ QStringList StudyAttempt::entries(const QString& place) const
             || name == m_session + QLatin1String("-journal");
     });
     return names;
+}
+
+bool StudyAttempt::isSessionLeftOpen() const
+{
+    return QFileInfo::exists(sessionPath())
+        && !(core::strayPartOf(sessionPath()).isEmpty()
+            && core::sessionLoss(sessionPath()).leftOpen.isEmpty());
 }
 
 /// As records name files: relative within the study's folder, else absolute.
@@ -255,9 +260,7 @@ QString StudyAttempt::told(QString text) const
 Result<void> StudyAttempt::survey()
 {
     // One whose disk failed as it was closed is closed by opening it, or is not finished.
-    if (QFileInfo::exists(sessionPath())
-        && (!core::strayPartOf(sessionPath()).isEmpty()
-            || !core::sessionLoss(sessionPath()).leftOpen.isEmpty()))
+    if (isSessionLeftOpen())
         static_cast<void>(core::SessionFile::open(sessionPath(), core::SessionAccess::ReadWrite));
     for (const QString& place : std::as_const(m_places)) {
         const QStringList names = entries(place);

@@ -47,6 +47,9 @@ public:
     /// will get.
     [[nodiscard]] QString told(QString text) const;
 
+    /// Whether the session's file is there, and whoever wrote it could not close it: it is no
+    /// result then, and place() leaves it where it is.
+    [[nodiscard]] bool isSessionLeftOpen() const;
     /// Computes the checksums of the files that were written. Errors: FileUnreadable.
     [[nodiscard]] core::Result<void> survey();
     /// Gives the files of survey() their final names. Errors: FileExists, FileUnwritable.

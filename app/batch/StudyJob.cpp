@@ -173,6 +173,11 @@ void StudyJob::takeResults()
     Result<void> taken;
     if (!crashed)
         taken = m_attempt.survey();
+    if (m_succeeded && m_attempt.isSessionLeftOpen()) {
+        m_succeeded = false;
+        m_mayBeTransient = true;
+        m_failure = QStringLiteral("its session could not be closed as one file");
+    }
     if (!crashed && taken) {
         // Before anything gets its name it is on record whose it is.
         m_attempt.noteIn(m_record);

@@ -156,8 +156,10 @@ core::Result<SessionPlan> aroundDamage(const QString& file, const core::SessionC
     core::Result<void> renamed = rename(file, aside);
     if (renamed) {
         renamed = rename(target, file);
-        if (!renamed)
-            static_cast<void>(rename(aside, file));
+        if (!renamed && !rename(aside, file))
+            renamed.error().arguments.set(1,
+                QStringLiteral("%1; the damaged session is in '%2' now")
+                    .arg(renamed.error().arguments.value(1), QFileInfo(aside).fileName()));
     }
     if (!renamed) {
         core::removeSession(target);

@@ -13,14 +13,21 @@ Error namingTarget(Error error, const StagedFile& staged)
     return error;
 }
 
+Clause leftElsewhere(const Clause& why, const QString& path, const QString& left)
+{
+    return Clause::saying("%1; what was '%2' is in '%3' now", why, QFileInfo(path).fileName(),
+        QFileInfo(left).fileName());
+}
+
 Error takingBack(Error error, StagedFile& staged)
 {
     const QString left = staged.takeBack();
-    if (!left.isEmpty())
-        error.arguments.set(1,
-            Clause::saying("%1; what was '%2' is in '%3' now", error.arguments.value(1),
-                QFileInfo(staged.target()).fileName(), QFileInfo(left).fileName()));
-    return error;
+    if (left.isEmpty())
+        return error;
+    const Clause reason = error.arguments.value(error.code == ErrorCode::OutOfMemory ? 0 : 1);
+    const Clause why = reason.isEmpty() ? Clause::saying("it cannot be replaced") : reason;
+    return {
+        ErrorCode::FileUnwritable, {staged.target(), leftElsewhere(why, staged.target(), left)}};
 }
 
 } // namespace core

@@ -2,6 +2,7 @@
 #include "core/base/files/StagedFile.h"
 
 #include "core/base/files/FileInUse.h"
+#include "core/base/files/StagedError.h"
 #include "core/base/files/SystemFile.h"
 
 #include <QDir>
@@ -107,6 +108,7 @@ StagedFile::StagedFile(StagedFile&& other) noexcept
     : m_path(std::exchange(other.m_path, QString()))
     , m_before(std::move(other.m_before))
     , m_target(std::move(other.m_target))
+    , m_astray(std::move(other.m_astray))
     , m_replaceExisting(other.m_replaceExisting)
     , m_overSession(other.m_overSession)
     , m_isAdopted(other.m_isAdopted)
@@ -119,6 +121,7 @@ StagedFile& StagedFile::operator=(StagedFile&& other) noexcept
     std::swap(m_path, other.m_path);
     std::swap(m_before, other.m_before);
     std::swap(m_target, other.m_target);
+    std::swap(m_astray, other.m_astray);
     std::swap(m_replaceExisting, other.m_replaceExisting);
     std::swap(m_overSession, other.m_overSession);
     std::swap(m_isAdopted, other.m_isAdopted);
@@ -153,18 +156,16 @@ Result<void> StagedFile::commit()
     const QByteArray to = QFile::encodeName(m_target);
     m_before = m_path;
     if (m_replaceExisting && QFileInfo::exists(m_target)) {
-        if (!exchange(from, to))
-            return failure(ErrorCode::FileUnwritable, m_target, systemReason(errno));
+        if (!exchange(from, to)) {
+            const QString why = systemReason(errno);
+            return failure(ErrorCode::FileUnwritable, m_target,
+                m_astray.isEmpty() ? Clause(why) : leftElsewhere(why, m_target, m_astray));
+        }
     } else {
-        int result =
-            ::renameat2(AT_FDCWD, from.constData(), AT_FDCWD, to.constData(), RENAME_NOREPLACE);
-        if (result != 0 && errno == EEXIST)
-            return failure(ErrorCode::FileExists, m_target);
-        // Not every file system knows the flag; there the look just before the rename must do.
-        if (result != 0 && (errno == EINVAL || errno == ENOSYS))
-            result = std::rename(from.constData(), to.constData());
-        if (result != 0)
-            return failure(ErrorCode::FileUnwritable, m_target, systemReason(errno));
+        if (!takeFreeName(from, to))
+            return errno == EEXIST
+                ? failure(ErrorCode::FileExists, m_target)
+                : failure(ErrorCode::FileUnwritable, m_target, systemReason(errno));
         m_path.clear();
     }
     m_committed = true;
@@ -174,7 +175,8 @@ Result<void> StagedFile::commit()
 }
 
 /// The new file takes the name and the old one the temporary name, at once where the file system
-/// can do that.
+/// can do that. The target's name leads to one of them all the while, or to none for a moment on
+/// file systems that do not know second names either.
 bool StagedFile::exchange(const QByteArray& from, const QByteArray& to)
 {
     if (::renameat2(AT_FDCWD, from.constData(), AT_FDCWD, to.constData(), RENAME_EXCHANGE) == 0)
@@ -183,16 +185,36 @@ bool StagedFile::exchange(const QByteArray& from, const QByteArray& to)
         return false;
     const QString aside = temporaryNameBeside(m_target);
     const QByteArray old = QFile::encodeName(aside);
-    if (std::rename(to.constData(), old.constData()) != 0)
+    const bool isSecondName = ::link(to.constData(), old.constData()) == 0;
+    if (!isSecondName && std::rename(to.constData(), old.constData()) != 0)
         return false;
     if (std::rename(from.constData(), to.constData()) != 0) {
         const int error = errno;
-        static_cast<void>(std::rename(old.constData(), to.constData()));
+        if (isSecondName)
+            ::unlink(old.constData());
+        else if (std::rename(old.constData(), to.constData()) != 0)
+            m_astray = aside;
         errno = error;
         return false;
     }
     m_path = aside;
     return true;
+}
+
+/// The new file gets the name if it is free.
+bool StagedFile::takeFreeName(const QByteArray& from, const QByteArray& to)
+{
+    if (::renameat2(AT_FDCWD, from.constData(), AT_FDCWD, to.constData(), RENAME_NOREPLACE) == 0)
+        return true;
+    // Not every file system knows the flag; a second name does not replace anything either.
+    if (errno != EINVAL && errno != ENOSYS)
+        return false;
+    if (::link(from.constData(), to.constData()) == 0) {
+        ::unlink(from.constData());
+        return true;
+    }
+    // Nor does every one know second names; there the look just before must do.
+    return errno != EEXIST && std::rename(from.constData(), to.constData()) == 0;
 }
 
 QString StagedFile::takeBack()
@@ -203,7 +225,7 @@ QString StagedFile::takeBack()
     QString left;
     if (!m_path.isEmpty()) {
         if (!exchange(QFile::encodeName(m_path), target))
-            left = std::exchange(m_path, QString());
+            left = std::exchange(m_path, std::exchange(m_astray, QString()));
     } else if (std::rename(target.constData(), QFile::encodeName(m_before).constData()) == 0) {
         m_path = m_before;
     } else if (!m_isAdopted) {

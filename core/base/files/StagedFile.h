@@ -59,10 +59,13 @@ private:
     StagedFile() = default;
 
     [[nodiscard]] bool exchange(const QByteArray& from, const QByteArray& to);
+    [[nodiscard]] static bool takeFreeName(const QByteArray& from, const QByteArray& to);
 
     QString m_path; ///< empty: nothing to remove
     QString m_before; ///< the temporary name that it had before commit()
     QString m_target;
+    /// Where exchange() had to leave what had the target's name; empty: nowhere.
+    QString m_astray;
     bool m_replaceExisting = false;
     bool m_overSession = false;
     bool m_isAdopted = false; ///< there is no other copy of it

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/export/common/ExportMask.h"
 
+#include "core/base/Guarded.h"
 #include "core/base/files/FileInUse.h"
 #include "core/base/files/StagedError.h"
 #include "core/base/files/StagedFile.h"
@@ -215,7 +216,8 @@ Result<ExportReport> exportOn(const Volume& volume, const ExportRequest& request
         if (const Result<void> placed = staged->beside->file.commit(); !placed)
             return tl::unexpected(placed.error());
     }
-    if (const Result<void> placed = staged->file.commit(); !placed)
+    // Both or none, also where there is no memory for the second one.
+    if (const Result<void> placed = guarded([&] { return staged->file.commit(); }); !placed)
         return tl::unexpected(
             staged->beside ? takingBack(placed.error(), staged->beside->file) : placed.error());
     return std::move(staged->report);

@@ -196,6 +196,7 @@ private Q_SLOTS:
     void initTestCase();
     void everyCall_data();
     void everyCall();
+    void withoutExchange();
     void cleanupTestCase() { qInfo("%d faults, %d refused", m_faults, m_refused); }
 };
 
@@ -473,6 +474,29 @@ void FailingSaveTest::everyCall()
                        .arg(wrong.join(QStringLiteral("\n         ")),
                            failed.mid(0, 3).join(QStringLiteral("\n          ")),
                            said.join(QStringLiteral("\n        ")))));
+}
+
+/// On file systems that cannot exchange two names, and know no rename that replaces nothing: the
+/// name that was there leads to a file all the while, whoever pulls the plug.
+void FailingSaveTest::withoutExchange()
+{
+    for (const Way& way : m_ways) {
+        if (!way.fromFile)
+            continue;
+        prepare(way);
+        const int rename = way.renames.front();
+        const Told told =
+            saved(way, {.under = folder(), .first = rename, .last = rename, .error = EINVAL}, false);
+        QVERIFY2(told.saved && told.closed, told.output.constData());
+        const QStringList wrong = wrongs(way, told, EINVAL, Lasting::Once);
+        QVERIFY2(wrong.isEmpty(), qPrintable(wrong.join(u'\n')));
+        int links = 0;
+        for (const FileEvent& event : m_home.events()) {
+            links += event.what == "link" ? 1 : 0;
+            QVERIFY2(event.what != "rename" || event.path != target(), way.name);
+        }
+        QVERIFY2(links == 1, way.name);
+    }
 }
 
 BURIN_TEST(SessionOnFailingDisk)
