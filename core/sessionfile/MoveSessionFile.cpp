@@ -250,7 +250,7 @@ void SessionFile::openAgain()
 {
     if (!m_whyShut)
         return;
-    if (const QString now = m_followed.path(); !now.isEmpty() && !m_followed.isAt(m_path))
+    if (const QString now = m_followed.path(); !now.isEmpty() && !QFileInfo::exists(m_path))
         setPath(now);
     if (const Result<void> opened = guarded([this] { return reopen(m_path); }); !opened)
         m_whyShut = opened.error();
