@@ -170,13 +170,13 @@ Result<void> SessionFile::keepName()
         return kept;
     {
         const std::lock_guard lock(m_mutex);
-        m_moved = Error{ErrorCode::SessionMoved,
-            {m_path,
-                !now.isEmpty() ? Clause::saying("another program renamed '%1'", before)
-                    : before == m_path
-                    ? Clause::saying("another program deleted it; it was written anew")
-                    : Clause::saying("another program replaced '%1'", before),
-                before}};
+        const QString name = QFileInfo(before).fileName();
+        const Clause what = !now.isEmpty()
+            ? Clause::saying("another program renamed or moved '%1'", name)
+            : before == m_path
+            ? Clause::saying("another program deleted it; it was written anew")
+            : Clause::saying("another program put another file in the place of '%1'", name);
+        m_moved = Error{ErrorCode::SessionMoved, {m_path, what, before}};
     }
     if (m_troubleListener)
         m_troubleListener();

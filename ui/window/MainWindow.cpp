@@ -158,7 +158,10 @@ MainWindow::MainWindow(Workspace& workspace, const QString& graphics)
         m_messages->show(MessageBar::Kind::Notice, made.sentence, made.button, made.run);
     });
     connect(&workspace, &Workspace::failed, this, [this](const core::Error& error) {
-        m_messages->show(MessageBar::Kind::Error, errorText(error));
+        // Nothing failed; but what has another name now is worth a look.
+        const bool moved = error.code == core::ErrorCode::SessionMoved;
+        m_messages->show(
+            moved ? MessageBar::Kind::Caution : MessageBar::Kind::Error, errorText(error));
     });
     showSession();
 }

@@ -55,6 +55,34 @@ private Q_SLOTS:
     void init() { makeApplication(); }
     void cleanup() { dropApplication(); }
 
+    /// A file manager renames the file that is open, and somebody empties the folder.
+    void whereItGoesOnIsTold()
+    {
+        const QString file = path("case/s.burin");
+        const QString renamed = path("case/mine.burin");
+        const std::size_t rows = writeSession(file, path("case/ct"));
+        open(file);
+        QVERIFY(QFile::rename(file, renamed));
+        edit(test::drillAt(3));
+        QTRY_VERIFY2(bar().contains(
+                         renamed + QStringLiteral(": another program renamed or moved 's.burin'")),
+            qPrintable(bar()));
+        look(window().grab(), "session-renamed.png");
+        QCOMPARE(session().file(), renamed);
+        QCOMPARE(ui::RecentStudies::paths().value(0), renamed);
+
+        QVERIFY(QFile::remove(renamed));
+        edit(test::drillAt(5));
+        QTRY_VERIFY2(bar().contains(renamed + QStringLiteral(": another program deleted it")),
+            qPrintable(bar()));
+        QCOMPARE(session().file(), renamed);
+        QVERIFY(!QFile::exists(file));
+        window().closeStudy();
+        QCOMPARE(filesIn(path("case")), QStringList{QStringLiteral("mine.burin")});
+        open(renamed);
+        QCOMPARE(session().history().rows().size(), rows + 2);
+    }
+
     void aDamagedSessionGoesOnBesideIt()
     {
         const QString file = path("case/s.burin");
