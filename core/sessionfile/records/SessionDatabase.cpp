@@ -272,7 +272,7 @@ bool SessionDatabase::leaveName()
     if (!run(QStringLiteral("PRAGMA wal_checkpoint(TRUNCATE)")))
         return false;
     m_hasLeftName = true;
-    if (const QString wal = walOf(m_file); QFile::exists(wal) && m_wal.isAt(wal))
+    if (const QString wal = m_wal.path(); !wal.isEmpty())
         QFile::remove(wal);
     return true;
 }
