@@ -4,7 +4,6 @@
 #include "core/base/Guarded.h"
 #include "core/sessionfile/records/SessionSchema.h"
 
-#include <QFile>
 #include <QFileInfo>
 #include <QSqlQuery>
 #include <QStorageInfo>
@@ -272,8 +271,7 @@ bool SessionDatabase::leaveName()
     if (!run(QStringLiteral("PRAGMA wal_checkpoint(TRUNCATE)")))
         return false;
     m_hasLeftName = true;
-    if (const QString wal = m_wal.path(); !wal.isEmpty())
-        QFile::remove(wal);
+    removeSessionPart(m_wal);
     return true;
 }
 

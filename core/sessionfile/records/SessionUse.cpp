@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/sessionfile/records/SessionUse.h"
 
+#include "core/base/files/FollowedFile.h"
 #include "core/base/files/StagedFile.h"
 
 #include <QFile>
@@ -225,6 +226,12 @@ void removeSessionParts(const QString& path)
 {
     for (const char* suffix : {"-wal", "-shm", "-journal"})
         QFile::remove(part(path, suffix));
+}
+
+void removeSessionPart(const FollowedFile& followed)
+{
+    if (const QString now = followed.path(); !now.isEmpty())
+        QFile::remove(now);
 }
 
 bool removeSession(const QString& path)

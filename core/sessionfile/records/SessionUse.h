@@ -9,6 +9,8 @@
 
 namespace core {
 
+class FollowedFile;
+
 /// Registers within this process that it has a session file open for writing.
 ///
 /// SQLite uses POSIX locks, and closing *any* descriptor of a file releases all locks that the
@@ -59,6 +61,9 @@ struct SessionLoss {
 
 /// Removes the files that SQLite leaves beside a session.
 void removeSessionParts(const QString& path);
+
+/// Removes a file that SQLite keeps beside a session, wherever it is now.
+void removeSessionPart(const FollowedFile& followed);
 
 /// Removes a session with the files beside it. @return whether it is gone
 bool removeSession(const QString& path);
