@@ -37,7 +37,7 @@ std::atomic<int> next = 0;
 std::mutex lotMutex;
 std::mt19937 lot;
 
-bool refuses(std::size_t bytes, const void* caller)
+[[maybe_unused]] bool refuses(std::size_t bytes, const void* caller)
 {
     if (!armed || bytes < least || caller < &__executable_start || caller >= &etext)
         return false;
