@@ -17,4 +17,7 @@ inline constexpr bool underAddressSanitizer = __has_feature(address_sanitizer);
 
 inline constexpr bool underSanitizer = underThreadSanitizer || underAddressSanitizer;
 
+/// How many times as long one waits before one says that something hangs.
+inline constexpr int slowness = underSanitizer ? 6 : 1;
+
 } // namespace test

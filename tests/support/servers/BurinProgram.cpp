@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/support/servers/BurinProgram.h"
 
+#include "tests/support/program/Sanitizer.h"
+
 #include <QElapsedTimer>
 #include <QJsonDocument>
 #include <QProcess>
@@ -34,7 +36,7 @@ void readLines(Outcome& outcome, const QByteArray& told)
 Outcome run(const QStringList& arguments, const QProcessEnvironment& environment,
     std::size_t addressSpaceBytes, int openFiles)
 {
-    constexpr int patienceMs = 300000;
+    constexpr int patienceMs = 300000 * slowness;
     QProcess process;
     process.setProcessEnvironment(environment);
     if (addressSpaceBytes > 0 || openFiles > 0) {
