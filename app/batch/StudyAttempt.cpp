@@ -257,11 +257,16 @@ QString StudyAttempt::told(QString text) const
     return text.replace(folder, QStringLiteral("/"));
 }
 
-Result<void> StudyAttempt::survey()
+bool StudyAttempt::closeSession() const
 {
-    // One whose disk failed as it was closed is closed by opening it, or is not finished.
     if (isSessionLeftOpen())
         static_cast<void>(core::SessionFile::open(sessionPath(), core::SessionAccess::ReadWrite));
+    return !isSessionLeftOpen();
+}
+
+Result<void> StudyAttempt::survey()
+{
+    static_cast<void>(closeSession());
     for (const QString& place : std::as_const(m_places)) {
         const QStringList names = entries(place);
         for (const QString& name : names) {

@@ -47,9 +47,9 @@ public:
     /// will get.
     [[nodiscard]] QString told(QString text) const;
 
-    /// Whether the session's file is there, and whoever wrote it could not close it: it is no
-    /// result then, and place() leaves it where it is.
-    [[nodiscard]] bool isSessionLeftOpen() const;
+    /// Closes the session if its disk failed when the child process closed it.
+    /// @return false: it is still open, and no result
+    [[nodiscard]] bool closeSession() const;
     /// Computes the checksums of the files that were written. Errors: FileUnreadable.
     [[nodiscard]] core::Result<void> survey();
     /// Gives the files of survey() their final names. Errors: FileExists, FileUnwritable.
@@ -63,6 +63,7 @@ public:
 private:
     [[nodiscard]] QString hidden(const QString& place) const;
     [[nodiscard]] QString staged(const QString& place) const;
+    [[nodiscard]] bool isSessionLeftOpen() const;
     [[nodiscard]] QStringList entries(const QString& place) const;
     [[nodiscard]] QString nameOf(const QString& file) const;
     [[nodiscard]] bool isOurs(const QString& target) const;

@@ -173,11 +173,6 @@ void StudyJob::takeResults()
     Result<void> taken;
     if (!crashed)
         taken = m_attempt.survey();
-    if (m_succeeded && m_attempt.isSessionLeftOpen()) {
-        m_succeeded = false;
-        m_mayBeTransient = true;
-        m_failure = QStringLiteral("its session could not be closed as one file");
-    }
     if (!crashed && taken) {
         // Before anything gets its name it is on record whose it is.
         m_attempt.noteIn(m_record);
@@ -221,6 +216,10 @@ void StudyJob::conclude()
             m_failure = said.isEmpty()
                 ? QStringLiteral("burin run ended with status %1").arg(m_process->exitCode())
                 : said.last();
+    }
+    if (m_failure.isEmpty() && !m_attempt.closeSession()) {
+        m_failure = QStringLiteral("its session could not be closed as one file");
+        m_mayBeTransient = true;
     }
     m_succeeded = m_failure.isEmpty();
     m_process.reset();

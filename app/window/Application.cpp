@@ -24,6 +24,7 @@
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
+#include <QTimer>
 
 #include <chrono>
 #include <thread>
@@ -177,6 +178,7 @@ core::Result<void> Application::take(SessionOpening& opening, const QString& fil
     const bool madeForIt = opening.plan ? opening.plan->isNew : !whyNoFile;
     m_sessionFile = opening.file;
     m_rowsAtFirst = madeForIt ? std::optional(steps) : std::nullopt;
+    m_made = core::FollowedFile(m_sessionFile);
     m_workspace->setSession(std::move(*opening.session));
     m_goesOnSentence.clear();
     m_goesOn = opening.plan && !showSessionProblem(opening, file) && steps > 0;
@@ -286,7 +288,8 @@ void Application::forgetUnusedSession()
 {
     if (m_workspace->session() || m_sessionFile.isEmpty())
         return;
-    if (m_rowsAtFirst)
+    // Another program may have put another file in its place.
+    if (m_rowsAtFirst && m_made.isAt(m_sessionFile))
         QFile::remove(m_sessionFile);
     m_sessionFile.clear();
 }
@@ -296,8 +299,8 @@ void Application::followSaved(const QString& before, const QString& now)
     // The copy stands: what a working session held lies in a file of the user's own.
     if (!before.isEmpty() && isWorkingSession(before) && !core::isSessionInUse(before))
         core::removeSession(before);
-    // A working session that was written anew is found by its study.
-    if (!isWorkingSession(now))
+    // A working session that was written anew under its name is found by its study.
+    if (!isWorkingSession(now) || now != m_sessionFile)
         ui::RecentStudies::add(now);
     if (!m_workspace->session() || m_workspace->session()->file() != now)
         return;

@@ -3,6 +3,7 @@
 
 #include "app/window/SessionOpening.h"
 #include "core/base/Result.h"
+#include "core/base/files/FollowedFile.h"
 
 #include <QObject>
 #include <QSet>
@@ -87,6 +88,7 @@ private:
     /// For a file that was made for this session: the number of rows it began with. None: the file
     /// stays.
     std::optional<std::size_t> m_rowsAtFirst;
+    core::FollowedFile m_made; ///< the file that was opened as m_sessionFile
     std::unique_ptr<ui::Workspace> m_workspace;
     std::unique_ptr<ui::MainWindow> m_window;
 };

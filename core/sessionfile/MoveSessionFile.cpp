@@ -46,6 +46,10 @@ Result<void> SessionFile::renameTo(const QString& target)
 {
     if (const Result<void> fits = checkReplacedSession(target); !fits)
         return fits;
+    if (const QString stray = strayPartOf(target); !stray.isEmpty())
+        return failure(ErrorCode::FileUnwritable, target,
+            Clause::saying(
+                "'%1' lies beside it, which belongs to another session; move it away", stray));
     if (const Result<void> closed = closeAsOneFile(); !closed)
         return closed;
     StagedFile staged = StagedFile::adopt(m_path, target);
@@ -85,8 +89,8 @@ Result<void> SessionFile::moveTo(
         return failure(ErrorCode::FileUnwritable, target,
             Clause::saying("the steps so far are in '%1', which does not open: %2", path(),
                 m_whyShut->arguments.value(1)));
-    const bool ownPlace = m_tables && !m_isPrivateCopy && QFileInfo::exists(target)
-        && QFileInfo(target).canonicalFilePath() == QFileInfo(m_path).canonicalFilePath();
+    const bool ownPlace =
+        m_tables && m_followed.isValid() && QFileInfo::exists(target) && m_followed.isAt(target);
     const Result<std::shared_ptr<StagedFile>> staged =
         stageSessionCopy(target, replaceExisting, ownPlace, parts(), images);
     if (!staged)
@@ -130,7 +134,11 @@ Result<void> SessionFile::goOnIn(StagedFile& staged)
     // SQLite made them for the new file: the old one had none.
     if (!isSessionInUse(staged.target()))
         removeSessionParts(staged.target());
-    return tl::unexpected(takingBack(gone.error(), staged));
+    Error error = takingBack(gone.error(), staged);
+    // The new one had to stay in the place of the session's own.
+    if (m_whyShut && staged.path().isEmpty() && staged.target() == m_path)
+        m_followed = FollowedFile(m_path);
+    return tl::unexpected(std::move(error));
 }
 
 /// On the writer's thread. There is no other file that holds the session, and goOnIn() could not
@@ -138,6 +146,7 @@ Result<void> SessionFile::goOnIn(StagedFile& staged)
 void SessionFile::goOnUnnamed(StagedFile& staged)
 {
     setPath(staged.path().isEmpty() ? staged.target() : staged.path());
+    m_followed = FollowedFile(m_path);
     staged.release();
     openAgain();
 }
@@ -163,68 +172,92 @@ Result<void> SessionFile::keepName()
 {
     if (!m_tables || m_followed.isAt(m_path))
         return {};
-    const QString before = m_path;
     const QString now = m_followed.path();
-    const Result<void> kept = now.isEmpty() ? writeAnew() : followTo(now);
-    if (!kept)
-        return kept;
-    {
-        const std::lock_guard lock(m_mutex);
-        const QString name = QFileInfo(before).fileName();
-        const Clause what = !now.isEmpty()
-            ? Clause::saying("another program renamed or moved '%1'", name)
-            : before == m_path
-            ? Clause::saying("another program deleted it; it was written anew")
-            : Clause::saying("another program put another file in the place of '%1'", name);
-        m_moved = Error{ErrorCode::SessionMoved, {m_path, what, before}};
-    }
-    if (m_troubleListener)
-        m_troubleListener();
-    return {};
+    return !now.isEmpty() && canFollowTo(now) ? followTo(now) : writeAnew();
+}
+
+/// On the writer's thread. SQLite would take for the session's own what lies beside the new name.
+bool SessionFile::canFollowTo(const QString& path) const
+{
+    const QString wal = path + QLatin1String("-wal");
+    const QString stray = strayPartOf(path);
+    return checkSessionToOpen(path, Access::ReadWrite)
+        && (stray.isEmpty() || (QFileInfo::exists(wal) && m_tables->isOwnWal(wal)));
 }
 
 /// On the writer's thread. The file has another name now.
 Result<void> SessionFile::followTo(const QString& path)
 {
-    if (!m_tables->leaveName())
-        return failure(ErrorCode::FileUnwritable, path,
-            Clause::saying("another program renamed '%1' while it was open", m_path));
-    m_whyShut = Error{ErrorCode::FileUnwritable, {path}};
+    const QString before = m_path;
+    const Clause what =
+        Clause::saying("another program renamed or moved '%1'", QFileInfo(before).fileName());
+    if (!m_tables->gather())
+        return failure(
+            ErrorCode::FileUnwritable, path, Clause::saying("%1; %2", what, m_tables->reason()));
+    Error shut{ErrorCode::FileUnwritable, {path}};
+    m_tables->leaveName();
+    m_whyShut = std::move(shut);
     m_tables.reset();
     setPath(path);
-    const Result<void> opened = reopen(path);
-    if (!opened)
-        m_whyShut = opened.error();
-    return opened;
+    noteMove(what, before);
+    openAgain();
+    return m_whyShut ? tl::unexpected(*m_whyShut) : Result<void>();
 }
 
-/// On the writer's thread. The file has no name any more: it stays open until a copy of it has one.
+/// On the writer's thread. The file has no name any more, or one that is of no use: it stays open
+/// until a copy of it has one.
 Result<void> SessionFile::writeAnew()
 {
-    const auto named = [this](Error error) {
-        error.arguments.set(1,
-            Clause::saying("another program deleted '%1' while it was open, and it cannot be "
-                           "written anew: %2",
-                m_path, error.arguments.value(1)));
-        return error;
+    const QString before = m_path;
+    const auto named = [&before](const Error& error) {
+        return failure(ErrorCode::FileUnwritable, before,
+            Clause::saying("another program deleted or replaced it while it was open, and it "
+                           "cannot be written anew: %1",
+                error.arguments.value(error.code == ErrorCode::FileUnwritable ? 1 : 0)));
     };
-    const QString target = freeSessionName(m_path);
     const Result<std::shared_ptr<StagedFile>> made =
-        stageSessionCopy(target, false, true, parts(), {});
+        stageSessionCopy(freeSessionName(before), false, true, parts(), {});
     if (!made)
-        return tl::unexpected(named(made.error()));
-    // From here on it is the only one.
-    StagedFile staged = StagedFile::adopt((*made)->path(), target);
-    (*made)->release();
+        return named(made.error());
+    // The connection reads on without a name of its own; beside the new file it would be damage.
     m_tables->leaveName();
-    m_whyShut = Error{ErrorCode::FileUnwritable, {target}};
-    m_tables.reset();
-    m_waiting.clear();
-    const Result<void> gone = goOnIn(staged);
-    if (gone)
-        return gone;
-    goOnUnnamed(staged);
-    return tl::unexpected(named(gone.error()));
+    constexpr int tries = 5;
+    for (int i = 0; i < tries; ++i) {
+        const QString target = freeSessionName(before);
+        const Clause what = target == before
+            ? Clause::saying("another program deleted it; it was written anew")
+            : Clause::saying("another program took '%1' away; it was written anew",
+                QFileInfo(before).fileName());
+        Error shut{ErrorCode::FileUnwritable, {target}};
+        FollowedFile followed((*made)->path());
+        StagedFile copy = StagedFile::adopt((*made)->path(), target, false);
+        if (const Result<void> placed = copy.commit(); !placed) {
+            // Somebody was faster.
+            if (placed.error().code == ErrorCode::FileExists)
+                continue;
+            return named(placed.error());
+        }
+        (*made)->release();
+        m_followed = std::move(followed);
+        m_whyShut = std::move(shut);
+        m_tables.reset();
+        m_waiting.clear();
+        setPath(target);
+        noteMove(what, before);
+        openAgain();
+        return m_whyShut ? tl::unexpected(*m_whyShut) : Result<void>();
+    }
+    return named({ErrorCode::FileUnwritable, {before, Clause::saying("its name is taken")}});
+}
+
+void SessionFile::noteMove(const Clause& what, const QString& before)
+{
+    {
+        const std::lock_guard lock(m_mutex);
+        m_moved = Error{ErrorCode::SessionMoved, {m_path, what, before}};
+    }
+    if (m_troubleListener)
+        m_troubleListener();
 }
 
 /// On the writer's thread.
@@ -234,10 +267,11 @@ Result<void> SessionFile::reopen(const QString& path)
     if (const Result<void> there = checkSessionToOpen(path, Access::ReadWrite); !there)
         return there;
     auto tables = std::make_unique<SessionTables>(path);
+    FollowedFile followed(path);
     if (const Result<SessionContents> read = tables->open(Access::ReadWrite); !read)
         return tl::unexpected(read.error());
     m_tables = std::move(tables);
-    m_followed = FollowedFile(path);
+    m_followed = std::move(followed);
     m_whyShut.reset();
     const std::lock_guard lock(m_mutex);
     m_whyNoFile.reset();
@@ -250,9 +284,21 @@ void SessionFile::openAgain()
 {
     if (!m_whyShut)
         return;
-    if (const QString now = m_followed.path(); !now.isEmpty() && !QFileInfo::exists(m_path))
-        setPath(now);
-    if (const Result<void> opened = guarded([this] { return reopen(m_path); }); !opened)
+    const Result<void> opened = guarded([this]() -> Result<void> {
+        const QString now = m_followed.isAt(m_path) ? m_path : m_followed.path();
+        if (now.isEmpty())
+            return failure(ErrorCode::FileUnwritable, m_path,
+                Clause::saying("another program deleted or replaced it"));
+        if (now != m_path) {
+            const QString before = m_path;
+            setPath(now);
+            noteMove(Clause::saying(
+                         "another program renamed or moved '%1'", QFileInfo(before).fileName()),
+                before);
+        }
+        return reopen(now);
+    });
+    if (!opened)
         m_whyShut = opened.error();
 }
 

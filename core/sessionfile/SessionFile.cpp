@@ -73,11 +73,11 @@ Result<std::unique_ptr<SessionFile>> SessionFile::begin(
 {
     std::unique_ptr<SessionFile> file(new SessionFile(path));
     Result<void> created;
+    file->m_followed = FollowedFile(path);
     file->m_writer.run([&] { created = file->m_tables->create(source); });
     if (!created)
         return tl::unexpected(created.error());
     file->m_contents.source = source;
-    file->m_followed = FollowedFile(path);
     return file;
 }
 
@@ -97,14 +97,15 @@ Result<std::unique_ptr<SessionFile>> SessionFile::open(const QString& path, Acce
         return tl::unexpected(there.error());
     std::unique_ptr<SessionFile> file(new SessionFile(path));
     Result<SessionContents> contents;
+    // Before it is read, which may take a while.
+    if (access == Access::ReadWrite)
+        file->m_followed = FollowedFile(path);
     file->m_writer.run([&] { contents = file->m_tables->open(access); });
     if (!contents)
         return tl::unexpected(contents.error());
     file->m_contents = *std::move(contents);
     file->m_holdsImages = file->m_contents.holdsImages;
     file->m_isPrivateCopy = access == Access::PrivateCopy;
-    if (access == Access::ReadWrite)
-        file->m_followed = FollowedFile(path);
     return file;
 }
 
@@ -235,8 +236,11 @@ void SessionFile::retry()
 void SessionFile::writeWaiting()
 {
     openAgain();
-    if (const Result<void> kept = guarded([this] { return keepName(); }); !kept)
+    if (Result<void> kept = guarded([this] { return keepName(); }); !kept) {
+        if (kept.error().code != ErrorCode::FileUnwritable)
+            kept.error() = {ErrorCode::FileUnwritable, {m_path, kept.error().arguments.value(0)}};
         return setTrouble(kept.error());
+    }
     if (m_tables)
         setTrouble(m_waiting.carryOut(*m_tables, m_path));
     else

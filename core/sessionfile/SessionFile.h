@@ -29,9 +29,9 @@ struct AuditReport;
 /// order. If writing fails (the disk is full, the folder is gone), the write waits in memory with
 /// all that follow it, and is tried again with each later call. Any thread may call.
 ///
-/// Another program may rename, move, delete or replace the file while it is open. The next write
-/// notices: the session then goes on in the file under its new name, or, if it has none, in a new
-/// file that holds everything (takeMove()).
+/// Another program may rename, move, delete or replace the file while it is open. The next write,
+/// retry(), flush() or saveAs() notices: the session then goes on in the file under its new name,
+/// or, if it has none there that can be written, in a new file that holds everything (takeMove()).
 class SessionFile {
 public:
     /// Creates a file that only its owner can read. It never replaces one: to replace a file,
@@ -142,8 +142,10 @@ private:
     void goOnUnnamed(StagedFile& staged);
     [[nodiscard]] Result<void> closeAsOneFile();
     [[nodiscard]] Result<void> keepName();
+    [[nodiscard]] bool canFollowTo(const QString& path) const;
     [[nodiscard]] Result<void> followTo(const QString& path);
     [[nodiscard]] Result<void> writeAnew();
+    void noteMove(const Clause& what, const QString& before);
     [[nodiscard]] SessionParts parts() const;
     [[nodiscard]] Result<void> reopen(const QString& path);
     void openAgain();
@@ -165,7 +167,7 @@ private:
     /// Why the file at m_path, which has all steps but those that wait, is not open; none: it is,
     /// or there is no file.
     std::optional<Error> m_whyShut;
-    FollowedFile m_followed; ///< the file that is open for writing
+    FollowedFile m_followed; ///< the file that is open for writing, or was and is shut
     SessionWrites m_waiting;
 
     std::optional<ClosableSessionFile> m_closable; ///< destroyed first

@@ -29,17 +29,15 @@ Result<void> makeEmptySession(const QString& path)
 QString freeSessionName(const QString& path)
 {
     const QFileInfo info(path);
+    const QString ending = info.suffix().isEmpty() ? QString() : QLatin1Char('.') + info.suffix();
     QString free = path;
     const auto isTaken = [](const QString& name) {
         const QFileInfo there(name);
-        return there.exists() || there.isSymLink();
+        return there.exists() || there.isSymLink() || !strayPartOf(name).isEmpty();
     };
     for (int count = 2; isTaken(free); ++count)
         free = info.absoluteDir().filePath(
-            QStringLiteral("%1 (%2)%3")
-                .arg(info.completeBaseName())
-                .arg(count)
-                .arg(info.suffix().isEmpty() ? QString() : QLatin1Char('.') + info.suffix()));
+            info.completeBaseName() + QStringLiteral(" (%1)").arg(count) + ending);
     return free;
 }
 

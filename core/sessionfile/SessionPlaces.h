@@ -12,7 +12,8 @@ namespace core {
 /// FileUnwritable.
 [[nodiscard]] Result<void> makeEmptySession(const QString& path);
 
-/// The path itself if no file lies there, else one beside it with a number, "case (2).burin".
+/// The path itself if no file lies there or beside it that SQLite would take for a part of a
+/// session, else one with a number, "case (2).burin".
 [[nodiscard]] QString freeSessionName(const QString& path);
 
 /// Checks that a file exists and can be opened with this access, whatever it contains. Errors:

@@ -2,6 +2,8 @@
 #include "core/base/files/FollowedFile.h"
 
 #include <QFile>
+#include <QFileInfo>
+#include <QRegularExpression>
 
 #include <cerrno>
 #include <utility>
@@ -11,6 +13,18 @@
 #include <unistd.h>
 
 namespace core {
+
+namespace {
+
+/// The Desktop Trash Can specification; and what NFS keeps of a deleted file while it is open.
+bool isDeleted(const QString& path)
+{
+    static const QRegularExpression trash(
+        QStringLiteral("/(Trash|\\.Trash-[0-9]+|\\.Trash/[0-9]+)/files/"));
+    return trash.match(path).hasMatch() || QFileInfo(path).fileName().startsWith(u".nfs");
+}
+
+} // namespace
 
 FollowedFile::FollowedFile(const QString& path)
     : m_descriptor(::open(QFile::encodeName(path).constData(), O_PATH | O_CLOEXEC))
@@ -51,7 +65,7 @@ QString FollowedFile::path() const
         return {};
     // proc(5): the text has " (deleted)" behind it when no name is left, which may be part of one.
     const QString path = QFile::symLinkTarget(QStringLiteral("/proc/self/fd/%1").arg(m_descriptor));
-    return QFile::exists(path) && isAt(path) ? path : QString();
+    return QFile::exists(path) && isAt(path) && !isDeleted(path) ? path : QString();
 }
 
 } // namespace core

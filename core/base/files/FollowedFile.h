@@ -20,7 +20,9 @@ public:
     /// Whether @p path leads to the file. A path that cannot be looked at just now counts as such.
     /// Cost: one file system call.
     [[nodiscard]] bool isAt(const QString& path) const;
-    /// The path that leads to it now; empty: it has none, since it was deleted.
+    /// Whether there is a file that is followed.
+    [[nodiscard]] bool isValid() const { return m_descriptor >= 0; }
+    /// The path that leads to it now; empty: it was deleted, or is in the trash.
     [[nodiscard]] QString path() const;
 
 private:

@@ -94,12 +94,12 @@ Result<StagedFile> StagedFile::create(const QString& target, bool replaceExistin
     return staged;
 }
 
-StagedFile StagedFile::adopt(const QString& path, const QString& target)
+StagedFile StagedFile::adopt(const QString& path, const QString& target, bool replaceExisting)
 {
     StagedFile staged;
     staged.m_path = QFileInfo(path).absoluteFilePath();
     staged.m_target = QFileInfo(target).absoluteFilePath();
-    staged.m_replaceExisting = true;
+    staged.m_replaceExisting = replaceExisting;
     staged.m_isAdopted = true;
     return staged;
 }
@@ -152,8 +152,10 @@ Result<void> StagedFile::commit()
     if (const Result<void> still = checkFileTarget(m_target, m_replaceExisting, m_overSession);
         !still)
         return still;
+    // Nothing may be thrown once it has its name.
     const QByteArray from = QFile::encodeName(m_path);
     const QByteArray to = QFile::encodeName(m_target);
+    const QString folder = QFileInfo(m_target).absolutePath();
     m_before = m_path;
     if (m_replaceExisting && QFileInfo::exists(m_target)) {
         if (!exchange(from, to)) {
@@ -170,7 +172,7 @@ Result<void> StagedFile::commit()
     }
     m_committed = true;
     // The file is in place; a folder that cannot be synchronised (some network mounts) is no error.
-    syncToDisk(QFileInfo(m_target).absolutePath());
+    syncToDisk(folder);
     return {};
 }
 
@@ -210,8 +212,12 @@ bool StagedFile::takeFreeName(const QByteArray& from, const QByteArray& to)
     if (errno != EINVAL && errno != ENOSYS)
         return false;
     if (::link(from.constData(), to.constData()) == 0) {
-        ::unlink(from.constData());
-        return true;
+        if (::unlink(from.constData()) == 0)
+            return true;
+        const int error = errno;
+        ::unlink(to.constData());
+        errno = error;
+        return false;
     }
     // Nor does every one know second names; there the look just before must do.
     return errno != EEXIST && std::rename(from.constData(), to.constData()) == 0;
@@ -219,19 +225,22 @@ bool StagedFile::takeFreeName(const QByteArray& from, const QByteArray& to)
 
 QString StagedFile::takeBack()
 {
+    const QByteArray now = QFile::encodeName(m_path);
+    const QByteArray before = QFile::encodeName(m_before);
+    const QByteArray target = QFile::encodeName(m_target);
+    const QString folder = QFileInfo(m_target).absolutePath();
     if (!std::exchange(m_committed, false))
         return {};
-    const QByteArray target = QFile::encodeName(m_target);
     QString left;
     if (!m_path.isEmpty()) {
-        if (!exchange(QFile::encodeName(m_path), target))
+        if (!exchange(now, target))
             left = std::exchange(m_path, std::exchange(m_astray, QString()));
-    } else if (std::rename(target.constData(), QFile::encodeName(m_before).constData()) == 0) {
+    } else if (std::rename(target.constData(), before.constData()) == 0) {
         m_path = m_before;
     } else if (!m_isAdopted) {
         QFile::remove(m_target);
     }
-    syncToDisk(QFileInfo(m_target).absolutePath());
+    syncToDisk(folder);
     return left;
 }
 

@@ -30,9 +30,10 @@ public:
     static Result<StagedFile> create(
         const QString& target, bool replaceExisting, bool overSession = false);
 
-    /// Takes over an existing file in the folder of its target, which may be replaced. It is not
-    /// removed if it is never committed.
-    static StagedFile adopt(const QString& path, const QString& target);
+    /// Takes over an existing file in the folder of its target. It is not removed if it is never
+    /// committed.
+    static StagedFile adopt(
+        const QString& path, const QString& target, bool replaceExisting = true);
 
     StagedFile(StagedFile&& other) noexcept;
     StagedFile& operator=(StagedFile&& other) noexcept;

@@ -27,9 +27,10 @@ bool isNetworkFileSystem(const QString& path)
     return false;
 }
 
+/// Where SQLite puts it: beside the file itself, not beside a link to it.
 QString walOf(const QString& file)
 {
-    return file + QLatin1String("-wal");
+    return QFileInfo(file).canonicalFilePath() + QLatin1String("-wal");
 }
 
 const auto notForWriting = QStringLiteral("unable to open database file for writing");
@@ -53,6 +54,12 @@ SessionDatabase::~SessionDatabase()
 void SessionDatabase::leaveWal()
 {
     constexpr int tries = 3;
+    // SQLite leaves WAL by the name that it knows, which may belong to another session by now.
+    if (!m_followed.isAt(m_file) && !m_hasLeftName) {
+        if (gather())
+            leaveName();
+        return;
+    }
     bool left = m_readOnly || m_hasLeftName || !m_connection.wasOpened();
     for (int i = 0; !left && i < tries; ++i) {
         // The last thing that leaving writes is the mode: it is entered again to be left again.
@@ -79,6 +86,7 @@ Result<std::unique_ptr<SessionDatabase>> SessionDatabase::create(
     if (!use)
         return tl::unexpected(use.error());
     database->m_use = *std::move(use);
+    database->m_followed = FollowedFile(path);
     if (const Result<void> connected = database->connect(path, {}); !connected)
         return tl::unexpected(connected.error());
     if (database->m_connection.isForReading())
@@ -111,6 +119,7 @@ Result<std::unique_ptr<SessionDatabase>> SessionDatabase::open(const QString& pa
         if (!use)
             return tl::unexpected(use.error());
         database->m_use = *std::move(use);
+        database->m_followed = FollowedFile(path);
     } else if (isSessionInUse(path) || isSessionUnfinished(path)) {
         const Result<QString> copy = database->copyPrivately();
         if (!copy)
@@ -265,14 +274,22 @@ Result<void> SessionDatabase::beginWriting()
     return {};
 }
 
-bool SessionDatabase::leaveName()
+bool SessionDatabase::gather()
 {
-    // SQLite itself does not leave WAL in a file whose name is not its own any more.
-    if (!run(QStringLiteral("PRAGMA wal_checkpoint(TRUNCATE)")))
-        return false;
+    // A checkpoint that somebody holds up succeeds as a statement, and says so in its answer.
+    bool isWhole = false;
+    return query(QStringLiteral("PRAGMA wal_checkpoint(TRUNCATE)"), {},
+               [&isWhole](const QSqlQuery& answer) {
+                   isWhole = answer.value(0).toInt() == 0;
+                   return true;
+               })
+        && isWhole;
+}
+
+void SessionDatabase::leaveName()
+{
     m_hasLeftName = true;
     removeSessionPart(m_wal);
-    return true;
 }
 
 bool SessionDatabase::run(const QString& sql, const QVariantList& values)

@@ -57,10 +57,18 @@ public:
     /// copied verbatim, since the chain depends on it.
     bool copyHistoryInto(const QString& path);
 
-    /// Of a file that another program has renamed, deleted or replaced while it was open for
-    /// writing: puts everything into the file itself and leaves nothing beside its name of before.
-    /// To be destroyed then. @return false: see reason()
-    bool leaveName();
+    // Of a file that another program has renamed, deleted or replaced while it was open for
+    // writing:
+    /// Puts everything into the file itself. @return false: see reason()
+    [[nodiscard]] bool gather();
+    /// Leaves nothing beside the name of before; the connection works on until it is destroyed,
+    /// but what it writes then is lost with it.
+    void leaveName();
+    /// Whether @p path, beside some session, is its own write-ahead log.
+    [[nodiscard]] bool isOwnWal(const QString& path) const
+    {
+        return m_wal.isValid() && m_wal.isAt(path);
+    }
 
     [[nodiscard]] Clause reason() const;
     /// What the file lacks. Of a file that is cut off, the existing part is read.
@@ -86,7 +94,9 @@ private:
     SessionLoss m_loss;
     bool m_readOnly = false;
     bool m_hasLeftName = false;
-    FollowedFile m_wal; ///< while it is written
+    // While it is written:
+    FollowedFile m_followed;
+    FollowedFile m_wal;
     SqliteConnection m_connection; ///< last, so that it is closed before the copy and the lock go
 };
 

@@ -30,8 +30,11 @@ public:
     /// Copies everything but the images into a session without rows.
     [[nodiscard]] Result<void> copyHistoryInto(const QString& path);
     [[nodiscard]] bool holdsImages();
-    /// SessionDatabase::leaveName()
-    bool leaveName() { return m_database->leaveName(); }
+    // As in SessionDatabase.
+    [[nodiscard]] bool gather() { return m_database->gather(); }
+    void leaveName() { m_database->leaveName(); }
+    [[nodiscard]] bool isOwnWal(const QString& path) const { return m_database->isOwnWal(path); }
+    [[nodiscard]] Clause reason() const { return m_database->reason(); }
 
     // One transaction each. One that fails (FileUnwritable) leaves the file as it was and may be
     // tried again. A row may be written only when the one before it exists.

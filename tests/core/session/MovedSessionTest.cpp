@@ -11,6 +11,7 @@
 #include <QDirIterator>
 #include <QFile>
 #include <QFileInfo>
+#include <QProcess>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -19,6 +20,8 @@
 #include <future>
 #include <memory>
 #include <optional>
+
+#include <sys/stat.h>
 
 namespace movedSessionTest {
 
@@ -58,9 +61,11 @@ class MovedSessionTest : public QObject {
     {
         const QTemporaryDir elsewhere;
         const QString copy = elsewhere.filePath(QStringLiteral("copy.burin"));
+        // Not by this process, which would give up SQLite's locks.
         for (const char* part : {"", "-wal"}) {
             if (QFile::exists(file + QLatin1String(part)))
-                QFile::copy(file + QLatin1String(part), copy + QLatin1String(part));
+                QProcess::execute(
+                    QStringLiteral("cp"), {file + QLatin1String(part), copy + QLatin1String(part)});
         }
         reference::ReferenceEngine engine;
         const auto session = EditSession::open(engine, test::smallStudy(), copy);
@@ -80,6 +85,12 @@ class MovedSessionTest : public QObject {
             qFatal("cannot copy");
         renameTo(file + QStringLiteral(".new"), file);
     }
+    static void write(const QString& file)
+    {
+        QFile stray(file);
+        if (!stray.open(QIODevice::WriteOnly) || stray.write(QByteArray(4096, 'x')) != 4096)
+            qFatal("cannot write %s", qPrintable(file));
+    }
     void happens(const QString& event)
     {
         const QString a = original();
@@ -88,6 +99,15 @@ class MovedSessionTest : public QObject {
         else if (event == QLatin1String("renamed twice")) {
             renameTo(a, path(QStringLiteral("in/x.burin")));
             renameTo(path(QStringLiteral("in/x.burin")), path(QStringLiteral("in/b.burin")));
+        } else if (event == QLatin1String("put into the trash"))
+            renameTo(a, path(QStringLiteral("Trash/files/a.burin")));
+        else if (event == QLatin1String("renamed beside a stray log")) {
+            // What a program that was killed left of another session of that name.
+            renameTo(a, path(QStringLiteral("in/b.burin")));
+            write(path(QStringLiteral("in/b.burin-wal")));
+        } else if (event == QLatin1String("replaced, with a stray journal")) {
+            replace(a);
+            write(path(QStringLiteral("in/a (2).burin-journal")));
         } else if (event == QLatin1String("moved"))
             renameTo(a, path(QStringLiteral("out/a.burin")));
         else if (event == QLatin1String("folder renamed"))
@@ -129,7 +149,9 @@ private Q_SLOTS:
             {"renamed twice", "in/b.burin"}, {"moved", "out/a.burin"},
             {"folder renamed", "out/a.burin"}, {"deleted", "in/a.burin"},
             {"deleted with all parts", "in/a.burin"}, {"replaced", "in/a (2).burin"},
-            {"renamed and replaced", "in/b.burin"}};
+            {"renamed and replaced", "in/b.burin"}, {"put into the trash", "in/a.burin"},
+            {"renamed beside a stray log", "in/a.burin"},
+            {"replaced, with a stray journal", "in/a (3).burin"}};
         for (const auto& [event, now] : events) {
             for (const bool anotherStep : {true, false})
                 QTest::addRow("%s, %s", event, anotherStep ? "then a step" : "then closed")
@@ -167,6 +189,12 @@ private Q_SLOTS:
             expected += QStringLiteral("in/a.burin");
             QCOMPARE(test::bytesOf(original()), test::bytesOf(path(QStringLiteral("other.burin"))));
         }
+        if (event.contains(QLatin1String("trash")))
+            expected += QStringLiteral("Trash/files/a.burin");
+        if (event.contains(QLatin1String("stray log")))
+            expected += {QStringLiteral("in/b.burin"), QStringLiteral("in/b.burin-wal")};
+        if (event.contains(QLatin1String("stray journal")))
+            expected += QStringLiteral("in/a (2).burin-journal");
         expected.sort();
         QCOMPARE(files(), expected);
         reference::ReferenceEngine engine;
@@ -207,6 +235,40 @@ private Q_SLOTS:
         m_session.reset();
         QCOMPARE(rowsOnDisk(elsewhere), std::size_t(3));
         QCOMPARE(files(), QStringList({QStringLiteral("c.burin"), QStringLiteral("other.burin")}));
+    }
+
+    /// Moved to where it cannot be written, it is written anew where it was.
+    void whereNothingCanBeWrittenItDoesNotGo()
+    {
+        QVERIFY(QDir(m_folder->path()).mkdir(QStringLiteral("archive")));
+        const QString archived = path(QStringLiteral("archive/a.burin"));
+        renameTo(original(), archived);
+        constexpr mode_t all = 0777;
+        constexpr mode_t reading = 0444;
+        for (const QString& each : {m_folder->path(), path(QStringLiteral("in"))})
+            QVERIFY(::chmod(QFile::encodeName(each).constData(), all) == 0);
+        QVERIFY(::chmod(QFile::encodeName(archived).constData(), reading) == 0);
+        {
+            const test::Unprivileged nobody;
+            QVERIFY(m_session->apply(test::drillAt(5)));
+            QCOMPARE(writtenNow(), QString());
+        }
+        QCOMPARE(m_session->file(), original());
+        QCOMPARE(rowsOnDisk(original()), std::size_t(2));
+    }
+
+    void namesAreTakenAsTheyAre()
+    {
+        const QString odd = path(QStringLiteral("in/50%2 %1.burin"));
+        renameTo(original(), odd);
+        QVERIFY(m_session->apply(test::drillAt(5)));
+        QCOMPARE(writtenNow(), QString());
+        QCOMPARE(m_session->file(), odd);
+        replace(odd);
+        QVERIFY(m_session->apply(test::drillAt(-3)));
+        QCOMPARE(writtenNow(), QString());
+        QCOMPARE(m_session->file(), path(QStringLiteral("in/50%2 %1 (2).burin")));
+        QCOMPARE(rowsOnDisk(m_session->file()), std::size_t(3));
     }
 
     /// Saved over itself after somebody deleted it.

@@ -51,6 +51,21 @@ private Q_SLOTS:
         QCOMPARE(followed.path(), QString());
     }
 
+    void whatWasThrownAwayIsNowhere()
+    {
+        for (const char* place : {"Trash/files", ".Trash-1000/files", ".Trash/1000/files", "nfs"}) {
+            const FollowedFile followed(write("a"));
+            QVERIFY(QDir(m_folder.path()).mkpath(QLatin1String(place)));
+            const QString thrown = path(place) + QStringLiteral("/.nfs0001");
+            const QString kept = path(place) + QStringLiteral("/a");
+            QVERIFY(QFile::rename(path("a"), kept));
+            QCOMPARE(followed.path(), qstrcmp(place, "nfs") == 0 ? kept : QString());
+            QVERIFY(QFile::rename(kept, thrown));
+            QCOMPARE(followed.path(), QString());
+            QVERIFY(followed.isAt(thrown));
+        }
+    }
+
     void nothingIsEverywhere()
     {
         for (const FollowedFile& followed : {FollowedFile(), FollowedFile(path("none"))}) {

@@ -107,6 +107,14 @@ private Q_SLOTS:
 
     void whatCameMeanwhileStays()
     {
+        {
+            write("taken.txt", "somebody else's");
+            StagedFile only =
+                StagedFile::adopt(write("only.txt", "the only one"), path("taken.txt"), false);
+            QCOMPARE(only.commit().error().code, ErrorCode::FileExists);
+        }
+        QCOMPARE(read(path("taken.txt")), QByteArray("somebody else's"));
+        QCOMPARE(read(path("only.txt")), QByteArray("the only one"));
         auto staged = StagedFile::create(path("a.txt"), false);
         write("a.txt", "somebody else's");
         const Result<void> placed = staged->commit();
