@@ -24,15 +24,16 @@ using editSchema::Presence;
 /// listed, and that NumberVisitor does not show either, does not compile. Those of masks, splits
 /// and chunks hold labels, but their edits are bound to the study.
 template <class Kind>
-inline constexpr bool namesNothing = isOneOf<Kind, editFields::Number, editFields::WholeNumber,
-    editFields::Connectivity, editFields::Flag, editFields::Text, editFields::Colour,
-    editFields::Code, editFields::Point, editFields::Row, editFields::StepCount,
-    editFields::PointList, editFields::ContourList, editFields::Outline,
-    editFields::ClipHalfSpaceList, editFields::SampleList, editFields::PressureList,
-    editFields::RowList, editFields::PlaceList, editFields::CornerPair, editFields::FileName,
-    editFields::SegmentReference, editFields::GridSize, editFields::ImportedSegmentList,
-    editFields::EntryOrder, editFields::PlaneList, editFields::SplitPartList,
-    editFields::ChunkOwnerList, editFields::PackedBytes, editFields::BrickList>;
+inline constexpr bool namesNothing =
+    isOneOf<Kind, editFields::Number, editFields::WholeNumber, editFields::Connectivity,
+        editFields::Flag, editFields::Text, editFields::Colour, editFields::Code, editFields::Point,
+        editFields::Row, editFields::StepCount, editFields::PointList, editFields::ContourList,
+        editFields::Outline, editFields::ClipHalfSpaceList, editFields::SampleList,
+        editFields::PressureList, editFields::RowList, editFields::PlaceList,
+        editFields::CornerPair, editFields::FileName, editFields::SegmentReference,
+        editFields::GridSize, editFields::ImportedSegmentList, editFields::EntryOrder,
+        editFields::PlaneList, editFields::SplitPartList, editFields::ChunkOwnerList,
+        editFields::PackedBytes, editFields::BrickList, editFields::DrawnPlaneList>;
 template <class E, std::size_t N>
 inline constexpr bool namesNothing<editFields::Choice<E, N>> = true;
 

@@ -6,6 +6,7 @@
 #include "core/edits/kinds/filling/FloodFill.h"
 #include "core/edits/kinds/filling/MirrorSegment.h"
 #include "core/edits/kinds/filling/SegmentScissors.h"
+#include "core/edits/schema/EditPlanes.h"
 #include "core/edits/schema/SchemaParts.h"
 
 namespace core::editSchema {
@@ -16,15 +17,25 @@ inline constexpr editFields::Choice<SliceAxis, 3> sliceAxisNames{{"i", "j", "k"}
 template <> inline constexpr const char* editName<FillBetweenSlices> = "fillBetweenSlices";
 template <>
 inline constexpr const char* editMeaning<FillBetweenSlices> =
-    "Fills a segment that is not locked and was drawn on some slices between these, by shape-based "
-    "interpolation. Takes only voxels that no segment has; does nothing if no slice between drawn "
-    "ones is empty.";
+    "Fills a segment that is not locked and was drawn on some slices, or on planes of several "
+    "directions, between these, by shape-based interpolation. Takes only voxels that no segment "
+    "has; does nothing if no slice between drawn ones is empty.";
 template <class Visitor> void visitFields(Visitor& visit, FillBetweenSlices& edit)
 {
     visitSegment(visit, edit.segment);
-    visit.maybe("axis", edit.axis, sliceAxisNames,
-        "the index axis across the slices: i for columns, j for rows, k for the acquired slices",
-        "the one across which the smallest share of slices has voxels of the segment");
+    visit.maybe("planes", edit.planes,
+        editFields::DrawnPlaneList{positionLps,
+            editFields::Point{editFields::Number{"", -1000.0, 1000.0, quantum::perDirection}}},
+        "planes of any directions on which the segment was drawn, each one voxel thick, as a place "
+        "in it and a direction perpendicular to it, in patient coordinates (LPS); those on which "
+        "nothing of the segment lies are left out",
+        "the slices across one axis");
+    visit.when(!edit.planes, [&] {
+        visit.maybe("axis", edit.axis, sliceAxisNames,
+            "the index axis across the slices: i for columns, j for rows, k for the acquired "
+            "slices; not given with planes",
+            "the one across which the smallest share of slices has voxels of the segment");
+    });
     visitEditable(visit, edit.editable);
 }
 

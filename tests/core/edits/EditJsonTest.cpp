@@ -256,6 +256,16 @@ private Q_SLOTS:
         QVERIFY(between && across);
         QVERIFY(!between->get<FillBetweenSlices>().axis);
         QVERIFY(across->get<FillBetweenSlices>().axis == SliceAxis::J);
+        const QByteArray planes("'planes':[{'placeLps':[1,2,3.0001],'normalLps':[0,0,1]},"
+                                "{'placeLps':[4,5,6],'normalLps':[1,1,0]}]");
+        const Result<Edit> several =
+            editFromJson(parse("{'edit':'fillBetweenSlices','segment':2," + planes + '}'));
+        QVERIFY(several && several->get<FillBetweenSlices>().planes->size() == 2);
+        QVERIFY(quantised(*several).get<FillBetweenSlices>().planes->front()
+            == (DrawnPlane{{1.0, 2.0, 3.0}, {0.0, 0.0, 1.0}}));
+        QVERIFY(editToJson(*editFromJson(editToJson(*several))) == editToJson(*several));
+        QVERIFY(!editFromJson(
+            parse("{'edit':'fillBetweenSlices','segment':2,'axis':'j'," + planes + '}')));
         const Result<Edit> contour = editFromJson(parse("{'edit':'evolveContour','segment':2}"));
         const Result<Edit> bubble = editFromJson(
             parse("{'edit':'evolveContour','segment':2,'lower':1,'edge':50,'edgeGradient':30,"
@@ -374,6 +384,8 @@ private Q_SLOTS:
                 "{'edit':'evolveContour','segment':2,'erase':true,'overwriteUnlocked':true}",
                 "{'edit':'fillBetweenSlices'}",
                 "{'edit':'fillBetweenSlices','segment':2,'axis':'axial'}",
+                "{'edit':'fillBetweenSlices','segment':2,'planes':[]}",
+                "{'edit':'fillBetweenSlices','segment':2,'planes':[{'placeLps':[1,2,3]}]}",
                 "{'edit':'fillBetweenSlices','segment':2,'axis':1}", "{'edit':'thresholdSegment'}",
                 "{'edit':'thresholdSegment','segment':0}",
                 "{'edit':'thresholdSegment','segment':2,'mode':'invert'}",

@@ -8,6 +8,7 @@
 #include "core/edits/engine/HalfSpaces.h"
 #include "core/edits/kinds/filling/MirrorSegment.h"
 #include "core/edits/kinds/filling/SegmentScissors.h"
+#include "core/edits/kinds/filling/SketchPlanes.h"
 #include "core/edits/kinds/growth/BarrierStroke.h"
 #include "core/edits/kinds/growth/ChangeInterval.h"
 #include "core/edits/kinds/growth/GrowFromSeeds.h"
@@ -51,6 +52,7 @@
 #include "core/growth/SeedWord.h"
 #include "core/sessionfile/records/StateHash.h"
 #include "tests/reference/ReferenceEngine.h"
+#include "tests/reference/filling/BetweenPlanes.h"
 #include "tests/reference/filling/BetweenSlices.h"
 #include "tests/reference/filling/Contour.h"
 #include "tests/reference/filling/FloodFill.h"
@@ -312,9 +314,12 @@ HistoryTruth::Bricks HistoryTruth::filledBetween(
     const Bricks& before, const FillBetweenSlices& edit, const Document& document) const
 {
     const std::vector<std::uint8_t> labels = labelsBeside(edit.segment, before, document);
+    const VolumeGeometry& geometry = m_study.volume.geometry;
+    const auto label = std::uint8_t(edit.segment);
     return relabelled(before, withoutBricks(relabelListed(edit, document, labels, {})),
-        reference::voxelsBetween(
-            labels, m_study.volume.geometry, std::uint8_t(edit.segment), edit.axis),
+        edit.planes ? reference::voxelsBetweenPlanes(labels, geometry.size, label,
+            planeSketch(*edit.planes, geometry, QStringLiteral("planes")).value())
+                    : reference::voxelsBetween(labels, geometry, label, edit.axis),
         RelabelListed::give);
 }
 

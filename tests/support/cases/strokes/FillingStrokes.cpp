@@ -177,6 +177,16 @@ void addFillingStrokes(std::vector<StrokeCase>& cases, const StrokeScene& scene)
         {"fill between slices that do not overlap", volume, {first, low, high, apart}, acquired});
     cases.push_back({"fill between slices beside another", volume,
         {first, second, scene.others, scene.some, low, high}, acquired});
+    const glm::dvec3 upright = geometry.toWorld({16.0, 13.0, 6.0});
+    const core::Edit coronal = test::paintDiscAt(1, upright, geometry.direction()[1], 4.0);
+    const core::Edit oblique = test::paintDiscAt(1, upright, {1.0, 0.5, 0.4}, 4.0);
+    const core::FillBetweenSlices planes{.segment = 1,
+        .planes = std::vector<core::DrawnPlane>{
+            {geometry.toWorld({14.0, 12.0, 4.0}), geometry.direction()[2]},
+            {geometry.toWorld({14.0, 12.0, 9.0}), geometry.direction()[2]},
+            {upright, geometry.direction()[1]}, {upright, {1.0, 0.5, 0.4}}}};
+    cases.push_back({"fill between planes of several directions", volume,
+        {first, low, high, coronal, oblique}, planes});
     cases.push_back({"fill between slices of a solid segment", volume, {first, low}, between});
     cases.push_back({"fill between slices of an empty segment", volume, {first}, between});
     cases.push_back({"growth after filling between slices", volume,

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/edits/kinds/filling/FillBetweenSlices.h"
+#include "core/edits/kinds/filling/SketchPlanes.h"
 #include "core/session/EditSession.h"
 #include "core/session/SegmentWork.h"
 #include "core/sessionfile/SessionSalvage.h"
+#include "tests/reference/filling/BetweenPlanes.h"
 #include "tests/reference/filling/BetweenSlices.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/program/TestProgram.h"
@@ -97,6 +99,59 @@ private Q_SLOTS:
         const std::size_t rows = bench.rows().size();
         bench.run(edit);
         QCOMPARE(bench.rows().size(), rows);
+    }
+
+    /// Drawn on axial, coronal and oblique slices: a row that comes back, as the oracle has it.
+    void planesOfSeveralDirections()
+    {
+        Bench bench;
+        const glm::dvec3 middle = smallGrid().toWorld({20.0, 18.0, 12.0});
+        const glm::dvec3 oblique(1.0, 1.0, 0.7);
+        bench.run(discAt(1, SliceAxis::J, {20.0, 18.0, 12.0}, 5.0));
+        bench.run(test::paintDiscAt(1, middle, oblique, 5.0));
+        const FillBetweenSlices edit{.segment = 1,
+            .planes = std::vector<DrawnPlane>{
+                {smallGrid().toWorld({0.0, 0.0, 8.0}), smallGrid().direction()[2]},
+                {smallGrid().toWorld({0.0, 0.0, 16.0}), smallGrid().direction()[2]},
+                {middle, smallGrid().direction()[1]}, {middle, oblique}}};
+        const Labels before = bench.labels();
+        const QByteArray hash = bench.session->stateHash();
+        bench.run(edit);
+        const auto& carriedOut = bench.rows().back().edit.get<FillBetweenSlices>();
+        QCOMPARE(carriedOut.planes->size(), std::size_t(4));
+        const PlaneSketch sketch =
+            planeSketch(*carriedOut.planes, smallGrid(), QStringLiteral("planes")).value();
+        const std::vector<bool> between =
+            reference::voxelsBetweenPlanes(before, smallGrid().size, 1, sketch);
+        Labels expected = before;
+        std::int64_t gained = 0;
+        for (std::size_t voxel = 0; voxel < before.size(); ++voxel) {
+            if (!between[voxel] || before[voxel] != 0)
+                continue;
+            expected[voxel] = 1;
+            ++gained;
+        }
+        QVERIFY(gained > 200);
+        QVERIFY(bench.labels() == expected);
+        const QByteArray changed = bench.session->stateHash();
+        QVERIFY(bench.session->undo() && bench.session->settle());
+        QCOMPARE(bench.session->stateHash(), hash);
+        QVERIFY(bench.session->redo() && bench.session->settle());
+        QCOMPARE(bench.session->stateHash(), changed);
+        Bench anew(true);
+        for (std::size_t row = 3; row < bench.rows().size(); ++row)
+            anew.run(bench.rows()[row].edit);
+        QCOMPARE(anew.session->stateHash(), changed);
+        // There is nothing left to fill, and so no row.
+        const std::size_t rows = bench.rows().size();
+        bench.run(edit);
+        QCOMPARE(bench.rows().size(), rows);
+        // A plane that misses the volume is refused.
+        FillBetweenSlices beside = edit;
+        beside.planes->front().placeLps += 1000.0 * smallGrid().direction()[2];
+        const Result<void> refused = bench.session->apply(beside);
+        QVERIFY(!refused);
+        QVERIFY(refused.error().code == ErrorCode::InvalidField);
     }
 
     /// Several axes and segments, step by step against the oracle; the rows come to the same from
