@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/dialogs/segment/BetweenSlicesDialog.h"
 
+#include "core/edits/EditQuantise.h"
+#include "core/edits/engine/SlicePlane.h"
+#include "core/edits/kinds/filling/SketchPlanes.h"
+#include "core/morphology/planes/BetweenPlanes.h"
 #include "core/session/EditSession.h"
+#include "core/session/past/DrawnPlanes.h"
 #include "ui/base/NumberText.h"
 #include "ui/base/Theme.h"
 #include "ui/dialogs/segment/PreviewRow.h"
@@ -61,6 +66,23 @@ QString rangesText(std::vector<int> numbers)
         at = last + 1;
     }
     return ranges.join(QStringLiteral(", "));
+}
+
+/// Those of the planes that do not only touch the segment up.
+std::vector<core::DrawnPlane> drawnAsWhole(const std::vector<core::DrawnPlane>& planes,
+    const std::vector<std::uint8_t>& labels, const core::VolumeGeometry& geometry, int label)
+{
+    const auto sketch = core::planeSketch(planes, geometry, QStringLiteral("fillBetweenSlices"));
+    if (!sketch)
+        return {};
+    const std::vector<bool> whole =
+        core::drawnAsWhole(labels, geometry.size, std::uint8_t(label), *sketch);
+    std::vector<core::DrawnPlane> drawn;
+    for (std::size_t at = 0; at < planes.size(); ++at) {
+        if (whole[at])
+            drawn.push_back(planes[at]);
+    }
+    return drawn;
 }
 
 } // namespace
@@ -129,16 +151,21 @@ void BetweenSlicesDialog::count(const LabelFetch::Planes& planes)
     m_found.reset();
     follow();
     lookThrough(
-        [planes, geometry = workspace().volume()->geometry, label = std::uint8_t(label()),
-            axis = chosenAxis()](const core::Progress& progress) -> core::Result<Found> {
+        [planes, geometry = workspace().volume()->geometry, edit = chosen(),
+            strokes = planesOfStrokes()](const core::Progress& progress) -> core::Result<Found> {
             const std::vector<std::uint8_t>& labels = planes->front().labels;
-            Found found{.drawn = core::drawnSlices(labels, geometry.size, label), .axis = axis};
-            if (!found.axis)
+            Found found{
+                .drawn = core::drawnSlices(labels, geometry.size, std::uint8_t(edit.segment)),
+                .axis = edit.axis};
+            std::vector<core::DrawnPlane> drawn =
+                drawnAsWhole(strokes, labels, geometry, edit.segment);
+            if (!core::areAcrossOneAxis(drawn, geometry))
+                found.planes = std::move(drawn);
+            else if (!found.axis)
                 found.axis = core::drawnAxis(found.drawn);
-            if (!found.axis)
-                return found;
-            const auto between = core::voxelsBetween(labels, geometry, label,
-                found.drawn.at(std::size_t(alongOf(*found.axis))), progress);
+            const auto between = core::voxelsFilled(
+                {.segment = edit.segment, .axis = found.axis, .planes = found.planes}, geometry,
+                labels, progress);
             if (!between)
                 return tl::unexpected(between.error());
             found.voxels = std::int64_t(between->voxelCount());
@@ -159,6 +186,21 @@ std::optional<core::SliceAxis> BetweenSlicesDialog::chosenAxis() const
     return axisOf(workspace().volume()->geometry, orientations.at(std::size_t(chosen) - 1));
 }
 
+std::vector<core::DrawnPlane> BetweenSlicesDialog::planesOfStrokes() const
+{
+    const core::EditSession* session = workspace().session();
+    if (!session || m_axis->currentIndex() > 0)
+        return {};
+    const core::VolumeGeometry& geometry = workspace().volume()->geometry;
+    std::vector<core::DrawnPlane> planes = core::drawnPlanes(label(), session->history(), geometry);
+    if (core::areAcrossOneAxis(planes, geometry))
+        return {};
+    // Rounded as in the row, so that what is told is what is filled.
+    return *core::quantised(core::FillBetweenSlices{.segment = label(), .planes = std::move(planes)})
+                .get<core::FillBetweenSlices>()
+                .planes;
+}
+
 void BetweenSlicesDialog::showState()
 {
     LabelLookDialog::showState();
@@ -177,6 +219,14 @@ void BetweenSlicesDialog::showFound()
         m_result->setText(isLooking() ? tr("Looking …") : QString());
         return;
     }
+    const double millilitres =
+        double(m_found->voxels) * workspace().volume()->geometry.voxelVolumeMm3() / 1000.0;
+    if (m_found->planes) {
+        m_drawn->setText(drawnText(*m_found->planes));
+        m_result->setText(tr("Fills what lies between: %1 voxels, %2")
+                              .arg(countText(m_found->voxels), volumeText(millilitres)));
+        return;
+    }
     if (!m_found->axis) {
         m_drawn->setText(tr("No slice between drawn ones is empty."));
         m_result->setText(
@@ -185,8 +235,6 @@ void BetweenSlicesDialog::showFound()
     }
     const core::DrawnSlices& drawn = m_found->drawn.at(std::size_t(alongOf(*m_found->axis)));
     m_drawn->setText(drawnText(drawn));
-    const double millilitres =
-        double(m_found->voxels) * workspace().volume()->geometry.voxelVolumeMm3() / 1000.0;
     m_result->setText(tr("Fills %1 empty slices: %2 voxels, %3")
                           .arg(countText(drawn.emptySlices()), countText(m_found->voxels),
                               volumeText(millilitres)));
@@ -210,9 +258,35 @@ QString BetweenSlicesDialog::drawnText(const core::DrawnSlices& drawn) const
     return tr("Drawn: %1 slices").arg(drawn.slices.size()); // of no standard plane
 }
 
+QString BetweenSlicesDialog::drawnText(const std::vector<core::DrawnPlane>& planes) const
+{
+    const core::VolumeGeometry& geometry = workspace().volume()->geometry;
+    QStringList parts;
+    std::size_t named = 0;
+    for (const SliceOrientation each : orientations) {
+        const SliceStack stack = sliceStack(geometry, sliceAxes(each).normalLps);
+        std::vector<int> numbers;
+        for (const core::DrawnPlane& plane : planes) {
+            const auto onGrid =
+                core::slicePlane(geometry, glm::normalize(plane.normalLps), plane.placeLps).onGrid;
+            if (onGrid && onGrid->axis == alongOf(axisOf(geometry, each)))
+                numbers.push_back(stack.numberAt(plane.placeLps) + 1);
+        }
+        named += numbers.size();
+        if (!numbers.empty())
+            parts += tr("%1 slices %2").arg(orientationText(each), rangesText(numbers));
+    }
+    if (const std::size_t oblique = planes.size() - named; oblique > 0)
+        parts += oblique == 1 ? tr("1 oblique slice") : tr("%1 oblique slices").arg(oblique);
+    return tr("Drawn: %1").arg(parts.join(QStringLiteral(" · ")));
+}
+
 core::FillBetweenSlices BetweenSlicesDialog::chosen() const
 {
-    return {.segment = label(), .axis = chosenAxis(), .editable = workspace().editableRange()};
+    return {.segment = label(),
+        .axis = chosenAxis(),
+        .planes = m_found ? m_found->planes : std::nullopt,
+        .editable = workspace().editableRange()};
 }
 
 void BetweenSlicesDialog::follow()

@@ -226,6 +226,52 @@ private Q_SLOTS:
         QVERIFY(fixture.lastRow().edit.get<core::FillBetweenSlices>().axis == core::SliceAxis::K);
     }
 
+    /// Strokes on slices of several directions: it names them all, fills what lies between, and
+    /// goes on with each stroke; a dab that touches up a slice of another direction changes
+    /// nothing.
+    void takesPlanesOfSeveralDirections()
+    {
+        Fixture fixture;
+        const core::VolumeGeometry& geometry = fixture.workspace.volume()->geometry;
+        const glm::dvec3 middle = geometry.toWorld(glm::dvec3(20.0, 18.0, 12.0));
+        ui::BetweenSlicesDialog& dialog = fixture.opened();
+        QTRY_COMPARE(textOf(dialog, "betweenDrawn"), QStringLiteral("Drawn: axial slices 9, 17"));
+        fixture.apply(test::paintDiscAt(1, middle, geometry.direction()[0], 0.5));
+        QTRY_VERIFY2(
+            textOf(dialog, "betweenDrawn").startsWith(QStringLiteral("Drawn: axial slices 9, 13")),
+            qPrintable(textOf(dialog, "betweenDrawn")));
+        QVERIFY(!textOf(dialog, "betweenDrawn").contains(u'·'));
+        fixture.apply(test::paintDiscAt(1, middle, geometry.direction()[1], 5.0));
+        QTRY_VERIFY2(textOf(dialog, "betweenDrawn")
+                         .startsWith(QStringLiteral("Drawn: axial slices 9, 17 · coronal slices ")),
+            qPrintable(textOf(dialog, "betweenDrawn")));
+        QTRY_VERIFY(textOf(dialog, "betweenResult")
+                        .startsWith(QStringLiteral("Fills what lies between: ")));
+        QTRY_VERIFY(fixture.session().isOpen<core::FillBetweenSlices>());
+        fixture.apply(test::paintDiscAt(1, middle, glm::dvec3(1.0, 1.0, 0.6), 5.0));
+        QTRY_VERIFY2(textOf(dialog, "betweenDrawn").endsWith(QStringLiteral(" · 1 oblique slice")),
+            qPrintable(textOf(dialog, "betweenDrawn")));
+        const QString promised = textOf(dialog, "betweenResult");
+        const std::int64_t before = fixture.voxels();
+        QTest::mouseClick(&buttonOf(dialog, "applyBetween"), Qt::LeftButton);
+        QVERIFY(fixture.session().settle());
+        const std::int64_t gained = fixture.voxels() - before;
+        QVERIFY(gained > 0);
+        QVERIFY2(
+            promised.startsWith(
+                QStringLiteral("Fills what lies between: %1 voxels, ").arg(ui::countText(gained))),
+            qPrintable(promised));
+        const auto edit = fixture.lastRow().edit.get<core::FillBetweenSlices>();
+        QVERIFY(edit.planes && edit.planes->size() == 4 && !edit.axis);
+        // Whoever chooses an axis gets the slices across it.
+        QVERIFY(fixture.session().undo() && fixture.session().settle());
+        dialog.findChild<QComboBox*>(QStringLiteral("betweenAxis"))
+            ->setCurrentText(QStringLiteral("Between axial slices"));
+        QTRY_VERIFY(textOf(dialog, "betweenResult").endsWith(QStringLiteral(" mL"))
+            && textOf(dialog, "betweenDrawn").startsWith(QStringLiteral("Drawn: axial slices ")));
+        QVERIFY(!textOf(dialog, "betweenDrawn").contains(u'·'));
+    }
+
     /// What cannot be filled says why.
     void whatCannotBeSaysWhy()
     {
