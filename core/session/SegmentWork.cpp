@@ -20,6 +20,13 @@ std::optional<int> SegmentWork::percent() const
     return std::max(0, operation->percent());
 }
 
+bool SegmentWork::isPreview() const
+{
+    const auto* operation = dynamic_cast<const OpenOperation*>(m_queue.runningAbortable());
+    return operation && operation == m_queue.interactive() && operation->manner().withoutPen
+        && operation->manner().usualEnding == Ending::Rollback;
+}
+
 void SegmentWork::abort()
 {
     if (AbortableWork* operation = m_queue.runningAbortable())

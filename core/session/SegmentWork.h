@@ -17,6 +17,9 @@ public:
     /// The percentage of it that is done; none: no such edit is running, or its voxels are already
     /// being written.
     [[nodiscard]] std::optional<int> percent() const;
+    /// Whether it is for a preview that stands open, which is its dialog's. One that waits in line
+    /// behind other work is not.
+    [[nodiscard]] bool isPreview() const;
     /// Abandons it. The session then reports the error Cancelled; voxels and history stay as they
     /// were. Does nothing if percent() is empty.
     void abort();

@@ -42,7 +42,7 @@ SegmentWorkWatch::SegmentWorkWatch(Workspace& workspace, LoadingBar& bar)
 void SegmentWorkWatch::look()
 {
     core::EditSession* session = m_workspace.session();
-    const std::optional<int> percent = session && !session->openIsPreview()
+    const std::optional<int> percent = session && !session->segmentWork().isPreview()
         ? session->segmentWork().percent()
         : std::optional<int>();
     if (percent && !m_works)

@@ -89,6 +89,22 @@ private Q_SLOTS:
         QVERIFY(fixture.session().stateHash() != fixture.before);
     }
 
+    /// A preview that was opened meanwhile waits in line behind it.
+    void workInFrontOfAPreviewIsShown()
+    {
+        Fixture fixture;
+        QVERIFY(fixture.session().apply(core::MirrorSegment{.segment = 1}));
+        QVERIFY(fixture.session().begin(core::MirrorSegment{.segment = 1}));
+        QVERIFY(fixture.session().openIsPreview() && !fixture.session().segmentWork().isPreview());
+        QVERIFY(fixture.session().segmentWork().percent());
+        QTRY_VERIFY(fixture.bar->isVisible());
+        QSignalSpy failed(&fixture.workspace, &ui::Workspace::failed);
+        QTest::mouseClick(fixture.bar->findChild<QPushButton*>(), Qt::LeftButton);
+        static_cast<void>(fixture.session().settle());
+        QTRY_VERIFY(!fixture.bar->isVisible());
+        QCOMPARE(fixture.session().stateHash(), fixture.before);
+    }
+
     /// It goes with the study.
     void aClosedSessionShowsNone()
     {

@@ -210,7 +210,7 @@ void ContourTool::start(const glm::dvec3& placeLps, bool erases)
     if (m_settings.fromSegment && session->foreseenDocument().segments.empty())
         return m_workspace.say(tr("There is no segment to begin with: click a bubble instead"));
     // What it would begin with is about to change.
-    if (!session->openIsPreview() && session->segmentWork().percent())
+    if (!session->segmentWork().isPreview() && session->segmentWork().percent())
         return m_workspace.say(tr("A segment is being worked out; Esc abandons it"));
     drop();
     if (session->foreseenDocument().segments.empty()) {
@@ -299,7 +299,7 @@ void ContourTool::cancel()
     if (m_run.isOpen() || m_awaitsValues)
         drop();
     else if (core::EditSession* session = m_workspace.session();
-             session && !session->openIsPreview()) // which is a dialog's
+             session && !session->segmentWork().isPreview()) // which is a dialog's
         session->segmentWork().abort();
 }
 

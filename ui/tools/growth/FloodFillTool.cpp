@@ -221,7 +221,7 @@ void FloodFillTool::press(const PointerSample& sample, const ViewContext& view)
         return m_workspace.say(tr("There is no segment to erase"));
     // An impatient second click would do it all once more.
     core::EditSession& session = *m_workspace.session();
-    if (!session.openIsPreview() && session.segmentWork().percent())
+    if (!session.segmentWork().isPreview() && session.segmentWork().percent())
         return m_workspace.say(tr("A segment is being worked out; Esc abandons it"));
     const core::Result<int> label = ensureActiveSegment(m_workspace);
     if (!label)
@@ -240,7 +240,7 @@ void FloodFillTool::press(const PointerSample& sample, const ViewContext& view)
 void FloodFillTool::cancel()
 {
     core::EditSession* session = m_workspace.session();
-    if (session && !session->openIsPreview()) // which is a dialog's
+    if (session && !session->segmentWork().isPreview()) // which is a dialog's
         session->segmentWork().abort();
 }
 
