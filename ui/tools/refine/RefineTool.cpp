@@ -96,7 +96,7 @@ QString RefineTool::keys() const
     case Refinement::Mode::Mark:
         return tr("[ ] radius · Ctrl unmarks · Esc cancels");
     case Refinement::Mode::Sphere:
-        return tr("[ ] radius · Ctrl outwards · Esc cancels");
+        return tr("[ ] radius · Ctrl in 3D: outwards · Esc cancels");
     case Refinement::Mode::Template:
         return tr("Esc takes back · back to the start: closed");
     case Refinement::Mode::Scrape:
@@ -122,6 +122,14 @@ bool RefineTool::worksIn(const ViewContext& view) const
 bool RefineTool::takes(const PointerSample&, const ViewContext& view) const
 {
     return view.isSlice() || m_workspace.refinement().settings().mode != Refinement::Mode::Template;
+}
+
+bool RefineTool::isInverse(const PointerSample& sample, const ViewContext& view) const
+{
+    if (!sample.eraserEnd && !sample.modifiers.testFlag(Qt::ControlModifier))
+        return false;
+    const Refinement::Mode mode = m_workspace.refinement().settings().mode;
+    return mode == Refinement::Mode::Mark || (mode == Refinement::Mode::Sphere && !view.isSlice());
 }
 
 std::optional<core::MeshHit> RefineTool::hitAt(
@@ -210,7 +218,7 @@ void RefineTool::press(const PointerSample& sample, const ViewContext& view)
     m_stroke = Stroke{.view = view,
         .surface = refinement.mirror(),
         .settings = refinement.settings(),
-        .inverted = sample.eraserEnd || (sample.modifiers & Qt::ControlModifier),
+        .inverted = isInverse(sample, view),
         .isPressed = refinement.settings().radiusByPressure && sample.isPen,
         .lastPressure = pressedShare(sample)};
     const std::optional<glm::dvec3> place = placeOf(*m_stroke, sample);
@@ -307,8 +315,7 @@ void RefineTool::cancel()
 void RefineTool::hover(const PointerSample& sample, const ViewContext& view)
 {
     m_pressure = m_stroke && m_stroke->isPressed ? pressedShare(sample) : 1.0;
-    m_inverted = m_stroke ? m_stroke->inverted
-                          : sample.eraserEnd || (sample.modifiers & Qt::ControlModifier);
+    m_inverted = m_stroke ? m_stroke->inverted : isInverse(sample, view);
     showCursor(sample.position, view.view);
 }
 

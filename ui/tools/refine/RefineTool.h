@@ -61,6 +61,8 @@ private:
     /// Where the tool is, LPS; none if the surface is not met.
     [[nodiscard]] std::optional<glm::dvec3> placeOf(
         Stroke& stroke, const PointerSample& sample) const;
+    /// Whether Ctrl, or the pen's eraser end, is held where it does the opposite.
+    [[nodiscard]] bool isInverse(const PointerSample& sample, const ViewContext& view) const;
     [[nodiscard]] std::optional<core::MeshHit> hitAt(
         const core::SurfaceMirror& surface, const ViewContext& view, const QPointF& pixel) const;
     [[nodiscard]] core::Edit editOf(const Stroke& stroke, const glm::dvec3& placeLps) const;

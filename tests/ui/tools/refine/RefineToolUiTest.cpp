@@ -222,6 +222,23 @@ private Q_SLOTS:
         QCOMPARE(label.shownText(), QString());
     }
 
+    /// Ctrl is promised only where it does something: on a slice the sphere pushes from where it
+    /// is put down.
+    void ctrlSaysWhatItDoes()
+    {
+        RefineFixture fixture;
+        fixture.lay();
+        fixture.workspace.setActiveTool(&fixture.tool);
+        const auto targetOver = [&](ui::ImageView& view) {
+            test::WindowFixture::hover(view, QPointF(view.rect().center()), Qt::ControlModifier);
+            return fixture.tool.target();
+        };
+        fixture.set(Mode::Sphere, 6.0);
+        QCOMPARE(targetOver(fixture.slice), QStringLiteral("pushes Ball"));
+        QCOMPARE(targetOver(fixture.view), QStringLiteral("pushes Ball outwards"));
+        QVERIFY(fixture.tool.keys().contains(QStringLiteral("Ctrl in 3D")));
+    }
+
     void thePanelLaysAndWritesBack()
     {
         RefineFixture fixture;
