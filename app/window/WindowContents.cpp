@@ -73,6 +73,27 @@ namespace app {
 
 namespace {
 
+/// The brush with its own key as an eraser.
+void addErase(ui::MainWindow& window, ui::PaintTool& paint)
+{
+    ui::Workspace& workspace = window.workspace();
+    const auto isTaken = [&workspace, &paint] {
+        return workspace.activeTool() == &paint && paint.erases();
+    };
+    QAction& action = window.actionTable().add({.id = QStringLiteral("tool.erase"),
+        .text = ui::Actions::tr("Erase"),
+        .keys = {QKeySequence(QStringLiteral("E"))},
+        .run =
+            [&workspace, &paint, isTaken] {
+                const bool taken = !isTaken();
+                paint.setErases(taken);
+                workspace.setActiveTool(taken ? &paint : nullptr);
+            },
+        .possible = [&workspace] { return workspace.volume() != nullptr; },
+        .checked = isTaken});
+    window.growMenu().addAction(&action);
+}
+
 std::vector<ui::Tool*> addTools(ui::MainWindow& window)
 {
     ui::Workspace& workspace = window.workspace();
@@ -116,6 +137,7 @@ std::vector<ui::Tool*> addTools(ui::MainWindow& window)
     window.addTool(*seed, window.growMenu(), QKeySequence(QStringLiteral("S")));
     window.addTool(*shrink, window.growMenu(), QKeySequence(QStringLiteral("X")));
     window.addTool(*paint, window.growMenu(), QKeySequence(QStringLiteral("B")));
+    addErase(window, *paint);
     window.addTool(*nudge, window.growMenu(), QKeySequence(QStringLiteral("J")));
     window.addTool(*outline, window.growMenu(), QKeySequence(QStringLiteral("D")));
     window.addTool(*flood, window.growMenu(), QKeySequence(QStringLiteral("Shift+D")));

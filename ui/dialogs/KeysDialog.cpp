@@ -50,6 +50,7 @@ const Binding bindings[] = {
     {"Z held", "lens: what is under the pointer, three times as large", ""},
     {"Up, Down, Page Up, Page Down", "one slice; ten slices", ""},
     {"Home, End", "first, last slice", ""},
+    {"Tab", "the tool before, and back again", "the same"},
     {"Esc", "takes back the stroke under the pen", "the same, and what is not kept yet"},
 };
 

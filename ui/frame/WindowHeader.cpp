@@ -78,8 +78,9 @@ void WindowHeader::fillMenus(Actions& actions, const QStringList& plane, const Q
             "file.demonstration", "", "file.importMask", "file.importMaskFolder", "", "file.saveAs",
             "file.auditReport", "", "file.toPacs", "", "file.close", "file.quit"}));
     m_editMenu = m_menuBar->addMenu(QStringLiteral("&Edit"));
-    actions.fill(
-        *m_editMenu, ids({"edit.undo", "edit.redo", "", "edit.author", "edit.historyMemory"}));
+    actions.fill(*m_editMenu,
+        ids({"edit.undo", "edit.redo", "edit.undoOnlySegment", "", "edit.author",
+            "edit.historyMemory"}));
     fillViewMenu(actions, plane, stage);
     m_sculptMenu = m_menuBar->addMenu(QStringLiteral("S&culpt"));
     m_growMenu = m_menuBar->addMenu(QStringLiteral("&Grow"));

@@ -41,6 +41,9 @@ public:
     /// The name for menus and lists, if another tool has the same short name.
     [[nodiscard]] virtual QString longName() const { return name(); }
     [[nodiscard]] virtual QString iconName() const = 0; ///< resources/icons/<name>.svg
+    /// Ends a mode that a key of its own had chosen (an eraser becomes a brush again). Called when
+    /// the tool's own key is pressed. @return whether it was in one
+    virtual bool endMode() { return false; }
     /// What it expects next, shown in the status line.
     [[nodiscard]] virtual QString hint() const = 0;
     [[nodiscard]] virtual QString target() const { return {}; } ///< "carves layer Sculpt 1"
@@ -95,6 +98,7 @@ public:
 Q_SIGNALS:
     void overlayChanged();
     void stepsChanged();
+    void nameChanged(); ///< also hint and keys
 };
 
 } // namespace ui

@@ -365,6 +365,12 @@ void ImageView::keyPressEvent(QKeyEvent* event)
         QWidget::keyPressEvent(event);
 }
 
+bool ImageView::focusNextPrevChild(bool next)
+{
+    return (next && m_workspace.volume() && m_workspace.takeToolBefore())
+        || QWidget::focusNextPrevChild(next);
+}
+
 void ImageView::keyReleaseEvent(QKeyEvent* event)
 {
     if (!m_pointer.releaseKey(*event))

@@ -134,6 +134,8 @@ protected:
     void leaveEvent(QEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
     void keyReleaseEvent(QKeyEvent* event) override;
+    /// The tab key takes the tool before; where there is none, and backwards, it leaves the view.
+    bool focusNextPrevChild(bool next) override;
 
 private:
     void doubleClicked() override { Q_EMIT maximiseToggled(); }

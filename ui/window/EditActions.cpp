@@ -6,6 +6,7 @@
 #include "ui/dialogs/AuthorDialog.h"
 #include "ui/dialogs/session/HistoryMemoryDialog.h"
 #include "ui/input/Tool.h"
+#include "ui/tasks/UndoOnly.h"
 #include "ui/window/MainWindow.h"
 #include "ui/workspace/ViewSteps.h"
 
@@ -104,6 +105,29 @@ void addEditActions(MainWindow& window)
                 const core::History& history = workspace.session()->history();
                 return Actions::tr("Redo: %1")
                     .arg(menuText(nameOf(history.row(history.redoTarget()))));
+            }});
+    const auto activeSegment = [&workspace]() -> const core::Segment* {
+        const core::EditSession* session = workspace.session();
+        return session ? session->document().segment(workspace.activeSegment()) : nullptr;
+    };
+    actions.add({.id = QStringLiteral("edit.undoOnlySegment"),
+        .text = Actions::tr("Undo last step of segment only"),
+        .keys = {QKeySequence(QStringLiteral("Ctrl+Alt+Z"))},
+        .tip = Actions::tr("Takes back the last step that changed the active segment, and keeps "
+                           "what came after it"),
+        .run =
+            [&workspace, activeSegment] {
+                const core::Segment* segment = activeSegment();
+                undoOnlyLast(workspace, {.segment = segment->label},
+                    Actions::tr("in '%1'").arg(segment->name));
+            },
+        .possible = [activeSegment] { return activeSegment() != nullptr; },
+        .currentText =
+            [activeSegment] {
+                const core::Segment* segment = activeSegment();
+                return segment
+                    ? Actions::tr("Undo last step of '%1' only").arg(menuText(segment->name))
+                    : Actions::tr("Undo last step of segment only");
             }});
     actions.add({.id = QStringLiteral("edit.author"),
         .text = Actions::tr("Name in the audit trail …"),

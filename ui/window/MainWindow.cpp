@@ -134,8 +134,10 @@ MainWindow::MainWindow(Workspace& workspace, const QString& graphics)
     connect(&workspace, &Workspace::activeSegmentChanged, this, refresh);
     connect(&workspace, &Workspace::activeLayerChanged, this, refresh);
     connect(&workspace, &Workspace::activeToolChanged, this, [this] {
-        if (const Tool* tool = m_workspace.activeTool())
+        if (const Tool* tool = m_workspace.activeTool()) {
             connect(tool, &Tool::stepsChanged, &m_actions, &Actions::refresh, Qt::UniqueConnection);
+            connect(tool, &Tool::nameChanged, &m_actions, &Actions::refresh, Qt::UniqueConnection);
+        }
         m_actions.refresh();
     });
     connect(&workspace, &Workspace::volumeDisplayChanged, this, refresh);
@@ -295,7 +297,7 @@ void MainWindow::addTool(Tool& tool, QMenu& menu, const QKeySequence& key)
         .icon = tool.iconName(),
         .run =
             [this, &tool] {
-                const bool taken = m_workspace.activeTool() != &tool;
+                const bool taken = tool.endMode() || m_workspace.activeTool() != &tool;
                 m_workspace.setActiveTool(taken ? &tool : nullptr);
                 if (taken)
                     bringUpPanelOf(tool);

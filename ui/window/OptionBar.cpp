@@ -161,11 +161,11 @@ void OptionBar::showTool()
     Tool* tool = m_workspace.activeTool();
     if (!m_workspace.volume())
         tool = nullptr;
-    m_tool->setText(tool ? tool->name() : QString());
     m_tool->setVisible(tool != nullptr);
     showKeys();
     if (!tool)
         return;
+    connect(tool, &Tool::nameChanged, this, &OptionBar::showKeys, Qt::UniqueConnection);
     m_options = tool->createOptions(this);
     if (m_options) {
         m_layout->insertWidget(m_layout->indexOf(m_tool) + 1, m_options);
@@ -175,7 +175,8 @@ void OptionBar::showTool()
 
 void OptionBar::showKeys()
 {
-    const Tool* tool = m_workspace.activeTool();
+    const Tool* tool = m_workspace.volume() ? m_workspace.activeTool() : nullptr;
+    m_tool->setText(tool ? tool->name() : QString());
     m_keys->setText(!m_workspace.volume() ? QString()
             : tool                        ? tool->keys()
                                           : tr("left grey scale · middle pan · right "

@@ -49,6 +49,8 @@ StatusLine::StatusLine(Workspace& workspace, QWidget* parent)
         &m_readout, &Readout::textChanged, this, [this] { m_where->setText(m_readout.text()); });
     connect(&workspace, &Workspace::activeToolChanged, this, [this] {
         m_saidTimer.stop();
+        if (const Tool* tool = m_workspace.activeTool())
+            connect(tool, &Tool::nameChanged, this, &StatusLine::showHint, Qt::UniqueConnection);
         showHint();
     });
     connect(&workspace, &Workspace::sessionChanged, this, [this] {

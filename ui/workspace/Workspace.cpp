@@ -437,7 +437,17 @@ void Workspace::setActiveTool(Tool* tool)
     // The menus ask it at any time.
     if (m_tool)
         connect(m_tool, &QObject::destroyed, this, [this] { m_tool = nullptr; });
+    if (m_tool && m_tool != m_lastTools[0])
+        m_lastTools = {m_tool, m_lastTools[0]};
     Q_EMIT activeToolChanged();
+}
+
+bool Workspace::takeToolBefore()
+{
+    Tool* before = m_lastTools[m_tool ? 1 : 0];
+    if (before)
+        setActiveTool(before);
+    return before != nullptr;
 }
 
 } // namespace ui

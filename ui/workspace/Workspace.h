@@ -10,9 +10,11 @@
 #include "ui/settings/GrowSettings.h"
 
 #include <QObject>
+#include <QPointer>
 #include <QString>
 #include <QTimer>
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <map>
@@ -254,6 +256,9 @@ public:
     /// The active tool; null: the left button navigates.
     [[nodiscard]] Tool* activeTool() const { return m_tool; }
     void setActiveTool(Tool* tool);
+    /// Takes the tool that was in hand before the active one, or, if none is active, the last one.
+    /// @return whether there is one
+    bool takeToolBefore();
 
     /// Asks every view to show a place in its middle.
     void centreViews(const glm::dvec3& placeLps) { Q_EMIT viewsCentred(placeLps); }
@@ -360,6 +365,7 @@ private:
     std::optional<std::uint32_t> m_warnAfter;
     std::optional<glm::dvec3> m_pointedLps;
     Tool* m_tool = nullptr;
+    std::array<QPointer<Tool>, 2> m_lastTools; ///< the last one that was active, and before it
     QTimer m_retry; ///< runs while steps wait for the disk
 };
 

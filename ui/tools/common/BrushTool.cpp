@@ -113,6 +113,12 @@ core::BrushPath BrushTool::pathIn(const ViewContext& view) const
     return path;
 }
 
+bool BrushTool::isInverse(const PointerSample& sample) const
+{
+    const bool asked = sample.eraserEnd || sample.modifiers.testFlag(Qt::ControlModifier);
+    return asked != isTurned();
+}
+
 void BrushTool::press(const PointerSample& sample, const ViewContext& view)
 {
     core::EditSession* session = m_workspace.session();
@@ -121,7 +127,7 @@ void BrushTool::press(const PointerSample& sample, const ViewContext& view)
     m_stroke = std::make_shared<Stroke>();
     m_stroke->view = view;
     m_stroke->path = pathIn(view);
-    m_stroke->inverted = sample.eraserEnd || (sample.modifiers & Qt::ControlModifier);
+    m_stroke->inverted = isInverse(sample);
     m_stroke->keepsRadius =
         settings().followsEdges && settings().toleranceByPressure && view.isSlice();
     m_stroke->isPressed = (settings().radiusByPressure || m_stroke->keepsRadius) && sample.isPen;
@@ -271,8 +277,7 @@ void BrushTool::showCursor(const PointerSample& sample, gpu::ViewId view)
 {
     m_pressure =
         m_stroke && m_stroke->isPressed && !m_stroke->keepsRadius ? pressedShare(sample) : 1.0;
-    m_inverted = m_stroke ? m_stroke->inverted
-                          : sample.eraserEnd || (sample.modifiers & Qt::ControlModifier);
+    m_inverted = m_stroke ? m_stroke->inverted : isInverse(sample);
     CursorTool::showCursor(sample.position, view);
 }
 

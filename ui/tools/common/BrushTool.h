@@ -45,6 +45,8 @@ public:
 protected:
     [[nodiscard]] Workspace& workspace() const { return m_workspace; }
     [[nodiscard]] const Workspace::BrushSettings& settings() const;
+    /// Whether it does without Ctrl what it else does with it.
+    [[nodiscard]] virtual bool isTurned() const { return false; }
     /// "paints Liver", "erases Liver", or why it cannot.
     [[nodiscard]] virtual QString action(bool inverted) const = 0;
     /// Which voxels may change, in words; empty if all may.
@@ -68,6 +70,7 @@ private:
         double pressure = 1.0;
     };
 
+    [[nodiscard]] bool isInverse(const PointerSample& sample) const;
     [[nodiscard]] static QString shapeText(core::BrushPath::Shape shape);
     [[nodiscard]] core::BrushPath pathIn(const ViewContext& view) const;
     /// What a stroke in a 3D view lies on.

@@ -18,9 +18,25 @@ PaintTool::PaintTool(Workspace& workspace, QObject* parent)
 {
 }
 
+void PaintTool::setErases(bool erases)
+{
+    if (erases == m_erases)
+        return;
+    m_erases = erases;
+    Q_EMIT nameChanged();
+    Q_EMIT overlayChanged();
+}
+
+bool PaintTool::endMode()
+{
+    const bool erased = m_erases;
+    setErases(false);
+    return erased;
+}
+
 QString PaintTool::name() const
 {
-    return tr("Paint");
+    return m_erases ? tr("Erase") : tr("Paint");
 }
 
 QString PaintTool::iconName() const
@@ -30,12 +46,14 @@ QString PaintTool::iconName() const
 
 QString PaintTool::hint() const
 {
-    return tr("Paint: draw on a slice or on the 3D view; Ctrl or the eraser end erases");
+    return m_erases ? tr("Erase: draw on a slice or on the 3D view; Ctrl or the eraser end paints")
+                    : tr("Paint: draw on a slice or on the 3D view; Ctrl or the eraser end erases");
 }
 
 QString PaintTool::keys() const
 {
-    return tr("[ ] radius · Ctrl erases · Esc cancels");
+    return m_erases ? tr("[ ] radius · Ctrl paints · Esc cancels")
+                    : tr("[ ] radius · Ctrl erases · Esc cancels");
 }
 
 QWidget* PaintTool::createOptions(QWidget* parent)

@@ -15,6 +15,11 @@ class PaintTool : public BrushTool {
 public:
     explicit PaintTool(Workspace& workspace, QObject* parent = nullptr);
 
+    /// Whether it is an eraser, which paints with Ctrl or the pen's eraser end.
+    [[nodiscard]] bool erases() const { return m_erases; }
+    void setErases(bool erases);
+    bool endMode() override;
+
     [[nodiscard]] QString name() const override;
     [[nodiscard]] QString iconName() const override;
     [[nodiscard]] QString hint() const override;
@@ -22,6 +27,7 @@ public:
     [[nodiscard]] QWidget* createOptions(QWidget* parent) override;
 
 protected:
+    [[nodiscard]] bool isTurned() const override { return m_erases; }
     [[nodiscard]] QString action(bool inverted) const override;
     [[nodiscard]] QString limits() const override;
     [[nodiscard]] QString edges() const override;
@@ -30,6 +36,9 @@ protected:
         const core::BrushPath& path, bool inverted, const ViewContext& view) override;
     [[nodiscard]] bool worksOnSegments() const override { return true; }
     [[nodiscard]] double reachMm() const override { return 0.0; }
+
+private:
+    bool m_erases = false;
 };
 
 /// Whether a segment has seeds among the present steps: then its growth goes on from what is

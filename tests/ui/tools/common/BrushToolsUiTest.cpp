@@ -617,6 +617,29 @@ private Q_SLOTS:
         QVERIFY(fixture.painted().size() > 100);
     }
 
+    /// As an eraser it does without Ctrl what else it does with it, and the other way round.
+    void anEraserErasesAndPaintsWithCtrl()
+    {
+        BrushFixture fixture(Brush::Paint);
+        const QPointF middle = BrushFixture::middleOf(fixture.slice);
+        const auto click = [&](Qt::KeyboardModifiers modifiers) {
+            test::WindowFixture::click(fixture.slice, middle, modifiers);
+            QVERIFY(fixture.session().settle());
+        };
+        click({});
+        const auto painted = fixture.painted();
+        QVERIFY(!painted.empty());
+        fixture.paint.setErases(true);
+        test::WindowFixture::hover(fixture.slice, middle);
+        QVERIFY(fixture.paint.target().startsWith(QStringLiteral("erases ")));
+        click({});
+        QVERIFY(fixture.lastEdit().get<core::PaintStroke>().erase);
+        QVERIFY(fixture.painted().empty());
+        click(Qt::ControlModifier);
+        QVERIFY(!fixture.lastEdit().get<core::PaintStroke>().erase);
+        QCOMPARE(fixture.painted(), painted);
+    }
+
     /// With Ctrl or the eraser end what is seen of the segment goes, and what lies deeper stays.
     void erasingIn3dTakesWhatIsSeen_data()
     {
