@@ -1,13 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/fixtures/ApplicationFixture.h"
+#include "tests/support/fixtures/CutTexts.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/PlainEdits.h"
+#include "tests/support/scenes/SmallStudy.h"
 #include "ui/base/Actions.h"
+#include "ui/frame/Panel.h"
 #include "ui/frame/ToolColumn.h"
 #include "ui/input/Tool.h"
+#include "ui/window/OptionBar.h"
 #include "ui/workspace/Workspace.h"
 
 #include <QAction>
+#include <QProcess>
 #include <QTest>
 #include <QToolButton>
 
@@ -17,6 +23,13 @@ namespace toolPanelsUiTest {
 /// a small window.
 class ToolPanelsUiTest : public QObject {
     Q_OBJECT
+
+private:
+    [[nodiscard]] static double scale()
+    {
+        const QByteArray asked = qgetenv("QT_SCALE_FACTOR");
+        return asked.isEmpty() ? 1.0 : asked.toDouble();
+    }
 
 private Q_SLOTS:
     void init() { test::failOnUnexpectedMessages(); }
@@ -80,13 +93,61 @@ private Q_SLOTS:
             QVERIFY2(
                 button->height() >= button->iconSize().height(), qPrintable(button->toolTip()));
         }
-        for (const char* tool : {"tool.nudge", "tool.contour"}) {
-            window.actionTable()[QLatin1String(tool)].trigger();
-            QVERIFY2(fixture.workspace().activeTool(), tool);
+    }
+
+    /// Whichever tool is in hand, with the options it has at first and its panel.
+    void nothingIsCutInASmallWindow()
+    {
+        test::ApplicationFixture fixture;
+        fixture.open(fixture.path("case/ct"));
+        fixture.edit(test::newSegment(QStringLiteral("Left ventricle with its muscles"), 0x4a9bff));
+        fixture.edit(test::paintAt(1, {test::pointsInBrain().back()}, 4.0));
+        fixture.workspace().setActiveSegment(1);
+        ui::MainWindow& window = fixture.window();
+        QCOMPARE(window.devicePixelRatioF(), scale());
+        window.resize(1280, 720);
+        QTRY_COMPARE(window.size(), QSize(1280, 720));
+        const QList<ui::Tool*> tools = window.findChildren<ui::Tool*>();
+        QVERIFY(tools.size() > 20);
+        for (ui::Tool* tool : tools) {
+            const QByteArray id = "tool." + tool->iconName().toLatin1();
+            window.actionTable()[QLatin1String(id)].trigger();
+            QCOMPARE(fixture.workspace().activeTool(), tool);
             QTRY_COMPARE(window.size(), QSize(1280, 720));
-            QVERIFY2(window.minimumSizeHint().width() <= 1280, tool);
-            QVERIFY2(window.minimumSizeHint().height() <= 720, tool);
+            QVERIFY2(window.minimumSizeHint().width() <= 1280, id.constData());
+            QVERIFY2(window.minimumSizeHint().height() <= 720, id.constData());
+            const auto* bar = window.findChild<ui::OptionBar*>();
+            QTRY_VERIFY2(test::crowdedParts(*bar).isEmpty(),
+                qPrintable(id + test::crowdedParts(*bar).join(QLatin1Char('\n')).toUtf8()));
+            for (const auto* panel : window.findChildren<ui::Panel*>()) {
+                QTRY_VERIFY2(!panel->isVisible() || test::crowdedParts(*panel).isEmpty(),
+                    qPrintable(id + test::crowdedParts(*panel).join(QLatin1Char('\n')).toUtf8()));
+            }
+            QTRY_VERIFY2(test::cutTexts(window).isEmpty(),
+                qPrintable(id + test::cutTexts(window).join(QLatin1Char('\n')).toUtf8()));
+            test::look(window.grab(),
+                QStringLiteral("%1x %2.png").arg(scale()).arg(tool->name()).toUtf8().constData());
         }
+    }
+
+    /// The same where a logical pixel is two by two on the screen: this program once more, since a
+    /// program has one scale.
+    void nothingIsCutAtScaleTwo()
+    {
+        if (scale() != 1.0)
+            QSKIP("it is being asked");
+        QProcess again;
+        QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+        environment.insert(QStringLiteral("QT_SCALE_FACTOR"), QStringLiteral("2"));
+        again.setProcessEnvironment(environment);
+        again.setProcessChannelMode(QProcess::MergedChannels);
+        again.start(QCoreApplication::applicationFilePath(),
+            {QStringLiteral("ToolPanelsUiTest"), QStringLiteral("allToolsFitASmallWindow"),
+                QStringLiteral("nothingIsCutInASmallWindow")});
+        QVERIFY(again.waitForFinished(test::ApplicationFixture::patience));
+        const QByteArray said = again.readAll();
+        QVERIFY2(again.exitCode() == 0 && said.contains("nothingIsCutInASmallWindow()"),
+            said.constData());
     }
 };
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "tests/support/fixtures/CutTexts.h"
 #include "tests/support/fixtures/WindowFixture.h"
 #include "tests/support/program/OwnSettings.h"
 #include "tests/support/program/TestProgram.h"
@@ -13,10 +14,7 @@
 #include "ui/panels/lists/SegmentsPanel.h"
 #include "ui/views/ViewGrid.h"
 
-#include <QAbstractSpinBox>
 #include <QGuiApplication>
-#include <QLabel>
-#include <QLineEdit>
 #include <QListView>
 #include <QMenu>
 #include <QPushButton>
@@ -83,37 +81,6 @@ QStringList ids(std::initializer_list<const char*> names)
     return list;
 }
 
-/// Words that do not fit their widget.
-QStringList clippedTexts(const QWidget& window)
-{
-    QStringList clipped;
-    const auto check = [&](const QWidget* widget, const QString& text, int room) {
-        if (widget->isVisible() && widget->fontMetrics().horizontalAdvance(text) > room)
-            clipped += QStringLiteral("%1 (%2)").arg(text, widget->objectName());
-    };
-    for (const auto* label : window.findChildren<QLabel*>()) {
-        // Some are cut on purpose, with the whole text as a tip; others are broken into lines.
-        const bool gives = label->sizePolicy().horizontalPolicy() == QSizePolicy::Ignored
-            || !label->toolTip().isEmpty();
-        if (!gives && !label->wordWrap())
-            check(label, label->text(), label->contentsRect().width());
-        else if (label->wordWrap() && label->isVisible()
-            && label->heightForWidth(label->width()) > label->height())
-            clipped += label->text();
-    }
-    for (const auto* button : window.findChildren<QPushButton*>()) {
-        const int picture = button->icon().isNull() ? 0 : button->iconSize().width() + 4;
-        check(button, button->text(), button->width() - 8 - picture);
-    }
-    for (const auto* box : window.findChildren<QAbstractSpinBox*>()) {
-        const auto* edit = box->findChild<QLineEdit*>();
-        check(box, edit->text(), edit->width());
-        if (box->isVisible() && !box->parentWidget()->rect().contains(box->geometry()))
-            clipped += QStringLiteral("%1 reaches over its panel").arg(box->objectName());
-    }
-    return clipped;
-}
-
 } // namespace
 
 class PanelsUiTest : public QObject {
@@ -140,7 +107,7 @@ private Q_SLOTS:
     {
         PanelsFixture fixture(QSize(1280, 720));
         QCOMPARE(fixture.window.size(), QSize(1280, 720));
-        QTRY_COMPARE(clippedTexts(fixture.window), QStringList());
+        QTRY_COMPARE(test::cutTexts(fixture.window), QStringList());
     }
 
     void theHistoryKeepsItsRowsInALowWindow()
@@ -155,7 +122,7 @@ private Q_SLOTS:
         QVERIFY(session.settle());
         QCoreApplication::sendPostedEvents();
         QCOMPARE(fixture.window.size(), QSize(1280, 720));
-        QTRY_COMPARE(clippedTexts(fixture.window), QStringList());
+        QTRY_COMPARE(test::cutTexts(fixture.window), QStringList());
         const auto* list = fixture.window.findChild<QListView*>(QStringLiteral("historyList"));
         QVERIFY2(list->height() >= 3 * list->sizeHintForRow(0),
             qPrintable(QString::number(list->height())));
@@ -191,7 +158,7 @@ private Q_SLOTS:
         QTRY_VERIFY(fixture.column().verticalScrollBar()->isVisible());
         QCOMPARE(fixture.window.size(), QSize(1280, 720));
         QVERIFY(fixture.column().widget()->width() <= fixture.column().viewport()->width());
-        QTRY_COMPARE(clippedTexts(fixture.window), QStringList());
+        QTRY_COMPARE(test::cutTexts(fixture.window), QStringList());
     }
 
     void panelsLeaveAndComeBack()

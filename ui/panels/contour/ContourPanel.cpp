@@ -125,8 +125,8 @@ void ContourPanel::buildRule(QFormLayout& form)
            "it; growth has the same interval"));
     auto* interval = new QHBoxLayout;
     interval->setSpacing(theme::smallPadding);
-    interval->addWidget(m_lower, 1);
-    interval->addWidget(m_upper, 1);
+    interval->addWidget(m_lower, 4);
+    interval->addWidget(m_upper, 5); // with the unit
     form.addRow(tr("Values"), interval);
     m_ofBubble = new QCheckBox(tr("as around the bubble"), this);
     m_ofBubble->setObjectName(QStringLiteral("contourOfBubble"));
