@@ -205,7 +205,7 @@ private Q_SLOTS:
         };
         apply(core::AddSegment{
             QStringLiteral("Ventricles"), 0x4AA3FF, code("35764002", "Brain ventricle")});
-        apply(test::seedAt(1, {{-16.0, 0.5, 20.5}}));
+        apply(test::seedAt(1, {{-22.0, 24.0, 20.0}}));
         apply(test::growBetween(-20, 18, 12));
         apply(core::AddSegment{QStringLiteral("Trepanation"), 0xE07A5F, code("89546000", "Skull")});
         apply(drill({-0.08, 0.21}, {0.08, 0.21}, 12, 14));
@@ -234,13 +234,12 @@ private Q_SLOTS:
             .mark = core::SurfaceMark::Red, .path = {.radiusMm = 8.0, .pointsLps = {{4, -6, 25}}}});
         apply(
             core::SpherePush{.path = {.radiusMm = 11.0, .pointsLps = {{4, -2, 34}, {2, -4, 27}}}});
-        // Seen through a hole in the head.
-        const core::Edit hole = drill({0.0, 0.0}, {0.001, 0.0}, 34.0, 52.0);
-        const glm::dvec3 middle(26, -20, 42);
-        core::OrthographicView view = test::factsOfStroke(hole).view;
-        view.eyeLps += middle - view.targetLps;
-        view.targetLps = middle;
-        apply(test::drillWith({.view = view}, hole));
+        // The surface close by, and nothing before it.
+        ui::VolumeView& stage = window().views().volume();
+        stage.flyTo({26, -20, 42}, glm::dvec3(0.0));
+        ui::Camera camera = stage.camera();
+        camera.heightMm = 125.0;
+        stage.setCamera(camera);
         workspace().setCrosshairLps({24, -18, 42});
         workspace().refinement().setSettings(
             {.mode = ui::Refinement::Mode::Sphere, .radiusMm = 11.0});

@@ -2,11 +2,13 @@
 #include "tests/support/fixtures/ApplicationFixture.h"
 #include "tests/support/program/TestProgram.h"
 #include "ui/base/Actions.h"
+#include "ui/input/Tool.h"
 
 #include <QAction>
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
+#include <QImage>
 #include <QMenu>
 #include <QMenuBar>
 #include <QRegularExpression>
@@ -189,6 +191,42 @@ private Q_SLOTS:
             QVERIFY2(counted[1] > 0 && counted[1] <= counted[0],
                 qPrintable(task.section(QLatin1Char('\n'), 0, 0)));
         }
+    }
+
+    /// Each tool is shown in use: the caption of a picture in the manual names it.
+    void everyToolHasAPicture()
+    {
+        static const QRegularExpression picture(
+            QStringLiteral("!\\[([^\\]]+)\\]\\(([^)]+[.]png)\\)"));
+        QStringList captions;
+        const QDir help(QFileInfo(pathOf("peers.md")).dir());
+        for (const QString& page : help.entryList({QStringLiteral("*.md")}, QDir::Files)) {
+            const QString text = textOf(page.toUtf8().constData());
+            for (auto each = picture.globalMatch(text); each.hasNext();) {
+                const QRegularExpressionMatch match = each.next();
+                QVERIFY2(!QImage(help.filePath(match.captured(2))).isNull(),
+                    qPrintable(match.captured(2)));
+                captions += match.captured(1);
+            }
+        }
+        const test::ApplicationFixture fixture;
+        const QList<ui::Tool*> tools = fixture.window().findChildren<ui::Tool*>();
+        QVERIFY(tools.size() > 20);
+        QStringList unseen;
+        for (const ui::Tool* tool : tools) {
+            const QRegularExpression word(
+                QStringLiteral("\\b%1\\b").arg(QRegularExpression::escape(tool->longName())),
+                QRegularExpression::CaseInsensitiveOption);
+            QStringList own = captions;
+            for (const ui::Tool* other : tools) {
+                if (other != tool
+                    && other->longName().contains(tool->longName(), Qt::CaseInsensitive))
+                    own.replaceInStrings(other->longName(), QString(), Qt::CaseInsensitive);
+            }
+            if (own.filter(word).isEmpty())
+                unseen += tool->longName();
+        }
+        QVERIFY2(unseen.isEmpty(), qPrintable(unseen.join(QStringLiteral(", "))));
     }
 
     void linksLeadToPages()
