@@ -66,8 +66,8 @@ struct PlaneShape {
     /// The signed distance of each pixel to the border, greater than 0 inside, units.
     std::vector<std::int32_t> distances{};
 
-    /// The signed distance at a place in the plane, units, between four pixels by their distances
-    /// in eighths of a bit; `outside` beyond the pixels.
+    /// The signed distance at a place in the plane, units, blended between four pixels by where it
+    /// lies among them, in steps of 1/256 of a pixel; `outside` beyond the pixels.
     [[nodiscard]] std::int64_t at(const PlaneSketch::Plane& plane, std::int64_t right,
         std::int64_t up, std::int64_t outside) const;
 };

@@ -72,6 +72,12 @@ public:
             m_drawings.push_back(drawingOn(number));
         for (Drawing& each : m_drawings)
             measure(each);
+        for (std::size_t one = 0; one < m_drawings.size(); ++one) {
+            for (std::size_t other = 0; other < m_drawings.size(); ++other) {
+                m_beside.push_back(isDrawnBeside(one, other, -1));
+                m_beside.push_back(isDrawnBeside(one, other, 1));
+            }
+        }
     }
 
     [[nodiscard]] bool lies(const glm::ivec3& voxel) const
@@ -276,6 +282,11 @@ private:
                     >= std::max(pitch.x, pitch.y);
             });
     }
+    [[nodiscard]] bool beside(const Sight& one, const Sight& other) const
+    {
+        return m_beside[2 * (one.number * m_drawings.size() + other.number)
+            + (other.side > 0 ? 1 : 0)];
+    }
     [[nodiscard]] Wide turned(const Sight& one, const Sight& other) const
     {
         const auto& meeting = m_sketch.meeting(one.number, other.number);
@@ -291,8 +302,7 @@ private:
         Wide distances[2] = {
             distance(one.number, one.right, one.up), distance(other.number, other.right, other.up)};
         if (meeting.crosses) {
-            if (!isDrawnBeside(one.number, other.number, other.side)
-                || !isDrawnBeside(other.number, one.number, one.side))
+            if (!beside(one, other) || !beside(other, one))
                 return false;
             distances[0] = turned(one, other);
             distances[1] = turned(other, one);
@@ -316,6 +326,7 @@ private:
     std::uint8_t m_label;
     const core::PlaneSketch& m_sketch;
     std::vector<Drawing> m_drawings;
+    std::vector<bool> m_beside; ///< of each pair, below and above the other plane
     Wide m_reach = 0;
 };
 
