@@ -36,6 +36,8 @@ namespace {
 
 constexpr const char* savedFrom = "BURIN_SAVED_FROM";
 constexpr const char* savedTo = "BURIN_SAVED_TO";
+/// A copy of the session as it is in the end, on a disk that is in order.
+constexpr const char* savedCopy = "BURIN_SAVED_COPY";
 /// The study's series, which goes into the session; unset: the small study, and no images.
 constexpr const char* savedImages = "BURIN_SAVED_IMAGES";
 /// Set: the disk comes to itself, and it is tried until it is saved.
@@ -91,6 +93,13 @@ class SessionOnFailingDisk : public QObject {
             std::move(images));
         return promise.get_future().get();
     }
+    [[nodiscard]] Result<void> copied(const QString& target) const
+    {
+        std::promise<Result<void>> promise;
+        m_session->storage().copyTo(
+            target, [&promise](const Result<void>& result) { promise.set_value(result); });
+        return promise.get_future().get();
+    }
 
 private Q_SLOTS:
     void savesAndGoesOn()
@@ -129,6 +138,10 @@ private Q_SLOTS:
             tellRows();
         }
         tell("file", m_session->file());
+        if (const Result<void> done = copied(qEnvironmentVariable(savedCopy)); done)
+            tell("copied", {});
+        else
+            tell("uncopied", textOf(done.error()));
         m_session.reset();
         tell("closed", {});
     }
@@ -163,10 +176,12 @@ class FailingSaveTest : public QObject {
         QString refused; ///< empty: it was not
         QString again; ///< why it was refused later, too; empty: it was not
         QString file; ///< where the session was in the end
+        QString uncopied; ///< why it was not copied then; empty: it was
         bool saved = false;
         bool savedAgain = false;
         bool waits = false; ///< the last step was not written
         bool closed = false;
+        bool copied = false;
         QMap<RowId, QString> rows; ///< their hashes
         RowId before = 0; ///< the last row that was told of before it was saved
     };
@@ -184,6 +199,7 @@ class FailingSaveTest : public QObject {
                               : m_home.path(QStringLiteral("no/such/a.burin"));
     }
     [[nodiscard]] QString target() const { return folder() + QStringLiteral("/b.burin"); }
+    [[nodiscard]] QString copy() const { return m_home.path(QStringLiteral("copy.burin")); }
     void prepare(const Way& way) const;
     [[nodiscard]] Told saved(const Way& way, const test::FileFault& fault, bool again) const;
     [[nodiscard]] static QString wrongOf(
@@ -259,6 +275,7 @@ void FailingSaveTest::prepare(const Way& way) const
         copied(way.withImages ? "of-series.burin" : "pattern.burin", source(way));
     if (way.overAnother)
         copied("other.burin", target());
+    QFile::remove(copy());
     static_cast<void>(m_home.events());
 }
 
@@ -269,6 +286,7 @@ FailingSaveTest::Told FailingSaveTest::saved(
     QProcessEnvironment environment = m_home.environment(fault);
     environment.insert(QLatin1String(savedFrom), source(way));
     environment.insert(QLatin1String(savedTo), target());
+    environment.insert(QLatin1String(savedCopy), copy());
     if (way.withImages)
         environment.insert(QLatin1String(savedImages), m_home.path(QStringLiteral("ct")));
     if (again)
@@ -298,9 +316,12 @@ FailingSaveTest::Told FailingSaveTest::saved(
             told.again = more;
         else if (what == QLatin1String("file"))
             told.file = more;
+        else if (what == QLatin1String("uncopied"))
+            told.uncopied = more;
         told.saved = told.saved || what == QLatin1String("saved");
         told.savedAgain = told.savedAgain || what == QLatin1String("again");
         told.closed = told.closed || what == QLatin1String("closed");
+        told.copied = told.copied || what == QLatin1String("copied");
         if (what == QLatin1String("row") || what == QLatin1String("waits"))
             told.waits = what == QLatin1String("waits");
     }
@@ -374,6 +395,11 @@ QStringList FailingSaveTest::wrongs(
             wrong += QStringLiteral("it was not saved, and a file is there");
     }
     const RowId last = told.rows.isEmpty() ? 0 : told.rows.lastKey();
+    // A copy has all steps, or there is none and it is told why.
+    if (told.copied)
+        wrong += wrongOf(copy(), told.rows, last);
+    else if (isOpen && (told.uncopied.isEmpty() || QFile::exists(copy())))
+        wrong += QStringLiteral("it was not copied: ") + told.uncopied;
     if (told.saved || told.savedAgain || way.overItself)
         wrong += wrongOf(target(), told.rows, last);
     if (way.fromFile && !way.overItself)

@@ -105,6 +105,35 @@ private Q_SLOTS:
         QCOMPARE(names(), QStringList{QStringLiteral("a.txt")});
     }
 
+    /// There is no other copy of it.
+    void whatWasTakenOverStays()
+    {
+        write("a.txt", "old");
+        write("b.txt", "the only one");
+        {
+            const StagedFile staged = StagedFile::adopt(path("b.txt"), path("a.txt"));
+        }
+        QCOMPARE(read(path("b.txt")), QByteArray("the only one"));
+        QVERIFY(QDir(m_folder->path()).mkdir(QStringLiteral("folder")));
+        {
+            StagedFile refused = StagedFile::adopt(path("b.txt"), path("folder"));
+            QVERIFY(!refused.commit());
+        }
+        {
+            StagedFile undone = StagedFile::adopt(path("b.txt"), path("a.txt"));
+            QVERIFY(undone.commit());
+            QCOMPARE(undone.takeBack(), QString());
+        }
+        QCOMPARE(read(path("a.txt")), QByteArray("old"));
+        QCOMPARE(read(path("b.txt")), QByteArray("the only one"));
+        {
+            StagedFile placed = StagedFile::adopt(path("b.txt"), path("a.txt"));
+            QVERIFY(placed.commit());
+        }
+        QCOMPARE(read(path("a.txt")), QByteArray("the only one"));
+        QCOMPARE(names(), (QStringList{QStringLiteral("a.txt"), QStringLiteral("folder")}));
+    }
+
     void whatCameMeanwhileStays()
     {
         {

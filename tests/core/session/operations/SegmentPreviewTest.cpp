@@ -316,11 +316,13 @@ private Q_SLOTS:
                 session.end(Ending::Commit);
             QVERIFY(session.segmentWork().percent());
             session.segmentWork().abort();
+            // From now on, whenever its computation notices.
+            QVERIFY(!session.openEdit() && !session.transactionOpen());
+            QVERIFY(!session.openIsPreview());
             QVERIFY(QTest::qWaitFor([&] {
                 session.poll();
                 return session.idle();
             }));
-            QVERIFY(!session.openEdit());
             QCOMPARE(bench.told, std::vector<ErrorCode>{ErrorCode::Cancelled});
             bench.told.clear();
             QVERIFY(!session.settle()); // it tells the same once
