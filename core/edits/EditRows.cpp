@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/edits/EditRows.h"
 
+#include "core/edits/engine/EditableRanges.h"
 #include "core/edits/kinds/AnyEdit.h"
 #include "core/edits/kinds/EditParts.h"
 
@@ -29,7 +30,7 @@ concept saysItsDependencies = requires
 RowTitle limited(RowTitle title, const Edit& edit)
 {
     const std::optional<EditableRange>* const range = editableRangeOf(edit);
-    if (range && *range && **range != EditableRange() && !title.then.empty())
+    if (range && isLimited(*range) && !title.then.empty())
         title.then.insert(
             std::prev(title.then.end()), RowTitle{.code = RowTitleCode::WithinLimits});
     return title;

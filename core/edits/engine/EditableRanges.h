@@ -33,6 +33,12 @@ template <class Command>
     return command;
 }
 
+/// Whether there is a range, and it may leave any voxel out.
+[[nodiscard]] inline bool isLimited(const std::optional<EditableRange>& range)
+{
+    return range && *range != EditableRange();
+}
+
 /// Whether the range contains positions in the patient, which have no meaning in another study.
 [[nodiscard]] inline bool namesPlaces(const std::optional<EditableRange>& range)
 {

@@ -57,6 +57,7 @@ template <class Visitor> void visitFields(Visitor& visit, ChunkToggle& edit)
     visit.maybe("bricks", edit.bricks, editFields::BrickList{},
         "the bricks of the volume in which the chunks lie",
         "they are found when it is carried out");
+    visitEditable(visit, edit.editable);
 }
 
 } // namespace core::editSchema

@@ -25,6 +25,7 @@ template <class Visitor> void visitFields(Visitor& visit, SplitIslands& edit)
         "the new segments, from the largest island down; further islands stay with the largest; a "
         "row of the history always has this list",
         "one for each island, named after the segment");
+    visitEditable(visit, edit.editable);
 }
 
 /// The new segment of an edit that makes one.

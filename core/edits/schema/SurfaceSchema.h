@@ -182,6 +182,7 @@ template <class Visitor> void visitFields(Visitor& visit, WriteBack& edit)
 {
     visitOverwrite(visit, edit.overwriteUnlocked);
     visitRules(visit, edit.rules);
+    visitEditable(visit, edit.editable);
 }
 
 template <> inline constexpr const char* editName<SurfaceBarrier> = "surfaceBarrier";

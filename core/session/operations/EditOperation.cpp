@@ -11,6 +11,7 @@
 #include "core/session/operations/DocumentOperation.h"
 #include "core/session/operations/FloodOperation.h"
 #include "core/session/operations/IslandOperation.h"
+#include "core/session/operations/SplitIslandsOperation.h"
 #include "core/session/operations/SurfaceOperation.h"
 #include "core/session/operations/VoxelOperation.h"
 #include "core/session/operations/history/RevertOperation.h"
@@ -25,7 +26,7 @@ namespace {
 /// What is computed from all labels of a plane.
 template <class E>
 concept isWorkedOutKind = isOneOf<E, CleanSegment, ReshapeSegment, FillBetweenSlices, MirrorSegment,
-    SplitIslands, SplitSegment, SplitByCurve>;
+    SplitSegment, SplitByCurve>;
 
 /// Makes the operation of an edit from its kind. A kind that the engine does not carry out and that
 /// is named nowhere here has no overload, so that it does not compile.
@@ -66,6 +67,10 @@ public:
         return std::make_unique<IslandOperation>(edit, IslandOperation::Kind::Whole, m_again);
     }
 
+    Made operator()(const SplitIslands& edit) const
+    {
+        return std::make_unique<SplitIslandsOperation>(edit, m_again);
+    }
     Made operator()(const CopySegment& edit) const
     {
         return std::make_unique<CopyOperation>(edit, m_again);

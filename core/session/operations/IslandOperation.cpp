@@ -7,7 +7,6 @@
 #include "core/edits/kinds/segments/CleanSegment.h"
 #include "core/edits/kinds/segments/ReshapeSegment.h"
 #include "core/edits/kinds/splitting/SplitByCurve.h"
-#include "core/edits/kinds/splitting/SplitIslands.h"
 #include "core/edits/kinds/splitting/SplitSegment.h"
 #include "core/engine/EngineCommands.h"
 
@@ -21,7 +20,7 @@ namespace {
 template <class E> auto relabelling(const E& edit)
 {
     return [edit](const Document& document, std::span<const std::uint8_t> labels,
-               const Progress& progress, Edit&) -> Result<WorkedOutOperation::Listed> {
+               const Progress& progress) -> Result<WorkedOutOperation::Listed> {
         return relabelListed(edit, document, labels, progress);
     };
 }
@@ -37,7 +36,7 @@ IslandOperation::IslandOperation(const ReshapeSegment& edit, Kind kind, RowId ag
     : IslandOperation(
         edit, edit.segment,
         [edit](const Document& document, std::span<const std::uint8_t> labels,
-            const Progress& progress, Edit&) -> Result<Listed> {
+            const Progress& progress) -> Result<Listed> {
             if (edit.with)
                 return labelListed(edit, document, labels, progress);
             return relabelListed(edit, document, labels, progress);
@@ -53,17 +52,6 @@ IslandOperation::IslandOperation(const FillBetweenSlices& edit, Kind kind, RowId
 
 IslandOperation::IslandOperation(const MirrorSegment& edit, Kind kind, RowId again)
     : IslandOperation(edit, edit.segment, relabelling(edit), kind, again)
-{
-}
-
-IslandOperation::IslandOperation(const SplitIslands& edit, Kind kind, RowId again)
-    : IslandOperation(
-        edit, edit.segment,
-        [](const Document& document, std::span<const std::uint8_t> labels, const Progress& progress,
-            Edit& completed) -> Result<Listed> {
-            return labelListed(completed.get<SplitIslands>(), document, labels, progress);
-        },
-        kind, again)
 {
 }
 
@@ -86,8 +74,7 @@ IslandOperation::IslandOperation(Edit edit, int segment, LabelWork workOut, Kind
 
 bool IslandOperation::foresee(Document& document) const
 {
-    const auto* islands = edit().as<SplitIslands>();
-    return (!islands || islands->into) && applyToDocument(edit(), document);
+    return bool(applyToDocument(edit(), document));
 }
 
 void IslandOperation::start(SessionState& state)
@@ -109,14 +96,11 @@ void IslandOperation::readNext(SessionState& state)
     }
     workAside(state,
         [this, workOut = m_workOut, watch = watch(), document = state.document,
-            completed = std::make_shared<Edit>(edit()),
             reader = std::make_shared<LabelReader>(*std::move(m_reader))] {
             auto listed = std::make_shared<Result<Listed>>(
-                workOut(document, reader->takeLabels(), watch->progress, *completed));
-            return SideThread::Sequel([this, listed, completed](SessionState& known) {
-                complete(std::move(*completed));
-                write(known, std::move(*listed));
-            });
+                workOut(document, reader->takeLabels(), watch->progress));
+            return SideThread::Sequel(
+                [this, listed](SessionState& known) { write(known, std::move(*listed)); });
         });
     m_reader.reset();
 }

@@ -11,8 +11,7 @@
 namespace core {
 
 /// Carries out an edit of a whole segment that is computed from all labels of its plane
-/// (CleanSegment, ReshapeSegment, FillBetweenSlices, MirrorSegment, SplitIslands, SplitSegment,
-/// SplitByCurve).
+/// (CleanSegment, ReshapeSegment, FillBetweenSlices, MirrorSegment, SplitSegment, SplitByCurve).
 class IslandOperation final : public WorkedOutOperation {
 public:
     /// @param again as in VoxelOperation
@@ -21,21 +20,17 @@ public:
     explicit IslandOperation(
         const FillBetweenSlices& edit, Kind kind = Kind::Whole, RowId again = 0);
     explicit IslandOperation(const MirrorSegment& edit, Kind kind = Kind::Whole, RowId again = 0);
-    explicit IslandOperation(const SplitIslands& edit, Kind kind = Kind::Whole, RowId again = 0);
     explicit IslandOperation(const SplitSegment& edit, Kind kind = Kind::Whole, RowId again = 0);
     explicit IslandOperation(const SplitByCurve& edit, Kind kind = Kind::Whole, RowId again = 0);
 
     void start(SessionState& state) override;
     void takeResult(SessionState& state, EngineResult&& result) override;
-    /// As Operation::foresee(). Returns false for a SplitIslands that does not list its segments,
-    /// because its islands must be counted first.
     [[nodiscard]] bool foresee(Document& document) const override;
 
 private:
     /// Computes what to write.
-    /// @param edit may be completed by the result (SplitIslands)
-    using LabelWork = std::function<Result<Listed>(const Document& document,
-        std::span<const std::uint8_t> labels, const Progress& progress, Edit& edit)>;
+    using LabelWork = std::function<Result<Listed>(
+        const Document& document, std::span<const std::uint8_t> labels, const Progress& progress)>;
 
     IslandOperation(Edit edit, int segment, LabelWork workOut, Kind kind, RowId again);
     void readNext(SessionState& state);

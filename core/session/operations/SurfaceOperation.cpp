@@ -7,6 +7,7 @@
 #include "core/edits/kinds/surface/FollowMask.h"
 #include "core/edits/kinds/surface/LaySurface.h"
 #include "core/edits/kinds/surface/SurfacePath.h"
+#include "core/edits/kinds/surface/WriteBack.h"
 #include "core/edits/open/StrokeExtension.h"
 #include "core/engine/EngineCommands.h"
 
@@ -72,10 +73,11 @@ void SurfaceOperation::takeResult(SessionState& state, EngineResult&& result)
         m_done = true;
         if (result.error)
             return state.fail(*result.error);
+        const auto* writes = m_edit.as<WriteBack>();
         if (m_again != 0)
             state.complete(m_again, std::move(result));
         else if (!result.changes.empty()
-            || (m_edit.is<WriteBack>() && state.document.surface->isApart()))
+            || (writes && agreesAfterwards(*writes) && state.document.surface->isApart()))
             state.commit(m_edit, std::move(result), {});
     } else if (result.error) {
         giveUp(state, *result.error);

@@ -3,6 +3,7 @@
 
 #include "core/brick/VoxelRunSets.h"
 #include "core/edits/kinds/surface/LaySurface.h"
+#include "core/edits/kinds/surface/WriteBack.h"
 #include "core/refine/mesh/SurfaceDelta.h"
 #include "core/refine/voxels/SurfaceVoxels.h"
 #include "core/session/surface/FollowedVoxels.h"
@@ -104,7 +105,8 @@ SurfacePast surfacePast(const History& history, const SurfaceState& surface)
         const Edit& edit = history.row(id).edit;
         if (const auto* lay = edit.as<LaySurface>(); lay && beginsSurface(*lay))
             break;
-        if (edit.is<WriteBack>())
+        const auto* written = edit.as<WriteBack>();
+        if (written && agreesAfterwards(*written))
             past.rows.push_back({.what = SurfacePast::What::WrittenBack, .step = nullptr});
         else if (std::shared_ptr<const SurfaceStep> step = surface.step(id))
             past.rows.push_back({.what = edit.is<FollowMask>() ? SurfacePast::What::Followed

@@ -15,7 +15,7 @@ struct SurfacePast {
     enum class What {
         Deformed, ///< or marked
         Followed, ///< FollowMask
-        WrittenBack,
+        WrittenBack, ///< without an editable range that leaves voxels out
     };
     struct Row {
         What what = What::Deformed;
@@ -29,7 +29,8 @@ struct SurfacePast {
 /// The voxels that a surface encloses (SurfaceVoxels.h), and those that it enclosed when it last
 /// agreed with its mask.
 ///
-/// Surface and mask agree when the surface is laid and when it is written back. When the surface
+/// Surface and mask agree when the surface is laid and when it is written back, unless that kept to
+/// an editable range. When the surface
 /// follows the mask over a voxel, they agree on that voxel from then on, and nothing changes for
 /// the others. It follows the mask by FollowMask, and during strokes where it is yellow
 /// (FollowedVoxels.h).

@@ -2,6 +2,7 @@
 #include "core/session/surface/SurfaceWork.h"
 
 #include "core/brick/LabelRuns.h"
+#include "core/edits/engine/EditableRanges.h"
 #include "core/edits/kinds/IsOneOf.h"
 #include "core/refine/deform/FollowBoundary.h"
 #include "core/refine/fit/CrossingParts.h"
@@ -191,8 +192,13 @@ SurfaceWork::SurfaceWork(
 {
     const auto* lay = std::get_if<LaySurface>(&m_edit);
     m_segment = *document.segment(lay ? lay->segment : document.surface->segment);
-    if (const auto* write = std::get_if<WriteBack>(&m_edit); write && write->overwriteUnlocked)
-        m_overwritable = document.unlockedLabels(m_segment.plane);
+    if (const auto* write = std::get_if<WriteBack>(&m_edit)) {
+        if (write->overwriteUnlocked)
+            m_overwritable = document.unlockedLabels(m_segment.plane);
+        // A range that is not valid was refused by check().
+        if (auto editable = editableVoxels(write->editable, document, "writeBack"))
+            m_editable = *std::move(editable);
+    }
     m_locked = document.lockedLabels(m_segment.plane);
 }
 
@@ -429,9 +435,10 @@ Result<SurfaceWork::Outcome> SurfaceWork::carryOut(const WriteBack& edit, Ending
         enclosedVoxels(m_surface.mesh, m_read.past, m_surface.geometry(), m_overwritable.any());
     if (!enclosed)
         return tl::unexpected(enclosed.error());
-    return Outcome{.step = nullptr,
-        .voxels = writeBackOf(*enclosed, m_labels, m_surface.geometry().size,
-            {.plane = m_segment.plane, .label = m_segment.label, .overwritable = m_overwritable})};
+    RelabelListed voxels = writeBackOf(*enclosed, m_labels, m_surface.geometry().size,
+        {.plane = m_segment.plane, .label = m_segment.label, .overwritable = m_overwritable});
+    voxels.editable = m_editable;
+    return Outcome{.step = nullptr, .voxels = std::move(voxels)};
 }
 
 Result<SurfaceWork::Outcome> SurfaceWork::carryOut(const SurfaceBarrier& edit, Ending)

@@ -87,6 +87,7 @@ private:
     SurfaceEdit m_edit;
     Segment m_segment;
     std::bitset<256> m_overwritable;
+    std::optional<EditableVoxels> m_editable;
     std::bitset<256> m_locked; ///< labels of the segment's plane
     Read m_read;
     std::vector<std::uint8_t> m_labels;

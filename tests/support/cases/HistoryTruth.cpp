@@ -336,22 +336,26 @@ HistoryTruth::Bricks HistoryTruth::flooded(
         edit.erase ? RelabelListed::take : RelabelListed::give);
 }
 
-/// One segment after the other, as the row names them.
+/// One segment after the other, as the row names them. What an editable range keeps as a whole
+/// becomes none.
 HistoryTruth::Bricks HistoryTruth::islandsSplit(
     Bricks before, const SplitIslands& edit, const Document& document) const
 {
     const VolumeGeometry& geometry = m_study.volume.geometry;
     const auto islands =
         islandsBySize(geometry.size, labelsBeside(edit.segment, before, document), edit.segment);
-    RelabelListed like;
+    RelabelListed like{.editable = editableVoxels(edit.editable, document, "splitIslands").value()};
     like.target.plane = document.segment(edit.segment)->plane;
     like.target.overwritable.set(std::size_t(edit.segment));
-    for (std::size_t place = 0; place < edit.into.value().size(); ++place) {
+    std::size_t island = 1;
+    for (std::size_t place = 0; place < edit.into.value().size(); ++island) {
         like.target.label = std::uint8_t(document.lastLabelGiven() + 1 + int(place));
         std::vector<bool> meant(geometry.voxelCount(), false);
-        for (const std::size_t voxel : islands.at(place + 1))
+        for (const std::size_t voxel : islands.at(island))
             meant[voxel] = true;
-        before = relabelled(before, like, meant, RelabelListed::give);
+        Bricks after = relabelled(before, like, meant, RelabelListed::give);
+        place += after == before ? 0 : 1;
+        before = std::move(after);
     }
     return before;
 }

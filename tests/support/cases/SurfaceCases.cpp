@@ -140,6 +140,11 @@ std::vector<StrokeCase> surfaceCases()
     add("write back after following the mask", {ball, lay, push, paint, core::FollowMask{}}, write);
     add("write back over others what they kept", {ball, beside, lay, red, push, core::WriteBack{}},
         core::WriteBack{.overwriteUnlocked = true});
+    const core::Edit within =
+        core::WriteBack{.editable = core::EditableRange{
+                            .box = core::GrowBox{at({-30, -30, -30}), at({8, 30, 30})}}};
+    add("write back within limits", {ball, lay, red, push}, within);
+    add("write back what limits had kept", {ball, lay, red, push, within}, write);
     add("push after writing back", {ball, lay, red, push, write}, scrape);
     add("follow the mask", {ball, lay, red, push, paint}, core::FollowMask{});
     add("follow what did not change", {ball, lay}, core::FollowMask{});

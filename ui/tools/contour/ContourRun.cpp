@@ -6,6 +6,7 @@
 #include "core/edits/kinds/Edit.h"
 #include "core/edits/kinds/filling/ContourTrial.h"
 #include "core/edits/kinds/segments/AddSegment.h"
+#include "core/sculpt/labels/HeldVoxels.h"
 #include "core/session/questions/VoxelQuestions.h"
 #include "core/volume/MemoryLimit.h"
 #include "ui/workspace/SegmentActions.h"
@@ -41,9 +42,9 @@ bool startsAlike(core::EvolveContour one, const core::EvolveContour& other)
     return one == other;
 }
 
-std::vector<core::ContourPlane> viewsOf(const LabelFetch::Planes& planes)
+std::vector<core::LabelPlane> viewsOf(const LabelFetch::Planes& planes)
 {
-    std::vector<core::ContourPlane> views;
+    std::vector<core::LabelPlane> views;
     for (const ExportJob::Plane& each : *planes)
         views.push_back({.plane = each.plane, .labels = each.labels});
     return views;
@@ -82,7 +83,7 @@ struct ContourRun::Reading {
 
     [[nodiscard]] core::Result<void> findGround()
     {
-        const std::vector<core::ContourPlane> views = viewsOf(planes);
+        const std::vector<core::LabelPlane> views = viewsOf(planes);
         core::Result<core::ContourGround> found = core::trialGround(edit, document, views);
         if (!found)
             return tl::unexpected(found.error());

@@ -5,7 +5,10 @@
 #include "core/edits/answers/EditDependencies.h"
 #include "core/edits/answers/EditEffects.h"
 #include "core/edits/answers/RowFacts.h"
+#include "core/edits/engine/EditableRanges.h"
 #include "core/edits/kinds/chunks/ChunkVoxels.h"
+
+#include <utility>
 
 namespace core {
 
@@ -49,7 +52,7 @@ EditDependencies dependencies(const ChunkToggle& edit, const DependencyFacts& ro
         bricks.keys.insert({Field::Labels, plane, std::uint32_t(brick)});
         bricks.keys.insert({Field::SeedWords, plane, std::uint32_t(brick)});
     }
-    return bricks;
+    return row.alsoReading(edit.editable, std::move(bricks));
 }
 
 } // namespace core

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/edits/answers/EditAnswers.h"
+#include "core/edits/kinds/parts/EditableRange.h"
 
 #include <glm/glm.hpp>
 
@@ -26,6 +27,9 @@ struct ChunkToggle {
     /// The bricks in which the chunks lie, ascending. They are added when it is carried out, for
     /// dependencies().
     std::optional<std::vector<std::int64_t>> bricks{};
+    /// Which voxels may change; none: any. Whether the segment has more than half of a chunk is
+    /// asked of the whole chunk.
+    std::optional<EditableRange> editable{};
 };
 
 [[nodiscard]] Result<void> check(const ChunkToggle& edit, const Document& document);

@@ -2,6 +2,7 @@
 #include "core/edits/kinds/chunks/ChunkVoxels.h"
 
 #include "core/chunks/ProbabilityMap.h"
+#include "core/edits/engine/EditableRanges.h"
 #include "core/edits/engine/EngineEdits.h"
 #include "core/edits/kinds/chunks/DivideSegment.h"
 
@@ -195,12 +196,18 @@ Result<ChunkClick> chunkClick(const ChunkToggle& edit, const Document& document)
         seedVoxels(edit.pointsLps, document.volumes.front().geometry);
     if (!voxels)
         return wrong("chunkToggle.pointsLps", Clause::saying("a point lies outside the volume"));
-    return ChunkClick{.target = *target, .voxels = *std::move(voxels)};
+    Result<std::optional<EditableVoxels>> editable =
+        editableVoxels(edit.editable, document, "chunkToggle");
+    if (!editable)
+        return tl::unexpected(editable.error());
+    return ChunkClick{
+        .target = *target, .editable = *std::move(editable), .voxels = *std::move(voxels)};
 }
 
 ClickedChunks::ClickedChunks(const ChunkMap& map, const ChunkToggle& edit, const ChunkClick& click)
     : m_mode(edit.mode)
     , m_target(click.target)
+    , m_editable(click.editable)
 {
     const BrickGrid grid{map.volumeSize()};
     for (const ChunkTree::Chunk chunk : map.chunksAt(click.voxels, edit.chunks))
@@ -241,7 +248,7 @@ std::vector<std::uint32_t> ClickedChunks::bricks() const
 
 RelabelListed ClickedChunks::relabelled(const std::vector<BrickChange>& labels) const
 {
-    RelabelListed relabel{.target = m_target, .bricks = {}};
+    RelabelListed relabel{.target = m_target, .bricks = {}, .editable = m_editable};
     const std::vector<std::uint32_t> numbers = bricks();
     std::vector<const std::vector<std::uint8_t>*> held(numbers.size(), nullptr);
     const auto placeOf = [&numbers](std::uint32_t brick) {

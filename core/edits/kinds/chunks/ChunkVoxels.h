@@ -8,6 +8,7 @@
 #include "core/sculpt/labels/LayerWrites.h"
 
 #include <map>
+#include <optional>
 
 namespace core {
 
@@ -43,10 +44,12 @@ constexpr std::int64_t mostChunkVoxels = std::int64_t(1) << 26;
 [[nodiscard]] Result<std::vector<std::uint8_t>> probabilitiesOf(
     const DivideSegment& edit, const VolumeGeometry& geometry);
 
-/// The segment that gains or loses chunks, and the voxels that were clicked. Errors:
-/// UnknownSegment, SegmentLocked, InvalidField (nothing is divided, a point outside the volume).
+/// The segment that gains or loses chunks, which voxels may change, and those that were clicked.
+/// Errors: UnknownSegment, SegmentLocked, InvalidField (nothing is divided, a point outside the
+/// volume), those of editableVoxels().
 struct ChunkClick {
     LabelTarget target;
+    std::optional<EditableVoxels> editable;
     std::vector<glm::ivec3> voxels;
 };
 [[nodiscard]] Result<ChunkClick> chunkClick(const ChunkToggle& edit, const Document& document);
@@ -75,6 +78,7 @@ private:
 
     ChunkToggle::Mode m_mode;
     LabelTarget m_target;
+    std::optional<EditableVoxels> m_editable;
     std::vector<std::vector<Part>> m_chunks;
 };
 

@@ -1,23 +1,64 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/edits/kinds/splitting/SplitIslands.h"
 
+#include "core/brick/RunRows.h"
 #include "core/edits/answers/EditChecks.h"
 #include "core/edits/answers/EditDependencies.h"
 #include "core/edits/answers/EditEffects.h"
 #include "core/edits/answers/RowFacts.h"
+#include "core/edits/engine/EditableRanges.h"
 #include "core/edits/engine/IslandSizes.h"
 #include "core/edits/engine/ListedRuns.h"
 #include "core/islands/SegmentIslands.h"
+#include "core/sculpt/labels/HeldVoxels.h"
 
 #include <algorithm>
 #include <bitset>
+#include <limits>
 
 namespace core {
 
 using namespace rowWords;
 
+namespace {
+
+/// Whether any of an island's voxels may change.
+bool mayChange(const VoxelRuns& island, const HeldVoxels& held, const SplitGround& ground,
+    const glm::ivec3& size, int anyCode)
+{
+    const glm::ivec3 extent = ground.box.maximum - ground.box.minimum;
+    bool may = false;
+    forEachRowPart(island, size, [&](const glm::ivec3& at, int count, std::uint64_t first) {
+        const glm::ivec3 in = at - ground.box.minimum;
+        const std::size_t row =
+            (std::size_t(in.z) * std::size_t(extent.y) + std::size_t(in.y)) * std::size_t(extent.x)
+            + std::size_t(in.x);
+        for (int i = 0; i < count && !may; ++i) {
+            const int code =
+                ground.codes.empty() ? anyCode : int(ground.codes[row + std::size_t(i)]);
+            may = !held.holds(at + glm::ivec3(i, 0, 0), std::size_t(first) + std::size_t(i), code);
+        }
+    });
+    return may;
+}
+
+/// Without islands that have no voxel that may change.
+void keepEditable(FurtherIslands& further, const EditableVoxels& editable,
+    const SplitGround& ground, const glm::ivec3& size)
+{
+    const HeldVoxels held(editable, ground.planes);
+    std::erase_if(further.islands, [&](const VoxelRuns& island) {
+        return !mayChange(island, held, ground, size, editable.lowCode);
+    });
+    further.count = std::int64_t(further.islands.size());
+}
+
+} // namespace
+
 Result<void> check(const SplitIslands& edit, const Document& document)
 {
+    if (const auto editable = editableVoxels(edit.editable, document, "splitIslands"); !editable)
+        return tl::unexpected(editable.error());
     if (const auto segment = unlockedSegment("splitIslands.segment", edit.segment, document);
         !segment)
         return tl::unexpected(segment.error());
@@ -35,7 +76,7 @@ Result<bool> apply(const SplitIslands& edit, Document& document)
 EditEffects effects(const SplitIslands& edit)
 {
     // Elsewhere there may be more islands, or fewer.
-    return splitEffects(edit.segment, edit.into.has_value());
+    return splitEffects(edit.segment, edit.into.has_value() || namesPlaces(edit.editable));
 }
 
 /// "Split 3 islands off 'Liver', −1 204 voxels"
@@ -51,7 +92,7 @@ RowTitle rowTitle(const SplitIslands& edit, const RowFacts& row)
 /// Every voxel of the plane may decide what hangs together.
 EditDependencies dependencies(const SplitIslands& edit, const DependencyFacts& row)
 {
-    return dependsOn::Plane{.plane = row.planeOf(edit.segment)};
+    return row.alsoReading(edit.editable, dependsOn::Plane{.plane = row.planeOf(edit.segment)});
 }
 
 std::int64_t leastVoxels(const SplitIslands& edit, const VolumeGeometry& geometry)
@@ -60,8 +101,12 @@ std::int64_t leastVoxels(const SplitIslands& edit, const VolumeGeometry& geometr
 }
 
 Result<LabelListed> labelListed(SplitIslands& edit, const Document& document,
-    std::span<const std::uint8_t> labels, const Progress& progress)
+    const SplitGround& ground, const Progress& progress)
 {
+    const Result<std::optional<EditableVoxels>> editable =
+        editableVoxels(edit.editable, document, "splitIslands");
+    if (!editable)
+        return tl::unexpected(editable.error());
     const Result<const Segment*> unlocked =
         unlockedSegment("splitIslands.segment", edit.segment, document);
     if (!unlocked)
@@ -69,11 +114,17 @@ Result<LabelListed> labelListed(SplitIslands& edit, const Document& document,
     const Segment& segment = **unlocked;
     const std::size_t room = roomForSegments(document);
     const VolumeGeometry& geometry = document.volumes.front().geometry;
-    const Result<FurtherIslands> further =
-        furtherIslands(labels, geometry.size, segment.label, leastVoxels(edit, geometry),
-            edit.into ? std::min(edit.into->size(), room) : room, progress);
+    const std::size_t asked = edit.into ? std::min(edit.into->size(), room) : room;
+    // Which of them become segments is only known when all are.
+    const std::size_t most = *editable ? std::numeric_limits<std::size_t>::max() : asked;
+    Result<FurtherIslands> further = furtherIslands(labelsOfPlane(ground.planes, segment.plane),
+        geometry.size, segment.label, leastVoxels(edit, geometry), most, progress);
     if (!further)
         return tl::unexpected(further.error());
+    if (*editable) {
+        keepEditable(*further, **editable, ground, geometry.size);
+        further->islands.resize(std::min(further->islands.size(), asked));
+    }
     if (!edit.into && further->count > std::int64_t(room))
         return failure(ErrorCode::TooManyIslands, segment.name, QString::number(further->count),
             QString::number(room));
@@ -90,7 +141,9 @@ Result<LabelListed> labelListed(SplitIslands& edit, const Document& document,
         edit.into = usualParts(document, segment, further->islands.size());
     std::bitset<256> overwritable;
     overwritable.set(segment.label);
-    return listed.label(segment.plane, overwritable, 0);
+    LabelListed label = listed.label(segment.plane, overwritable, 0);
+    label.editable = *editable;
+    return label;
 }
 
 } // namespace core

@@ -5,35 +5,46 @@
 #include "core/edits/answers/EditDependencies.h"
 #include "core/edits/answers/EditEffects.h"
 #include "core/edits/answers/RowFacts.h"
+#include "core/edits/engine/EditableRanges.h"
 #include "core/edits/kinds/surface/SurfaceParts.h"
 
 namespace core {
 
 using namespace rowWords;
 
+bool agreesAfterwards(const WriteBack& edit)
+{
+    return !isLimited(edit.editable);
+}
+
 Result<void> check(const WriteBack& edit, const Document& document)
 {
+    if (const auto editable = editableVoxels(edit.editable, document, "writeBack"); !editable)
+        return tl::unexpected(editable.error());
     return checkApplied(edit, document);
 }
 
-Result<bool> apply(const WriteBack&, Document& document)
+Result<bool> apply(const WriteBack& edit, Document& document)
 {
     if (const Result<bool> known = changeSurface(document, false); !known)
         return known;
     const Segment* segment = document.segment(document.surface->segment);
     if (segment->locked)
         return failure(ErrorCode::SegmentLocked, segment->name);
+    if (!agreesAfterwards(edit))
+        return false;
     document.surface->differs = false;
     document.surface->maskChanged = false;
     return true;
 }
 
-EditEffects effects(const WriteBack&)
+EditEffects effects(const WriteBack& edit)
 {
     return {.task = EditTask::Surface,
         .standsOpen = false,
         .changes = DocumentChange::What::Surface,
-        .fills = fillsNothing};
+        .fills = fillsNothing,
+        .boundToStudy = namesPlaces(edit.editable)};
 }
 
 RowTitle rowTitle(const WriteBack&, const RowFacts& row)
@@ -46,9 +57,9 @@ RowTitle rowTitle(const WriteBack&, const RowFacts& row)
 }
 
 /// In all planes: the surface that says in which its segment lies may be another one by now.
-EditDependencies dependencies(const WriteBack&, const DependencyFacts&)
+EditDependencies dependencies(const WriteBack& edit, const DependencyFacts& row)
 {
-    return dependsOn::Plane{};
+    return row.alsoReading(edit.editable, dependsOn::Plane{});
 }
 
 } // namespace core

@@ -2,7 +2,10 @@
 #pragma once
 
 #include "core/edits/answers/EditAnswers.h"
+#include "core/edits/kinds/parts/EditableRange.h"
 #include "core/edits/kinds/surface/SurfaceRules.h"
+
+#include <optional>
 
 namespace core {
 
@@ -11,10 +14,17 @@ namespace core {
 /// other voxels stay as they are, whether or not the surface encloses them, so a surface that was
 /// not moved changes none. core/session/surface/SurfaceWriteBack.h has the exact rule, also for the
 /// rim of what was moved and for changes of the mask in the meantime.
+///
+/// With a range that leaves voxels out, mask and surface do not agree afterwards: the next one asks
+/// again for everything that the surface was moved over since they did.
 struct WriteBack {
     bool overwriteUnlocked = false;
     SurfaceRules rules{};
+    std::optional<EditableRange> editable{}; ///< which voxels may change; none: any
 };
+
+/// Whether mask and surface agree afterwards.
+[[nodiscard]] bool agreesAfterwards(const WriteBack& edit);
 
 [[nodiscard]] Result<void> check(const WriteBack& edit, const Document& document);
 Result<bool> apply(const WriteBack& edit, Document& document);

@@ -2,6 +2,8 @@
 #include "core/edits/engine/EditableRanges.h"
 #include "core/edits/EditJson.h"
 #include "core/edits/kinds/EditParts.h"
+#include "core/edits/kinds/chunks/ChunkToggle.h"
+#include "core/edits/kinds/chunks/DivideSegment.h"
 #include "core/edits/kinds/filling/EvolveContour.h"
 #include "core/edits/kinds/filling/FillBetweenSlices.h"
 #include "core/edits/kinds/filling/FloodFill.h"
@@ -16,6 +18,7 @@
 #include "core/edits/kinds/segments/ReshapeSegment.h"
 #include "core/edits/kinds/segments/SegmentSeen.h"
 #include "core/edits/kinds/splitting/SplitByCurve.h"
+#include "core/edits/kinds/splitting/SplitIslands.h"
 #include "core/edits/kinds/splitting/SplitSegment.h"
 #include "core/edits/kinds/values/ThresholdSegment.h"
 #include "core/session/EditSession.h"
@@ -56,6 +59,7 @@ struct Bench {
         run(outline(3, 25.0));
         run(outline(3, 30.0));
         run(test::carveAt({at({8.0, 17.0, 16.0}), at({19.0, 30.0, 16.0})}, 6.0));
+        run(DivideSegment{.segment = 1, .marginMm = 3.0});
     }
     void run(const Edit& edit)
     {
@@ -157,6 +161,11 @@ std::vector<Edit> someEdits(const Bench& bench)
         .placeLps = bench.at({19.0, 17.0, 16.0}),
         .normalLps = {1.0, 0.5, 0.25},
         .into = {.name = QStringLiteral("Beyond"), .rgb = 7}});
+    edits.push_back(SplitIslands{.segment = 1});
+    edits.push_back(ChunkToggle{.segment = 1,
+        .chunks = 6,
+        .mode = ChunkToggle::Mode::Remove,
+        .pointsLps = {bench.at({14.0, 17.0, 16.0}), bench.at({25.0, 17.0, 16.0})}});
     edits.push_back(SplitByCurve{.segment = 1,
         .view = scissors.view,
         .open = true,

@@ -2,6 +2,7 @@
 #include "core/session/surface/SurfaceWriteBack.h"
 #include "core/brick/LabelRuns.h"
 #include "core/brick/VoxelRunSets.h"
+#include "core/edits/EditJson.h"
 #include "core/edits/kinds/surface/FollowMask.h"
 #include "core/edits/kinds/surface/LaySurface.h"
 #include "core/edits/kinds/surface/MarkSurface.h"
@@ -183,6 +184,7 @@ private Q_SLOTS:
     void followingAgrees();
     void onlyWhatIsNewIsWritten();
     void othersAreAskedAgain();
+    void whatLimitsKeptIsAskedAgain();
     void wherever();
     void tooFewVertices();
 };
@@ -374,6 +376,70 @@ void SurfaceWriteBackTest::othersAreAskedAgain()
     QVERIFY(taken > 50);
     bench.run(WriteBack{.overwriteUnlocked = true});
     QVERIFY(bench.held() == over);
+}
+
+/// What lies outside of the range stays; surface and segment are apart until it is written, too.
+void SurfaceWriteBackTest::whatLimitsKeptIsAskedAgain()
+{
+    const double border = middle.x + 9.5;
+    const EditableRange near{
+        .box = GrowBox{at({0.0, 0.0, 0.0}), at({border, double(size.y), double(size.z)})}};
+    Bench bench(test::ballMask(size, 9.0));
+    bench.runAll({lay, push});
+    const Mask before = bench.held();
+    const QByteArray pushed = bench.hash();
+    bench.run(WriteBack{});
+    const Mask freely = bench.held();
+    QVERIFY(bench.session->undo());
+    QCOMPARE(bench.hash(), pushed);
+
+    Mask meant = before;
+    std::int64_t kept = 0;
+    for (std::size_t i = 0; i < meant.size(); ++i) {
+        if (voxelOf(i, size).x <= int(border))
+            meant[i] = freely[i];
+        else
+            kept += freely[i] != before[i] ? 1 : 0;
+    }
+    QVERIFY(kept > 20 && meant != before);
+    const std::size_t rows = bench.session->history().rows().size();
+    bench.run(WriteBack{.editable = near});
+    QVERIFY(bench.held() == meant);
+    QVERIFY(bench.session->document().surface->isApart());
+    QVERIFY(bench.session->history().rows().back().name.contains(QStringLiteral("within limits")));
+    QCOMPARE(bench.session->history().rows().size(), rows + 1);
+    // Once more there is nothing to write, and no row says so.
+    bench.run(WriteBack{.editable = near});
+    QCOMPARE(bench.session->history().rows().size(), rows + 1);
+    const QByteArray limited = bench.hash();
+    bench.run(WriteBack{.editable = EditableRange{}});
+    QVERIFY(bench.held() == freely);
+    QVERIFY(!bench.session->document().surface->isApart());
+    const QByteArray whole = bench.hash();
+    QVERIFY(bench.session->undo());
+    QCOMPARE(bench.hash(), limited);
+    QVERIFY(bench.session->document().surface->isApart());
+    QVERIFY(bench.session->undo());
+    QCOMPARE(bench.hash(), pushed);
+    QVERIFY(bench.session->redo() && bench.session->redo());
+    QCOMPARE(bench.hash(), whole);
+    // From the rows alone.
+    Bench again(test::ballMask(size, 9.0));
+    const std::vector<HistoryRow>& all = bench.session->history().rows();
+    for (std::size_t i = 1; i < all.size(); ++i) {
+        if (i == rows - 1)
+            continue; // what was undone above
+        const Result<Edit> told = editFromJson(editToJson(all[i].edit));
+        QVERIFY(told);
+        again.run(*told);
+    }
+    QCOMPARE(again.hash(), whole);
+    const auto refusal = [&](const EditableRange& range) {
+        const Result<void> applied = bench.session->apply(WriteBack{.editable = range});
+        return applied ? ErrorCode::Internal : applied.error().code;
+    };
+    QCOMPARE(refusal({.inside = std::vector<int>{9}}), ErrorCode::UnknownSegment);
+    QCOMPARE(refusal({.lower = 2.0, .upper = 1.0}), ErrorCode::InvalidField);
 }
 
 /// The session may be closed at any step: what was agreed on is read off its rows.

@@ -36,6 +36,8 @@ void addChunkStrokes(std::vector<StrokeCase>& cases, const core::LoadedVolume& v
     added.overwriteUnlocked = true;
     core::ChunkToggle removed = toggle(2, {{4, 9, 9}, {20, 16, 12}, {30, 30, 12}});
     removed.mode = core::ChunkToggle::Mode::Remove;
+    core::ChunkToggle limited = added;
+    limited.editable = core::EditableRange{.outside = std::vector<int>{2}};
     const core::Edit lock = core::ChangeSegment{.segment = 2, .locked = true};
     const auto row = std::int64_t(grown.size()) + 2;
 
@@ -47,6 +49,7 @@ void addChunkStrokes(std::vector<StrokeCase>& cases, const core::LoadedVolume& v
     cases.push_back({"toggle chunks back", volume, after({wide, many}), many});
     cases.push_back({"add chunks", volume, after({wide}), added});
     cases.push_back({"add chunks beside a locked segment", volume, after({wide, lock}), added});
+    cases.push_back({"add chunks within limits", volume, after({wide}), limited});
     cases.push_back({"take chunks", volume, after({wide}), removed});
     cases.push_back({"take what is not there", volume, after({wide, removed}), removed});
     cases.push_back({"toggle by an older division", volume,

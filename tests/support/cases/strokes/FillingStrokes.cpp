@@ -84,6 +84,10 @@ void addSplits(
     named.into = std::vector{core::SplitPart{.name = QStringLiteral("Apart"), .rgb = 0x40C0C0}};
     core::SplitIslands large = islands;
     large.mm3 = 1.5 * geometry.voxelVolumeMm3();
+    core::SplitIslands within = islands;
+    within.editable = core::EditableRange{.box = core::GrowBox{geometry.toWorld({0.0, 0.0, 0.0}),
+                                               geometry.toWorld({16.0, 99.0, 99.0})}};
+    cases.push_back({"split islands within limits", volume, after({}), within});
     cases.push_back({"split islands into segments", volume, after({}), islands});
     cases.push_back({"split one island off", volume, after({}), named});
     cases.push_back({"split islands from a size on", volume, after({scene.second}), large});

@@ -4,6 +4,7 @@
 #include "core/contour/ContourWatch.h"
 #include "core/edits/EditQuantise.h"
 #include "core/edits/kinds/filling/EvolveContour.h"
+#include "core/sculpt/labels/HeldVoxels.h"
 #include "core/session/EditSession.h"
 #include "core/session/questions/VoxelQuestions.h"
 #include "core/volume/MemoryLimit.h"
@@ -83,7 +84,7 @@ std::optional<Watched> watchedOf(const EvolveContour& edit, Bench& bench)
 {
     const Document& document = bench.session->document();
     const Labels labels = bench.labels();
-    const std::vector<ContourPlane> planes{{.plane = 0, .labels = labels}};
+    const std::vector<LabelPlane> planes{{.plane = 0, .labels = labels}};
     const auto read = contourPlanes(edit, document);
     if (!read || *read != std::set<std::uint8_t>{0})
         return std::nullopt;
@@ -224,7 +225,7 @@ private Q_SLOTS:
         Bench bench;
         const Document& document = bench.session->document();
         const Labels labels = bench.labels();
-        const std::vector<ContourPlane> planes{{.plane = 0, .labels = labels}};
+        const std::vector<LabelPlane> planes{{.plane = 0, .labels = labels}};
         const auto refusal = [&](const EvolveContour& edit) {
             const auto ground = trialGround(edit, document, planes);
             const auto read = contourPlanes(edit, document);

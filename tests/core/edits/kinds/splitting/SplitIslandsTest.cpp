@@ -5,6 +5,7 @@
 #include "core/document/SegmentColours.h"
 #include "core/edits/EditJson.h"
 #include "core/edits/document/DocumentEdits.h"
+#include "core/edits/kinds/segments/AddSegment.h"
 #include "core/recipe/Recipe.h"
 #include "core/session/EditSession.h"
 #include "core/session/questions/VoxelQuestions.h"
@@ -206,6 +207,104 @@ private Q_SLOTS:
         QCOMPARE(many.error().arguments.front(), QStringLiteral("splitIslands.into"));
         QCOMPARE(bench.document().segments.size(), std::size_t(3));
         QCOMPARE(bench.rows().size(), std::size_t(2));
+    }
+
+    /// Islands are those of the whole segment. Of each its voxels that may change become a segment;
+    /// one that has none stays, and is not counted.
+    void withinLimits()
+    {
+        const LoadedVolume study = test::smallStudy();
+        const auto valueAt = [&study](const glm::ivec3& voxel) {
+            return study.codes[smallIndexOf(voxel)] - 1024.0;
+        };
+        const VolumeGeometry& geometry = study.volume.geometry;
+        const auto box = [&geometry](const glm::dvec3& from, const glm::dvec3& to) {
+            return EditableRange{.box = GrowBox{geometry.toWorld(from), geometry.toWorld(to)}};
+        };
+        const std::vector<EditableRange> ranges{box({24, 0, 0}, {39, 35, 33}),
+            box({19, 19, 0}, {25, 35, 33}), box({0, 0, 0}, {12, 12, 12}),
+            {.lower = valueAt({24, 6, 6}), .upper = valueAt({24, 6, 6})},
+            {.upper = valueAt({19, 19, 19}) - 1.0}, {.outside = std::vector<int>{2}},
+            {.inside = std::vector<int>{3}}, {.inside = std::vector<int>{1, 3}},
+            {.lower = valueAt({24, 18, 18}), .inside = std::vector<int>{3}},
+            {.inside = std::vector<int>()}, {}};
+        std::size_t fewest = 3;
+        std::size_t most = 0;
+        for (const EditableRange& range : ranges) {
+            const Bench bench(true, fourIslands());
+            // In another plane, over half of one island.
+            bench.run(AddSegment{.name = QStringLiteral("Over"), .rgb = 5, .plane = 1});
+            bench.run(test::paintAt(3, {geometry.toWorld({25.0, 19.0, 18.0})}, 1.3));
+            const Labels before = bench.labels();
+            const Labels over = bench.labels(1);
+            const QByteArray hash = bench.session->stateHash();
+            const auto mayChange = [&](std::size_t voxel) {
+                const glm::ivec3 at(int(voxel % std::size_t(smallGrid().size.x)),
+                    int(voxel / std::size_t(smallGrid().size.x) % std::size_t(smallGrid().size.y)),
+                    int(voxel / std::size_t(smallGrid().size.x) / std::size_t(smallGrid().size.y)));
+                const auto is = [&](int label) {
+                    return before[voxel] == label || over[voxel] == label;
+                };
+                const auto any = [&](const std::vector<int>& labels) {
+                    return std::any_of(labels.begin(), labels.end(), is);
+                };
+                bool may = valueAt(at) >= range.lower.value_or(-1e9)
+                    && valueAt(at) <= range.upper.value_or(1e9);
+                if (range.box) {
+                    const glm::dvec3 from = geometry.toIndex(range.box->fromLps) - 0.1;
+                    const glm::dvec3 to = geometry.toIndex(range.box->toLps) + 0.1;
+                    may = may && glm::all(glm::greaterThan(glm::dvec3(at), from))
+                        && glm::all(glm::lessThan(glm::dvec3(at), to));
+                }
+                return may && (!range.inside || any(*range.inside))
+                    && !(range.outside && any(*range.outside));
+            };
+            Labels meant = before;
+            int next = 4;
+            const auto islands = test::islandsBySize(smallGrid().size, before, 1);
+            for (std::size_t place = 1; place < islands.size(); ++place) {
+                bool changed = false;
+                for (const std::size_t voxel : islands[place]) {
+                    if (!mayChange(voxel))
+                        continue;
+                    meant[voxel] = std::uint8_t(next);
+                    changed = true;
+                }
+                next += changed ? 1 : 0;
+            }
+            const auto made = std::size_t(next - 4);
+            fewest = std::min(fewest, made);
+            most = std::max(most, made);
+            const std::size_t rows = bench.rows().size();
+            const SplitIslands edit{.segment = 1, .editable = range};
+            bench.run(edit);
+            QVERIFY(bench.labels() == meant);
+            QCOMPARE(bench.document().segments.size(), 3 + made);
+            QCOMPARE(bench.rows().size(), rows + (made > 0 ? 1 : 0));
+            // No more can be named than there are.
+            const std::vector named(made + 1, SplitPart{.name = QStringLiteral("More"), .rgb = 7});
+            if (made > 0) {
+                const HistoryRow row = bench.rows().back();
+                const QByteArray changed = bench.session->stateHash();
+                QCOMPARE(row.edit.get<SplitIslands>().into.value().size(), made);
+                QCOMPARE(
+                    row.name.contains(QStringLiteral("within limits")), range != EditableRange());
+                QVERIFY(bench.session->undo() && bench.session->settle());
+                QCOMPARE(bench.session->stateHash(), hash);
+                const Result<Edit> told = editFromJson(editToJson(row.edit));
+                QVERIFY(told);
+                bench.run(*told);
+                QCOMPARE(bench.session->stateHash(), changed);
+                QVERIFY(bench.session->undo() && bench.session->settle());
+            }
+            SplitIslands tooMany = edit;
+            tooMany.into = named;
+            const Result<void> refused = bench.carriedOut(tooMany);
+            QVERIFY(!refused && refused.error().code == ErrorCode::InvalidField);
+            QCOMPARE(bench.session->stateHash(), hash);
+        }
+        QCOMPARE(fewest, std::size_t(0));
+        QCOMPARE(most, std::size_t(3));
     }
 
     /// Names stay such as a row may hold, however long the segment's is, and whatever stands in it.

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/session/operations/SplitIslandsOperation.h"
+
+#include "core/edits/document/DocumentEdits.h"
+#include "core/edits/engine/EditableRanges.h"
+#include "core/engine/EngineCommands.h"
+#include "core/sculpt/labels/HeldVoxels.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace core {
+
+namespace {
+
+constexpr int splitCodesAtOnce = 1 << 21; ///< 4 MiB; one slice where it has more
+
+} // namespace
+
+SplitIslandsOperation::SplitIslandsOperation(const SplitIslands& edit, RowId again)
+    : WorkedOutOperation(edit, Kind::Whole, again)
+    , m_work(std::make_shared<Work>())
+{
+}
+
+bool SplitIslandsOperation::foresee(Document& document) const
+{
+    return split().into && applyToDocument(edit(), document);
+}
+
+void SplitIslandsOperation::start(SessionState& state)
+{
+    if (!mayStart(state))
+        return;
+    const glm::ivec3& size = state.document.volumes.front().geometry.size;
+    const std::uint8_t own = state.document.segment(split().segment)->plane;
+    m_work->readers.emplace_back(size, own);
+    // A range that is not valid was refused.
+    if (const auto editable = editableVoxels(split().editable, state.document, "splitIslands");
+        editable && *editable) {
+        std::set<std::uint8_t> others = planesOf(**editable);
+        others.erase(own);
+        for (const std::uint8_t plane : others)
+            m_work->readers.emplace_back(size, plane);
+    }
+    readLabels(state);
+}
+
+void SplitIslandsOperation::readLabels(SessionState& state)
+{
+    if (!mayGoOn(state))
+        return;
+    for (; m_reading < m_work->readers.size(); ++m_reading) {
+        if (std::optional<ReadBricks> question = m_work->readers[m_reading].next()) {
+            m_asked = state.engine.submit(*std::move(question));
+            return;
+        }
+    }
+    if (isByValue(split()))
+        findBox(state);
+    else
+        workOut(state);
+}
+
+void SplitIslandsOperation::findBox(SessionState& state)
+{
+    workAside(state, [this, work = m_work, label = state.document.segment(split().segment)->label] {
+        if (const std::optional<LabelPlace> place = work->readers.front().placeOf(label))
+            work->box = place->box;
+        return SideThread::Sequel([this](SessionState& known) {
+            m_nextSlice = m_work->box.minimum.z;
+            readCodes(known);
+        });
+    });
+}
+
+void SplitIslandsOperation::readCodes(SessionState& state)
+{
+    if (!mayGoOn(state))
+        return;
+    VoxelBox slab = m_work->box;
+    if (slab.empty() || m_nextSlice >= slab.maximum.z)
+        return workOut(state);
+    const glm::ivec3 extent = slab.maximum - slab.minimum;
+    const int slices = std::max(1, int(splitCodesAtOnce / (std::int64_t(extent.x) * extent.y)));
+    slab.minimum.z = m_nextSlice;
+    slab.maximum.z = std::min(m_nextSlice + slices, slab.maximum.z);
+    m_nextSlice = slab.maximum.z;
+    m_asked = state.engine.submit(ReadCodes{slab});
+}
+
+void SplitIslandsOperation::workOut(SessionState& state)
+{
+    workAside(state,
+        [this, work = m_work, watch = watch(), document = state.document,
+            completed = std::make_shared<SplitIslands>(split())] {
+            auto result = std::make_shared<Result<Listed>>(
+                listed(*completed, document, *work, watch->progress));
+            return SideThread::Sequel([this, result, completed](SessionState& known) {
+                complete(*completed);
+                write(known, std::move(*result));
+            });
+        });
+}
+
+Result<LabelListed> SplitIslandsOperation::listed(
+    SplitIslands& edit, const Document& document, Work& work, const Progress& progress)
+{
+    std::vector<std::vector<std::uint8_t>> labels;
+    std::vector<LabelPlane> planes;
+    for (LabelReader& reader : work.readers) {
+        const std::uint8_t plane = reader.plane();
+        labels.push_back(reader.takeLabels());
+        planes.push_back({plane, labels.back()});
+    }
+    return labelListed(
+        edit, document, {.planes = planes, .box = work.box, .codes = work.codes}, progress);
+}
+
+void SplitIslandsOperation::takeResult(SessionState& state, EngineResult&& result)
+{
+    if (!m_asked || result.ticket != *m_asked)
+        return takeWritten(state, std::move(result));
+    m_asked.reset();
+    if (m_reading < m_work->readers.size()) {
+        if (const Result<void> taken = m_work->readers[m_reading].take(result); !taken)
+            return giveUp(state, taken.error());
+        return readLabels(state);
+    }
+    if (result.error)
+        return giveUp(state, *result.error);
+    // The side thread rests meanwhile.
+    m_work->codes.insert(m_work->codes.end(), result.codes.begin(), result.codes.end());
+    readCodes(state);
+}
+
+} // namespace core
