@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/menus/EditableButton.h"
 
+#include "ui/base/MenuText.h"
 #include "ui/base/Theme.h"
 #include "ui/menus/EditableSection.h"
 
+#include <QAction>
 #include <QMenu>
 #include <QWidgetAction>
 
@@ -12,15 +14,19 @@ namespace ui {
 namespace {
 
 constexpr int longestStatePixels = 72; ///< so that the bar fits into 1280 pixels
+constexpr int besidesTextPixels = 32; ///< frame and arrow
 
 } // namespace
 
-EditableButton::EditableButton(Workspace& workspace, QWidget* parent)
+EditableButton::EditableButton(Workspace& workspace, QWidget* parent, In place)
     : QToolButton(parent)
     , m_workspace(workspace)
+    , m_place(place)
 {
     setObjectName(QStringLiteral("editableButton"));
-    setFixedHeight(theme::controlHeight);
+    setFixedHeight(place == In::Bar ? theme::controlHeight : theme::rowHeight);
+    if (place == In::Column)
+        setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
     setPopupMode(QToolButton::InstantPopup);
     setToolButtonStyle(Qt::ToolButtonTextOnly);
     auto* menu = new QMenu(this);
@@ -39,8 +45,19 @@ void EditableButton::showState()
 {
     const QString now = m_workspace.editableText();
     const QString text = now.isEmpty() ? tr("all voxels") : now;
-    setText(fontMetrics().elidedText(text, Qt::ElideRight, longestStatePixels));
+    const bool isInBar = m_place == In::Bar;
+    const int widest = isInBar ? longestStatePixels : width() - besidesTextPixels;
+    // In a column there is room to say what may change.
+    const QString shown = now.isEmpty() && !isInBar ? tr("changes all voxels") : text;
+    setText(fontMetrics().elidedText(shown, Qt::ElideRight, widest));
     setToolTip(tr("Which voxels may change: %1").arg(text));
+}
+
+void EditableButton::resizeEvent(QResizeEvent* event)
+{
+    QToolButton::resizeEvent(event);
+    if (m_place == In::Column)
+        showState();
 }
 
 EditableNote::EditableNote(Workspace& workspace, QWidget* parent)
@@ -60,6 +77,21 @@ void EditableNote::showState()
 {
     setText(m_workspace.editableText());
     setVisible(!text().isEmpty());
+}
+
+void addEditableNote(QMenu& menu, QAction* before, Workspace& workspace)
+{
+    auto* note = new QAction(&menu);
+    note->setObjectName(QStringLiteral("editableNote"));
+    note->setEnabled(false);
+    menu.insertAction(before, note);
+    const auto show = [note, &workspace] {
+        const QString text = workspace.editableText();
+        note->setText(menuText(text));
+        note->setVisible(!text.isEmpty());
+    };
+    QObject::connect(&menu, &QMenu::aboutToShow, note, show);
+    show();
 }
 
 } // namespace ui

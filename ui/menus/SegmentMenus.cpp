@@ -4,6 +4,7 @@
 #include "core/session/EditSession.h"
 #include "ui/base/MenuText.h"
 #include "ui/measure/DistanceOfSegments.h"
+#include "ui/menus/EditableButton.h"
 #include "ui/menus/SegmentEntries.h"
 #include "ui/workspace/SegmentActions.h"
 #include "ui/workspace/Workspace.h"
@@ -162,6 +163,7 @@ void addCombinations(QMenu& menu, QAction* before, Workspace& workspace,
     const std::function<int()>& label, bool named)
 {
     menu.setToolTipsVisible(true);
+    addEditableNote(menu, before, workspace);
     // In the menu itself they would make it higher than small screens.
     auto* combine = new QMenu(QObject::tr("Combine"), &menu);
     combine->setObjectName(QStringLiteral("combineSegments"));

@@ -52,7 +52,8 @@ void addOverlaps(QMenu& menu, QAction* before, Workspace& workspace);
 
 /// Adds the submenus "Combine" and "Measure distance to" to a menu. "Combine" has "Merge into" and
 /// "Swap with", and also "Add voxels of", "Subtract" and "Intersect with" while there are several
-/// label planes. They are filled anew whenever the menu opens.
+/// label planes. They are filled anew whenever the menu opens. Above them stands the editable range
+/// while it is on (addEditableNote()).
 /// @param before the action before which they are inserted; null: at the end
 /// @param label returns the label of the segment that the menu is about at that moment
 /// @param named whether their titles contain that segment's name, for menus outside the list of

@@ -5,6 +5,7 @@
 #include "core/session/questions/SegmentsAt.h"
 #include "core/session/questions/VoxelQuestions.h"
 #include "ui/base/MenuText.h"
+#include "ui/menus/EditableButton.h"
 #include "ui/menus/PlaceMenu.h"
 #include "ui/menus/SegmentMenus.h"
 #include "ui/workspace/SegmentActions.h"
@@ -159,6 +160,8 @@ void VoxelMenu::addEntries(QMenu& menu, int label, const glm::dvec3& placeLps) c
                 run(workspace);
         };
     };
+    if (!m_workspace.editableText().isEmpty())
+        addEditableNote(menu, nullptr, m_workspace);
     QAction* remove = menu.addAction(
         text(tr("Remove this island"), tr("Remove this island of '%1'")), &m_workspace,
         ofThisSession(

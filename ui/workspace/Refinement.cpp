@@ -273,7 +273,8 @@ bool Refinement::isAbortable() const
 
 void Refinement::writeBack()
 {
-    apply(core::WriteBack{.rules = core::newestSurfaceRules});
+    apply(core::WriteBack{
+        .rules = core::newestSurfaceRules, .editable = m_workspace.editableRange()});
 }
 
 void Refinement::followMask()

@@ -353,12 +353,9 @@ void fillBetweenSlices(Workspace& workspace, const core::FillBetweenSlices& edit
 
 void splitIslands(Workspace& workspace, const core::SplitIslands& edit)
 {
-    if (core::EditSession* session = workspace.session())
-        session->closeOpen();
-    tellOf(workspace, core::Edit(edit).kind(),
+    carryOut(workspace, edit,
         QObject::tr("'%1' has no other island that is large enough")
-            .arg(nameOfSegment(workspace, edit.segment)),
-        [&edit](core::EditSession& session) { return session.apply(edit); });
+            .arg(nameOfSegment(workspace, edit.segment)));
 }
 
 void floodFill(Workspace& workspace, const core::FloodFill& edit)

@@ -184,6 +184,37 @@ private Q_SLOTS:
                 .arg(spaced(brain), spaced(bone)));
     }
 
+    /// Above what changes segments stands which voxels may change, while that is limited.
+    void theEditableRangeIsSaid()
+    {
+        Fixture fixture;
+        const auto noteIn = [](const QMenu& menu) {
+            const auto* note = menu.findChild<QAction*>(
+                QStringLiteral("editableNote"), Qt::FindDirectChildrenOnly);
+            return note && note->isVisible() && !note->isEnabled() ? note->text() : QString();
+        };
+        QMenu& bar = fixture.window.segmentsMenu();
+        static_cast<void>(fixture.ofBar("mergeSegments"));
+        QCOMPARE(noteIn(bar), QString());
+        fixture.workspace.setEditableSettings(
+            {.on = true, .where = ui::EditableSettings::Where::Inside, .segment = 3});
+        static_cast<void>(fixture.ofBar("mergeSegments"));
+        QCOMPARE(noteIn(bar), QStringLiteral("editable: inside Skin && hair"));
+        QString ofRow;
+        int height = 0;
+        QTimer::singleShot(0, &fixture.window, [&] {
+            auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
+            QVERIFY(menu);
+            height = menu->sizeHint().height();
+            ofRow = noteIn(*menu);
+            menu->close();
+        });
+        const QPoint at = fixture.list->visualRect(fixture.list->model()->index(1, 0)).center();
+        Q_EMIT fixture.list->customContextMenuRequested(at);
+        QCOMPARE(ofRow, QStringLiteral("editable: inside Skin && hair"));
+        QVERIFY2(height > 0 && height <= 720, qPrintable(QString::number(height)));
+    }
+
     /// Segments that overlap can be added, subtracted and intersected; the menus are there for
     /// them.
     void whatOverlapsIsSubtracted()

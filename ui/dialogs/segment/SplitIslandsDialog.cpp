@@ -5,6 +5,7 @@
 #include "core/session/EditSession.h"
 #include "ui/base/NumberText.h"
 #include "ui/base/Theme.h"
+#include "ui/menus/EditableButton.h"
 #include "ui/menus/SegmentMenus.h"
 #include "ui/widgets/fields/NumberField.h"
 #include "ui/workspace/SegmentActions.h"
@@ -59,9 +60,11 @@ SplitIslandsDialog::SplitIslandsDialog(Workspace& workspace, QWidget* parent)
     column().addLayout(size);
     column().addWidget(hint);
     column().addWidget(m_result);
+    column().addWidget(new EditableNote(workspace, this));
     column().addSpacing(theme::smallPadding);
     column().addLayout(buttons);
     connect(m_mm3, &QDoubleSpinBox::valueChanged, this, &SplitIslandsDialog::showState);
+    connect(&workspace, &Workspace::editableChanged, this, &SplitIslandsDialog::showState);
     connect(m_apply, &QPushButton::clicked, this, &SplitIslandsDialog::carryOut);
     connect(close, &QPushButton::clicked, this, &QDialog::reject);
 }
@@ -110,9 +113,14 @@ void SplitIslandsDialog::showState()
             [least](std::int64_t voxels) { return voxels >= least; });
         // The largest stays, however small it is.
         const auto others = std::max<std::int64_t>(0, large - 1);
+        // Which of them have voxels that may change is only known when they are split.
+        const bool isLimited = !workspace().editableText().isEmpty();
         const auto room = std::int64_t(core::roomForSegments(workspace().session()->document()));
         if (others == 0)
             result = tr("No island beside the largest is so large");
+        else if (isLimited)
+            result = tr("Up to %1 of %2 islands become segments: those with voxels that may change")
+                         .arg(countText(others), countText(m_sizes->size()));
         else if (others > room)
             result = tr("%1 islands are so large, but there can be only %2 segments more")
                          .arg(countText(others), countText(room));
@@ -121,7 +129,7 @@ void SplitIslandsDialog::showState()
         else
             result = tr("%1 of %2 islands become segments")
                          .arg(countText(others), countText(m_sizes->size()));
-        if (why.isEmpty() && (others == 0 || others > room))
+        if (why.isEmpty() && (others == 0 || (others > room && !isLimited)))
             why = result;
     }
     m_result->setText(result);

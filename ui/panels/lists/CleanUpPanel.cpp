@@ -5,6 +5,7 @@
 #include "core/session/EditSession.h"
 #include "ui/base/MenuText.h"
 #include "ui/base/Theme.h"
+#include "ui/menus/EditableButton.h"
 #include "ui/menus/SegmentEntries.h"
 #include "ui/menus/SegmentMenus.h"
 #include "ui/widgets/FittingLabel.h"
@@ -104,6 +105,8 @@ CleanUpPanel::CleanUpPanel(Workspace& workspace, QWidget* parent)
         grid->addWidget(m_smallMm3, place / 2, place % 2);
         ++place;
     }
+    grid->addWidget(
+        new EditableButton(workspace, this, EditableButton::In::Column), grid->rowCount(), 0, 1, 2);
     setUpParts(*grid);
     connect(&m_workspace, &Workspace::sessionChanged, this, [this] {
         m_isSetByHand = false;

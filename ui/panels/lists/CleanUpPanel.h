@@ -20,8 +20,9 @@ struct SegmentAction;
 
 /// Buttons that clean up the active segment as a whole: holes, islands, splitting, smoothing,
 /// margin. They do the same as entries of the menu Segments, and tell in the same words why they
-/// cannot. While the cutting plane is shown, a line tells the volumes of both parts into which it
-/// would split the segment. Hidden without a segment.
+/// cannot. Below them stands which voxels may change (the editable range). While the cutting plane
+/// is shown, a line tells the volumes of both parts into which it would split the segment. Hidden
+/// without a segment.
 class CleanUpPanel : public Panel {
     Q_OBJECT
 

@@ -9,6 +9,7 @@
 #include "ui/base/RowTitleText.h"
 #include "ui/base/SmallLabel.h"
 #include "ui/base/Theme.h"
+#include "ui/menus/EditableButton.h"
 #include "ui/panels/refine/DoubtsSection.h"
 #include "ui/widgets/fields/NumberField.h"
 #include "ui/workspace/Refinement.h"
@@ -114,6 +115,7 @@ QWidget* RefinePanel::buildRefining()
     m_state = smallText({}, page);
     m_state->setObjectName(QStringLiteral("surfaceState"));
     layout->addWidget(m_state);
+    layout->addWidget(new EditableNote(m_workspace, page));
     // Side by side they would not fit into the column.
     auto* buttons = new QGridLayout;
     buttons->setSpacing(theme::smallPadding);

@@ -2,6 +2,7 @@
 #include "ui/tools/refine/ChunkOptions.h"
 
 #include "ui/base/Theme.h"
+#include "ui/menus/EditableButton.h"
 #include "ui/widgets/fields/NumberField.h"
 #include "ui/workspace/Chunks.h"
 #include "ui/workspace/Workspace.h"
@@ -37,6 +38,7 @@ ChunkOptions::ChunkOptions(Workspace& workspace, QWidget* parent)
     m_bodies->setFixedHeight(theme::controlHeight);
     m_bodies->addItems({tr("the segment's"), tr("and what looks like it"), tr("all")});
     layout->addWidget(m_bodies);
+    layout->addWidget(new EditableButton(workspace, this));
     show();
     connect(&workspace.chunks(), &Chunks::lookChanged, this, &ChunkOptions::show);
     connect(m_count, &QSpinBox::valueChanged, this, &ChunkOptions::take);

@@ -199,6 +199,7 @@ void ChunkTool::release(const PointerSample&, const ViewContext&)
     // What a click does the engine knows best, whatever is shown.
     if (stroke.chunks.size() == 1 && !stroke.removes)
         stroke.edit.mode = core::ChunkToggle::Mode::Toggle;
+    stroke.edit.editable = m_workspace.editableRange();
     m_workspace.chunks().setLit({});
     if (const auto applied = m_workspace.session()->apply(stroke.edit); !applied)
         m_workspace.fail(applied.error());
@@ -279,6 +280,8 @@ void ChunkTool::paintOverlay(QPainter& painter, const ViewContext& view) const
     }
     if (m_pointed)
         lines << chunkText(*m_pointed);
+    if (const QString editable = m_workspace.editableText(); !editable.isEmpty())
+        lines << editable;
     drawCursorLabel(painter, view.sizePixels, cursor(), 6.0, lines);
 }
 

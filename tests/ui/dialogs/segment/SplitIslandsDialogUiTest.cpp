@@ -95,6 +95,35 @@ class SplitIslandsDialogUiTest : public QObject {
 private Q_SLOTS:
     void init() { test::failOnUnexpectedMessages(); }
 
+    /// How many have voxels that may change is not known before; the dialog says which may.
+    void keepsToTheEditableRange()
+    {
+        Fixture fixture;
+        ui::SplitIslandsDialog& dialog = fixture.opened();
+        sizeOf(dialog).setValue(0.0);
+        QTRY_COMPARE(resultOf(dialog), QStringLiteral("2 of 3 islands become segments"));
+        const auto* note = dialog.findChild<QLabel*>(QStringLiteral("editableNote"));
+        QVERIFY(note && note->isHidden());
+        core::ClipRegion clip = fixture.workspace.clip();
+        clip.box.on = true;
+        clip.box.maximum.y = 18.5; // the small dab alone
+        fixture.workspace.setClip(clip);
+        fixture.workspace.setEditableSettings({.on = true, .boxed = true});
+        QVERIFY(note->isVisible());
+        QCOMPARE(note->text(), QStringLiteral("editable: in the clip box"));
+        QCOMPARE(resultOf(dialog),
+            QStringLiteral(
+                "Up to 2 of 3 islands become segments: those with voxels that may change"));
+        splitOf(dialog).click();
+        QVERIFY(fixture.session().settle());
+        const auto& row = fixture.session().history().rows().back();
+        const auto* split = row.edit.as<core::SplitIslands>();
+        QVERIFY(split && split->editable && split->editable->box);
+        QCOMPARE(fixture.session().document().segments.size(), std::size_t(2));
+        QCOMPARE(fixture.voxels(2), fixture.small);
+        QCOMPARE(fixture.voxels(1), fixture.middle + fixture.large);
+    }
+
     /// It says how many there will be, and a click is one step, which is taken back; the dialog
     /// stays for another size.
     void splitsFromASizeOn()

@@ -9,11 +9,14 @@
 #include "ui/base/NumberText.h"
 #include "ui/dialogs/segment/ReshapeDialog.h"
 #include "ui/dialogs/segment/SplitIslandsDialog.h"
+#include "ui/menus/EditableButton.h"
 #include "ui/workspace/CuttingPlane.h"
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QLabel>
+#include <QMenu>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QtTest>
@@ -114,6 +117,39 @@ private Q_SLOTS:
         QVERIFY(fixture.session().undo());
         QVERIFY(fixture.session().settle());
         QCOMPARE(fixture.voxels(1), fixture.one + fixture.other);
+    }
+
+    /// It says which voxels may change, and that is chosen there, too.
+    void keepsToTheEditableRange()
+    {
+        Fixture fixture;
+        fixture.addDabs();
+        QTRY_VERIFY(fixture.panel->isVisible());
+        auto* button = fixture.panel->findChild<ui::EditableButton*>();
+        QVERIFY(button && button->isVisible());
+        QCOMPARE(button->text(), QStringLiteral("changes all voxels"));
+        QVERIFY(button->width() >= fixture.button("keepLargest").width());
+        core::ClipRegion clip = fixture.workspace.clip();
+        clip.box.on = true;
+        clip.box.minimum.x = 18.0; // without the first dab
+        fixture.workspace.setClip(clip);
+        fixture.workspace.setEditableSettings({.on = true, .boxed = true});
+        QCOMPARE(button->text(), QStringLiteral("editable: in the clip box"));
+        QVERIFY(button->toolTip().contains(QStringLiteral("editable: in the clip box")));
+        const std::size_t rows = fixture.session().history().rows().size();
+        QSignalSpy said(&fixture.workspace, &ui::Workspace::said);
+        QTest::mouseClick(&fixture.button("keepLargest"), Qt::LeftButton);
+        QVERIFY(fixture.session().settle());
+        QCOMPARE(fixture.voxels(1), fixture.one + fixture.other);
+        QCOMPARE(fixture.session().history().rows().size(), rows);
+        QTRY_COMPARE(said.size(), 1);
+        QVERIFY(
+            said.back().front().toString().endsWith(QStringLiteral("(editable: in the clip box)")));
+        button->menu()->findChild<QCheckBox*>(QStringLiteral("editableOn"))->click();
+        QCOMPARE(button->text(), QStringLiteral("changes all voxels"));
+        QTest::mouseClick(&fixture.button("keepLargest"), Qt::LeftButton);
+        QVERIFY(fixture.session().settle());
+        QCOMPARE(fixture.voxels(1), fixture.other);
     }
 
     /// The size is offered for the segment, and what is typed counts.

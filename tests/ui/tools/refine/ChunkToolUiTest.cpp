@@ -12,6 +12,7 @@
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/PlainEdits.h"
 #include "tests/support/series/NrrdFiles.h"
+#include "ui/menus/EditableButton.h"
 #include "ui/panels/refine/ChunksPanel.h"
 #include "ui/tools/refine/ChunkTool.h"
 #include "ui/views/ViewGrid.h"
@@ -159,6 +160,30 @@ class ChunkToolUiTest : public QObject {
 
 private Q_SLOTS:
     void init() { test::failOnUnexpectedMessages(); }
+
+    /// The option bar says which voxels may change, and others stay as they are.
+    void keepsToTheEditableRange()
+    {
+        ChunkFixture fixture;
+        fixture.divide(few);
+        QWidget parent;
+        auto* button = fixture.tool.createOptions(&parent)->findChild<ui::EditableButton*>();
+        QVERIFY(button);
+        const core::RowId divided = fixture.position();
+        const std::int64_t all = fixture.voxels();
+        fixture.workspace.setEditableSettings(
+            {.on = true, .byValue = true, .lower = 2000.0, .upper = 3000.0}); // none has these
+        QVERIFY(button->toolTip().contains(QStringLiteral("editable: only 2000 … 3000 HU")));
+        fixture.click(fixture.slice, inVentricle);
+        QCOMPARE(fixture.position(), divided);
+        fixture.workspace.setEditableSettings(
+            {.on = true, .byValue = true, .lower = -10.0, .upper = 20.0});
+        fixture.click(fixture.slice, inVentricle);
+        QVERIFY(fixture.lastClick());
+        QVERIFY(
+            fixture.lastClick()->editable == core::EditableRange({.lower = -10.0, .upper = 20.0}));
+        QCOMPARE(fixture.voxels(), all - test::smallHead::voxelsOf(test::smallHead::ventricleHu));
+    }
 
     void thePanelDivides()
     {

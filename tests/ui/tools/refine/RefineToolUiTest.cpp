@@ -449,6 +449,42 @@ private Q_SLOTS:
         QVERIFY(fixture.refinement().caution().isEmpty());
     }
 
+    /// What the surface was moved over is written where voxels may change; the panel says so.
+    void writesBackWithinTheEditableRange()
+    {
+        RefineFixture fixture;
+        fixture.panel.findChild<QSpinBox*>(QStringLiteral("surfaceVertices"))->setValue(1000);
+        fixture.panel.findChild<QPushButton*>(QStringLiteral("laySurface"))->click();
+        fixture.settle();
+        fixture.set(Mode::Sphere, 6.0);
+        draw(fixture, fixture.slice, {fixture.at(fixture.slice, {0.0, -radius, 0.0})});
+        auto* write = fixture.panel.findChild<QPushButton*>(QStringLiteral("writeBack"));
+        const auto* note = fixture.panel.findChild<QLabel*>(QStringLiteral("editableNote"));
+        QVERIFY(write->isEnabled() && note && note->isHidden());
+        const core::RowId pushed = fixture.lastRow().id;
+        const std::int64_t before = fixture.voxels();
+        fixture.workspace.setEditableSettings(
+            {.on = true, .byValue = true, .lower = 2000.0, .upper = 3000.0}); // none has these
+        QVERIFY(!note->isHidden());
+        QCOMPARE(note->text(), QStringLiteral("editable: only 2000 … 3000 HU"));
+        write->click();
+        fixture.settle();
+        QCOMPARE(fixture.lastRow().id, pushed);
+        QCOMPARE(fixture.voxels(), before);
+        QVERIFY(write->isEnabled());
+        fixture.workspace.setEditableSettings(
+            {.on = true, .byValue = true, .lower = -1000.0, .upper = 3000.0}); // all
+        write->click();
+        fixture.settle();
+        const auto* written = fixture.lastRow().edit.as<core::WriteBack>();
+        QVERIFY(written && written->editable);
+        QCOMPARE(written->editable->lower, std::optional(-1000.0));
+        QVERIFY(fixture.voxels() != before);
+        QVERIFY(write->isEnabled()); // a range, whatever it leaves out
+        fixture.workspace.setEditableSettings({});
+        QVERIFY(note->isHidden());
+    }
+
     void marksOnASliceAreTheEditOfARecipe()
     {
         RefineFixture fixture;
