@@ -4,12 +4,14 @@
 #include "core/edits/kinds/EditParts.h"
 #include "core/edits/kinds/growth/ChangeInterval.h"
 #include "core/edits/kinds/growth/GrowCriteria.h"
+#include "core/edits/kinds/segments/ReshapeSegment.h"
 #include "core/session/EditSession.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/fixtures/WorkspaceFixture.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/PlainEdits.h"
 #include "ui/panels/growth/GrowthPanel.h"
+#include "ui/tasks/GrowthRun.h"
 #include "ui/widgets/HistogramRange.h"
 #include "ui/workspace/PendingSeeds.h"
 #include "ui/workspace/SegmentActions.h"
@@ -78,6 +80,13 @@ private:
             qFatal("no interval was offered");
     }
 };
+
+/// As a dialog shows it.
+core::Edit preview(int segment)
+{
+    return core::ReshapeSegment{
+        .segment = segment, .operation = core::ShapeOperation::Grow, .mm = 2.0};
+}
 
 } // namespace
 
@@ -148,6 +157,50 @@ private Q_SLOTS:
         QCOMPARE(two.voxels(2), test::smallHead::voxelsOf(test::smallHead::brainHu));
         QCOMPARE(told->text(),
             QStringLiteral("Only Segment 2 grows: the others have intervals of their own."));
+    }
+
+    /// A preview that a dialog shows between two turns goes, and comes again after them.
+    void aPreviewBetweenTurnsHoldsNothingUp()
+    {
+        TwoSegments two;
+        const core::RowId before = two.session().history().position();
+        auto* run = two.panel.findChild<ui::GrowthRun*>();
+        QVERIFY(run);
+        bool isBetween = false;
+        QObject::connect(run, &ui::GrowthRun::changed, run, [&] {
+            if (isBetween || !run->running() || two.session().transactionOpen())
+                return;
+            isBetween = two.session().begin(preview(2)).has_value();
+        });
+        two.click("growPlay");
+        QVERIFY(two.waitUntilGrown());
+        QVERIFY(isBetween);
+        QCOMPARE(two.session().history().position(), before + 2);
+        QCOMPARE(two.voxels(1), test::smallHead::voxelsOf(test::smallHead::ventricleHu));
+        QCOMPARE(two.voxels(2), test::smallHead::voxelsOf(test::smallHead::brainHu));
+    }
+
+    /// One that begins while a turn grows ends the growth, and stays.
+    void aPreviewEndsTheGrowth()
+    {
+        TwoSegments two;
+        auto* run = two.panel.findChild<ui::GrowthRun*>();
+        QVERIFY(run);
+        bool isBeside = false;
+        QObject::connect(
+            run, &ui::GrowthRun::changed, run,
+            [&] {
+                if (!isBeside && run->running() && two.session().transactionOpen())
+                    isBeside = two.session().begin(preview(2)).has_value();
+            },
+            Qt::QueuedConnection);
+        two.click("growPlay");
+        QTRY_VERIFY(isBeside);
+        QTRY_VERIFY(!two.panel.running());
+        QVERIFY(two.session().openIsPreview());
+        two.session().end(core::Ending::Rollback);
+        two.settle();
+        QVERIFY(!two.panel.running());
     }
 
     /// The interval of one is not forced upon the other.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/tasks/LabelFetch.h"
 
+#include "core/edits/kinds/segments/ReshapeSegment.h"
 #include "core/engine/EngineCommands.h"
 #include "core/engine/EngineResult.h"
 #include "tests/support/faults/FailingLog.h"
@@ -146,6 +147,26 @@ private Q_SLOTS:
         fetch.cancel();
         fail(most - 1);
         QVERIFY(fetch.mayTryAgain(error));
+    }
+
+    /// What is previewed since is no step yet, and its labels are not those that were asked for.
+    void whatBeginsToStandOpenIsNotRead()
+    {
+        Fixture fixture;
+        core::EditSession& session = *fixture.workspace.session();
+        ui::LabelFetch fetch;
+        QSignalSpy failed(&fetch, &ui::LabelFetch::failed);
+        QSignalSpy finished(&fetch, &ui::LabelFetch::finished);
+        fetch.start(session, {0});
+        QVERIFY(session.begin(core::ReshapeSegment{
+            .segment = 1, .operation = core::ShapeOperation::Grow, .mm = 2.0}));
+        QTRY_COMPARE(failed.size() + finished.size(), 1);
+        QCOMPARE(failed.size(), 1);
+        QVERIFY(session.openIsPreview());
+        session.end(core::Ending::Rollback);
+        fetch.start(session, {0});
+        QTRY_COMPARE(finished.size(), 1);
+        QCOMPARE(failed.size(), 1);
     }
 
     /// A contour is dropped, with the reason, once.

@@ -4,6 +4,7 @@
 
 #include "core/edits/kinds/growth/ChangeInterval.h"
 #include "core/edits/kinds/growth/GrowCriteria.h"
+#include "core/edits/kinds/segments/ReshapeSegment.h"
 #include "core/engine/EngineCommands.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/fixtures/WorkspaceFixture.h"
@@ -184,6 +185,34 @@ private Q_SLOTS:
         QCOMPARE(fixture.lastChange()->criteria.lower, 0.0);
         QCOMPARE(fixture.session().document().segments[0].voxels,
             head::voxelsOf(head::ventricleHu) + head::voxelsOf(head::brainHu));
+    }
+
+    /// What stands open since a preview has ended the change is a dialog's.
+    void aPreviewIsNotEnded_data()
+    {
+        QTest::addColumn<bool>("isTaken");
+        QTest::newRow("let go") << true;
+        QTest::newRow("called off") << false;
+    }
+    void aPreviewIsNotEnded()
+    {
+        QFETCH(const bool, isTaken);
+        LivePanel fixture;
+        fixture.grow();
+        ui::LiveInterval live(fixture.workspace);
+        live.move(0.0, 60.0, std::nullopt);
+        QVERIFY(fixture.session().isOpen<core::ChangeInterval>());
+        QVERIFY(fixture.session().begin(core::ReshapeSegment{
+            .segment = 1, .operation = core::ShapeOperation::Grow, .mm = 2.0}));
+        if (isTaken)
+            live.settle();
+        else
+            live.cancel();
+        QVERIFY(fixture.session().openIsPreview());
+        QVERIFY(live.possible());
+        fixture.session().end(core::Ending::Rollback);
+        fixture.settle();
+        QVERIFY(fixture.lastChange());
     }
 
     /// In words beside the slider, while it moves, against what was there before it was pressed.

@@ -2,10 +2,12 @@
 #include "core/edits/kinds/sculpt/PeelCut.h"
 #include "core/edits/kinds/sculpt/ScissorsCut.h"
 #include "core/edits/kinds/segments/AddSegment.h"
+#include "core/edits/kinds/segments/ReshapeSegment.h"
 #include "tests/support/fixtures/Pen.h"
 #include "tests/support/fixtures/WindowFixture.h"
 #include "tests/support/fixtures/WorkspaceFixture.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/PlainEdits.h"
 #include "ui/tools/sculpt/PeelTool.h"
 #include "ui/tools/sculpt/ScissorsTool.h"
 #include "ui/views/ViewGrid.h"
@@ -120,6 +122,34 @@ private Q_SLOTS:
         QVERIFY(fixture.session().undo());
         QVERIFY(fixture.session().settle());
         QCOMPARE(fixture.carvedVoxels(), std::int64_t(0));
+    }
+
+    /// What stands open since a preview has ended a peel is a dialog's.
+    void aPeelEndsNoPreview_data()
+    {
+        QTest::addColumn<bool>("isKept");
+        QTest::newRow("kept") << true;
+        QTest::newRow("taken back") << false;
+    }
+    void aPeelEndsNoPreview()
+    {
+        QFETCH(const bool, isKept);
+        OutlineFixture fixture;
+        fixture.apply(test::newSegment(QStringLiteral("Organ")));
+        fixture.apply(test::paintAt(1, {glm::dvec3(0.0)}, 3.0));
+        fixture.draw(60.0);
+        QVERIFY(fixture.peel.isOpen());
+        QVERIFY(fixture.session().begin(core::ReshapeSegment{
+            .segment = 1, .operation = core::ShapeOperation::Grow, .mm = 2.0}));
+        if (isKept)
+            fixture.peel.confirm();
+        else
+            fixture.peel.cancel();
+        QVERIFY(!fixture.peel.isOpen());
+        QVERIFY(fixture.session().openIsPreview());
+        fixture.session().end(core::Ending::Rollback);
+        QVERIFY(fixture.session().settle());
+        QVERIFY(fixture.session().history().rows().back().edit.is<core::PeelCut>());
     }
 
     /// Seed A §4.4: "adjusting a slider or dragging a pen on the tablet".

@@ -4,6 +4,8 @@
 #include "core/brick/ThreadWithoutVoxels.h"
 #include "core/contour/ContourRule.h"
 #include "core/contour/ContourWatch.h"
+#include "core/edits/kinds/segments/ReshapeSegment.h"
+#include "core/session/SegmentWork.h"
 #include "core/session/questions/VoxelQuestions.h"
 #include "tests/reference/filling/Contour.h"
 #include "tests/support/faults/FailingLog.h"
@@ -719,6 +721,30 @@ private Q_SLOTS:
         QCOMPARE(fixture.workspace.growSettings().upper, 60.0);
         QVERIFY(fixture.tool.run().track()->gained()
             > test::smallHead::voxelsOf(test::smallHead::ventricleHu));
+    }
+
+    /// What a dialog previews is no reason to wait, and Esc is not about it.
+    void aPreviewHoldsNothingUp()
+    {
+        Fixture fixture;
+        fixture.addOrgan();
+        QSignalSpy said(&fixture.workspace, &ui::Workspace::said);
+        // It is worked on as long as nobody polls.
+        QVERIFY(fixture.session().begin(core::ReshapeSegment{
+            .segment = 1, .operation = core::ShapeOperation::Grow, .mm = 3.0}));
+        QVERIFY(fixture.session().segmentWork().percent() && fixture.session().openIsPreview());
+        fixture.tool.cancel();
+        QVERIFY(fixture.session().segmentWork().percent() && fixture.session().openIsPreview());
+        const ui::ViewContext context = fixture.view.context();
+        ui::PointerSample sample;
+        sample.position = context.toPixel(fixture.place({20.0, 20.0, 20.0}));
+        fixture.tool.press(sample, context);
+        fixture.tool.release(sample, context);
+        for (const QList<QVariant>& each : said)
+            QVERIFY2(!each.front().toString().contains(QStringLiteral("worked out")),
+                qPrintable(each.front().toString()));
+        QTRY_VERIFY(fixture.hasPlayed());
+        QVERIFY(!fixture.session().openEdit());
     }
 
     void whatCannotBeSaysWhy()

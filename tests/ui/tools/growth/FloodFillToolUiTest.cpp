@@ -2,6 +2,7 @@
 #include "ui/tools/growth/FloodFillTool.h"
 
 #include "core/edits/kinds/filling/FloodFill.h"
+#include "core/edits/kinds/segments/ReshapeSegment.h"
 #include "core/session/SegmentWork.h"
 #include "core/session/questions/VoxelQuestions.h"
 #include "tests/reference/filling/FloodFill.h"
@@ -238,6 +239,32 @@ private Q_SLOTS:
         QCOMPARE(fixture.rows(), std::size_t(2));
         QVERIFY(!fixture.lastEdit().within);
         QCOMPARE(fixture.labels(), Fixture::filledBy(fixture.lastEdit()));
+    }
+
+    /// What a dialog previews is no reason to wait, and Esc is not about it.
+    void aPreviewHoldsNothingUp()
+    {
+        Fixture fixture;
+        fixture.tool.setSettings({.in3D = true, .corners = false, .tolerance = 10.0});
+        fixture.apply(test::newSegment(QStringLiteral("Organ")));
+        fixture.apply(test::paintAt(1, {fixture.place({20.0, 20.0, 20.0})}, 2.0));
+        fixture.workspace.setActiveSegment(1);
+        QSignalSpy said(&fixture.workspace, &ui::Workspace::said);
+        // It is worked on as long as nobody polls.
+        QVERIFY(fixture.session().begin(core::ReshapeSegment{
+            .segment = 1, .operation = core::ShapeOperation::Grow, .mm = 3.0}));
+        QVERIFY(fixture.session().segmentWork().percent() && fixture.session().openIsPreview());
+        fixture.tool.cancel();
+        QVERIFY(fixture.session().segmentWork().percent() && fixture.session().openIsPreview());
+        const std::size_t rows = fixture.rows();
+        fixture.click(fixture.views.axial(), {20.0, 20.0, 20.0}, false);
+        QVERIFY(fixture.session().settle());
+        QVERIFY(!fixture.session().openEdit());
+        QCOMPARE(fixture.rows(), rows + 1);
+        QVERIFY(fixture.labels() == Fixture::filledBy(fixture.lastEdit()));
+        for (const QList<QVariant>& each : said)
+            QVERIFY2(!each.front().toString().contains(QStringLiteral("worked out")),
+                qPrintable(each.front().toString()));
     }
 
     /// Esc abandons what is being worked out.
