@@ -6,12 +6,10 @@
 #include "core/session/SessionStorage.h"
 #include "core/session/past/PastImports.h"
 #include "core/sessionfile/SessionStudy.h"
+#include "ui/dialogs/export/SuggestedTarget.h"
 #include "ui/report/AuditSegments.h"
 #include "ui/report/WriteAudit.h"
 #include "ui/workspace/Workspace.h"
-
-#include <QFileDialog>
-#include <QStandardPaths>
 
 namespace ui {
 
@@ -71,19 +69,14 @@ AuditSaver::AuditSaver(Workspace& workspace, QWidget* window)
 
 void AuditSaver::ask()
 {
-    const QString folder = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
-    QFileDialog dialog(m_window, tr("Audit report"), folder,
-        tr("Report to print (*.pdf);;Page for a browser (*.html)"));
-    dialog.setAcceptMode(QFileDialog::AcceptSave);
-    dialog.setDefaultSuffix(QStringLiteral("pdf"));
-    dialog.selectFile(QStringLiteral("audit.pdf"));
-    QObject::connect(
-        &dialog, &QFileDialog::filterSelected, &dialog, [&dialog](const QString& filter) {
-            dialog.setDefaultSuffix(filter.contains(QLatin1String("html")) ? QStringLiteral("html")
-                                                                           : QStringLiteral("pdf"));
-        });
-    if (dialog.exec() == QDialog::Accepted && !dialog.selectedFiles().isEmpty())
-        save(dialog.selectedFiles().first());
+    const auto chosen = askForTarget({.title = tr("Audit report"),
+                                         .of = tr("audit"),
+                                         .ending = QStringLiteral(".pdf"),
+                                         .filter = tr("Report to print (*.pdf);;Page for a browser "
+                                                      "(*.html)")},
+        m_workspace.volume(), m_window);
+    if (chosen)
+        save(chosen->file);
 }
 
 void AuditSaver::save(const QString& path)

@@ -7,6 +7,7 @@
 #include "ui/base/Theme.h"
 #include "ui/dialogs/export/DeidentifyBox.h"
 #include "ui/dialogs/export/ExportRun.h"
+#include "ui/dialogs/export/SuggestedTarget.h"
 #include "ui/dialogs/export/TargetRow.h"
 #include "ui/dialogs/study/StudyBlock.h"
 #include "ui/texts/ClauseText.h"
@@ -20,7 +21,6 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QRadioButton>
-#include <QStandardPaths>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -71,6 +71,7 @@ CarvedExportDialog::CarvedExportDialog(Workspace& workspace, QWidget* parent)
         connect(button, &QRadioButton::toggled, this, &CarvedExportDialog::suggestTarget);
     connect(m_target, &TargetRow::changed, this, &CarvedExportDialog::showState);
     connect(m_fill, &QDoubleSpinBox::valueChanged, this, &CarvedExportDialog::showState);
+    connect(m_deidentify, &DeidentifyBox::changed, this, &CarvedExportDialog::suggestName);
     connect(m_deidentify, &DeidentifyBox::changed, this, &CarvedExportDialog::showState);
     connect(m_run, &ExportRun::startRequested, this, &CarvedExportDialog::start);
     connect(m_run, &ExportRun::closeRequested, this, &CarvedExportDialog::reject);
@@ -119,9 +120,8 @@ void CarvedExportDialog::build()
     m_fill->setToolTip(tr("The value of the voxels that are carved away; at first the least of the "
                           "study"));
     m_deidentify = new DeidentifyBox(this);
-    m_target =
-        new TargetRow(tr("To"), QStringLiteral("carvedTarget"), QStringLiteral("export/folder"),
-            QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation), this);
+    m_target = new TargetRow(tr("To"), QStringLiteral("carvedTarget"), exportFolderKey(),
+        suggestedFolder(&volume), this);
     auto* startButton = new QPushButton(tr("Export and check"), this);
     startButton->setObjectName(QStringLiteral("carvedStart"));
     m_run = new ExportRun(QStringLiteral("carved"), startButton, this);
@@ -149,16 +149,34 @@ void CarvedExportDialog::build()
 
 void CarvedExportDialog::suggestTarget()
 {
-    const QString name = m_series->isChecked() ? QStringLiteral("carved")
-        : m_nifti->isChecked()                 ? QStringLiteral("carved.nii.gz")
-                                               : QStringLiteral("coverage.nii.gz");
-    m_target->setName(name);
+    m_target->setName(nameOfTarget());
+    m_suggested = m_target->path();
     m_target->askFor(tr("Export to"),
         m_series->isChecked() ? tr("New folder (*)") : tr("NIfTI (*.nii.gz *.nii)"));
     m_deidentify->setVisible(m_series->isChecked());
     m_fill->setEnabled(!m_coverage->isChecked());
     m_fillLabel->setEnabled(!m_coverage->isChecked());
     showState();
+}
+
+QString CarvedExportDialog::nameOfTarget() const
+{
+    const core::Volume& volume = *m_workspace.volume();
+    const bool isSeries = m_series->isChecked();
+    const core::SculptLayer* layer = m_coverage->isChecked() ? activeLayer(m_workspace) : nullptr;
+    const bool deidentified = isSeries && m_deidentify->deidentifier(volume.identity);
+    return exportName(volume.identity, layer ? tr("%1 coverage").arg(layer->name) : tr("carved"),
+               !deidentified)
+        + (isSeries ? QString() : QStringLiteral(".nii.gz"));
+}
+
+/// The name follows what is chosen until the user writes another one.
+void CarvedExportDialog::suggestName()
+{
+    if (running() || !m_workspace.volume() || m_target->path() != m_suggested)
+        return;
+    m_target->setName(nameOfTarget());
+    m_suggested = m_target->path();
 }
 
 void CarvedExportDialog::showState()
@@ -185,6 +203,7 @@ void CarvedExportDialog::start()
     core::EditSession* session = m_workspace.session();
     if (!session)
         return;
+    makeFolderBeside(*m_workspace.volume(), m_target->path());
     m_target->remember();
     std::set<std::uint8_t> layers;
     for (const core::SculptLayer& layer : session->document().layers) {

@@ -35,6 +35,8 @@ Q_SIGNALS:
 private:
     void build();
     void suggestTarget();
+    void suggestName();
+    [[nodiscard]] QString nameOfTarget() const;
     void showState();
     void start();
     void write(const LabelFetch::Planes& layers);
@@ -50,6 +52,7 @@ private:
     QDoubleSpinBox* m_fill = nullptr;
     QLabel* m_fillLabel = nullptr;
     TargetRow* m_target = nullptr;
+    QString m_suggested; ///< the target as it was last named here
     DeidentifyBox* m_deidentify = nullptr; ///< for the DICOM series only
     ExportRun* m_run = nullptr;
     bool m_force = false;

@@ -24,7 +24,6 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
-#include <QStandardPaths>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -86,11 +85,8 @@ void ExportDialog::build()
 {
     m_segments = new ExportSegments(m_workspace, this);
     m_options = new ExportOptions(m_workspace, this);
-    QString folder = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
-    if (const core::Volume* volume = m_workspace.volume())
-        folder = folderBeside(*volume, folder);
-    m_target = new TargetRow(
-        tr("File"), QStringLiteral("exportFile"), QStringLiteral("export/folder"), folder, this);
+    m_target = new TargetRow(tr("File"), QStringLiteral("exportFile"), exportFolderKey(),
+        suggestedFolder(m_workspace.volume()), this);
     auto* startButton = new QPushButton(tr("Export and check"), this);
     startButton->setObjectName(QStringLiteral("exportStart"));
     m_run = new ExportRun(QStringLiteral("export"), startButton, this);

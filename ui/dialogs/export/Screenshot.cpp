@@ -5,17 +5,14 @@
 
 #include "core/export/common/MaskSelection.h"
 #include "ui/dialogs/export/ExportRun.h"
+#include "ui/dialogs/export/SuggestedTarget.h"
 #include "ui/workspace/Workspace.h"
 
 #include <QBuffer>
-#include <QDir>
 #include <QFile>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QImage>
 #include <QPixmap>
-#include <QSettings>
-#include <QStandardPaths>
 #include <QWidget>
 
 namespace ui {
@@ -71,26 +68,25 @@ core::Result<core::ExportReport> savePicture(
 QString askAndSavePicture(Workspace& workspace, QWidget& window)
 {
     const QImage picture = window.grab().toImage();
-    const QString folderKey = QStringLiteral("export/folder");
-    const QString documents = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
-    const QDir folder(QSettings().value(folderKey, documents).toString());
     const bool isDicom =
         workspace.volume() && core::dicomSegObstacle(*workspace.volume()).isEmpty();
     const QString png = QObject::tr("PNG picture (*.png)");
     const QString dicom = QObject::tr("DICOM Secondary Capture, of this patient (*.dcm)");
-    QString kind;
-    QString file = QFileDialog::getSaveFileName(&window, QObject::tr("Save picture of the window"),
-        folder.filePath(QStringLiteral("burin.png")),
-        isDicom ? png + QStringLiteral(";;") + dicom : png, &kind);
-    if (file.isEmpty())
+    const auto chosen =
+        askForTarget({.title = QObject::tr("Save picture of the window"),
+                         .of = QObject::tr("window"),
+                         .ending = QStringLiteral(".png"),
+                         .filter = isDicom ? png + QStringLiteral(";;") + dicom : png},
+            workspace.volume(), &window);
+    if (!chosen)
         return {};
+    QString file = chosen->file;
     // The kind counts where the name was left as it was suggested.
-    if (kind == dicom && file.endsWith(QLatin1String(".png"), Qt::CaseInsensitive)) {
+    if (chosen->filter == dicom && file.endsWith(QLatin1String(".png"), Qt::CaseInsensitive)) {
         file = file.chopped(4) + QStringLiteral(".dcm");
         if (QFileInfo::exists(file) && !mayReplace(file, &window))
             return {};
     }
-    QSettings().setValue(folderKey, QFileInfo(file).absolutePath());
     const auto saved = savePicture(picture, workspace.volume(), file);
     if (!saved) {
         workspace.fail(saved.error());

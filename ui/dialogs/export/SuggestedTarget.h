@@ -6,7 +6,10 @@
 
 #include <QString>
 
+#include <optional>
 #include <vector>
+
+class QWidget;
 
 namespace ui {
 
@@ -22,8 +25,46 @@ namespace ui {
 [[nodiscard]] QString exportName(
     const core::StudyIdentity& identity, const std::vector<core::Segment>& segments, bool dated);
 
+/// Like the other one, for what is not made of chosen segments.
+/// @param of what is written: "carved"; may be empty
+[[nodiscard]] QString exportName(
+    const core::StudyIdentity& identity, const QString& of, bool dated);
+
 /// Creates the folder of a file if it is the one that folderBeside() suggests. Any other missing
 /// folder is left to the user, since its name may be a typing error.
-void makeFolderBeside(const core::Volume& volume, const QString& file);
+/// @return whether it was missing and is there now
+bool makeFolderBeside(const core::Volume& volume, const QString& file);
+
+/// folderBeside(), or the user's documents where there is none or no volume.
+[[nodiscard]] QString suggestedFolder(const core::Volume* volume);
+
+/// The key in the settings of the folder that all exports share.
+[[nodiscard]] QString exportFolderKey();
+/// The folder that the user chose last instead of the suggested one, else that one.
+[[nodiscard]] QString rememberedFolder(const QString& key, const QString& suggested);
+/// Remembers the folder of a file for the next time, unless it is suggested anyway: the suggested
+/// one may differ from study to study.
+void rememberFolder(const QString& key, const QString& suggested, const QString& file);
+
+/// A file to write, for which a file dialog asks.
+struct TargetQuestion {
+    QString title; ///< of the dialog
+    QString of; ///< what is written: "carved"
+    QString ending; ///< of the suggested name: ".csv"
+    QString filter; ///< as for QFileDialog; the first ending in each part completes a name without
+};
+
+/// The file that was chosen, and the part of the filter that was.
+struct ChosenTarget {
+    QString file;
+    QString filter;
+};
+
+/// Asks for a file, which is named after the study and lies in the folder that all exports share.
+/// The folder beside the study is there once a file in it was chosen. The user was asked whether
+/// an existing file is to be replaced. None: the user chose none.
+/// @param volume null: no study is open. Is not used any more once the dialog is shown.
+[[nodiscard]] std::optional<ChosenTarget> askForTarget(
+    const TargetQuestion& question, const core::Volume* volume, QWidget* parent);
 
 } // namespace ui

@@ -2,6 +2,7 @@
 #include "ui/dialogs/export/TargetRow.h"
 
 #include "ui/base/Theme.h"
+#include "ui/dialogs/export/SuggestedTarget.h"
 
 #include <QDir>
 #include <QFileDialog>
@@ -10,7 +11,6 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
-#include <QSettings>
 
 namespace ui {
 
@@ -53,19 +53,14 @@ void TargetRow::setPath(const QString& path)
 
 void TargetRow::setName(const QString& name)
 {
-    const QString folder = path().isEmpty() ? QSettings().value(m_folderKey, m_folder).toString()
-                                            : QFileInfo(path()).path();
+    const QString folder =
+        path().isEmpty() ? rememberedFolder(m_folderKey, m_folder) : QFileInfo(path()).path();
     setPath(QDir(folder).filePath(name));
 }
 
 void TargetRow::remember() const
 {
-    // The offered one may differ from study to study, and is offered again.
-    const QString chosen = QFileInfo(path()).absolutePath();
-    if (chosen == QFileInfo(m_folder).absoluteFilePath())
-        QSettings().remove(m_folderKey);
-    else
-        QSettings().setValue(m_folderKey, chosen);
+    rememberFolder(m_folderKey, m_folder, path());
 }
 
 void TargetRow::browse()

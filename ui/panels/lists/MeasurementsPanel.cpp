@@ -4,11 +4,11 @@
 #include "core/edits/kinds/views/Measurements.h"
 #include "core/export/MeasurementsCsv.h"
 #include "ui/base/Theme.h"
+#include "ui/dialogs/export/SuggestedTarget.h"
 #include "ui/measure/MeasureTexts.h"
 #include "ui/overlays/MeasurementLines.h"
 #include "ui/workspace/Workspace.h"
 
-#include <QFileDialog>
 #include <QHBoxLayout>
 #include <QListWidget>
 #include <QPushButton>
@@ -188,10 +188,13 @@ void MeasurementsPanel::removeSelected()
 
 void MeasurementsPanel::save()
 {
-    const QString file = QFileDialog::getSaveFileName(
-        this, tr("Save measurements"), QStringLiteral("measurements.csv"), tr("Tables (*.csv)"));
-    if (!file.isEmpty())
-        saveAs(file);
+    const auto chosen = askForTarget({.title = tr("Save measurements"),
+                                         .of = tr("measurements"),
+                                         .ending = QStringLiteral(".csv"),
+                                         .filter = tr("Tables (*.csv)")},
+        m_workspace.volume(), this);
+    if (chosen)
+        saveAs(chosen->file);
 }
 
 void MeasurementsPanel::saveAs(const QString& file)

@@ -9,6 +9,7 @@
 #include "ui/base/RowTitleText.h"
 #include "ui/base/SmallLabel.h"
 #include "ui/base/Theme.h"
+#include "ui/dialogs/export/SuggestedTarget.h"
 #include "ui/menus/EditableButton.h"
 #include "ui/panels/refine/DoubtsSection.h"
 #include "ui/widgets/fields/NumberField.h"
@@ -17,7 +18,6 @@
 
 #include <QCheckBox>
 #include <QComboBox>
-#include <QFileDialog>
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -334,10 +334,18 @@ void RefinePanel::askWhereToSave()
     QStringList patterns;
     for (const QString& ending : core::surfaceFileEndings())
         patterns += QStringLiteral("*.") + ending;
-    const QString path = QFileDialog::getSaveFileName(this, tr("Save surface"),
-        QStringLiteral("surface.stl"), tr("Surfaces (%1)").arg(patterns.join(u' ')));
-    if (!path.isEmpty())
-        save(path);
+    const core::EditSession* session = m_workspace.session();
+    const std::optional<core::RefinedSurface> surface = m_workspace.refinement().surface();
+    const core::Segment* segment =
+        session && surface ? session->document().segment(surface->segment) : nullptr;
+    const auto chosen =
+        askForTarget({.title = tr("Save surface"),
+                         .of = segment ? tr("%1 surface").arg(segment->name) : tr("surface"),
+                         .ending = QStringLiteral(".stl"),
+                         .filter = tr("Surfaces (%1)").arg(patterns.join(u' '))},
+            m_workspace.volume(), this);
+    if (chosen)
+        save(chosen->file);
 }
 
 void RefinePanel::save(const QString& path)

@@ -2,16 +2,23 @@
 #include "ui/dialogs/export/CarvedExportDialog.h"
 
 #include "tests/support/faults/FailingLog.h"
+#include "tests/support/fixtures/ApplicationFixture.h"
 #include "tests/support/fixtures/WindowFixture.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/SmallStudy.h"
+#include "ui/dialogs/export/Screenshot.h"
+#include "ui/panels/lists/MeasurementsPanel.h"
+#include "ui/panels/refine/RefinePanel.h"
+#include "ui/report/AuditSaver.h"
 
 #include <QDir>
+#include <QFileDialog>
 #include <QFileInfo>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
 #include <QRadioButton>
+#include <QSettings>
 #include <QTemporaryDir>
 #include <QtTest>
 
@@ -58,12 +65,13 @@ private Q_SLOTS:
         QVERIFY(QDir(folder.path()).isEmpty());
 
         coverage->click();
-        QVERIFY(target->text().endsWith(QStringLiteral("coverage.nii.gz")));
+        QVERIFY(target->text().endsWith(QStringLiteral("Sculpt 1 coverage.nii.gz")));
         const QSignalSpy exported(&dialog, &ui::CarvedExportDialog::exported);
         QTest::mouseClick(start, Qt::LeftButton);
         QTRY_VERIFY(ended());
         QCOMPARE(exported.size(), 1);
-        QVERIFY(QFileInfo::exists(folder.filePath(QStringLiteral("coverage.nii.gz"))));
+        QVERIFY(QFileInfo::exists(target->text()));
+        QCOMPARE(QFileInfo(target->text()).path(), folder.path());
         QVERIFY(report->isVisible() && report->text().contains(QStringLiteral("Sculpt 1")));
         QVERIFY(report->text().contains(QStringLiteral("SHA-256")));
         // The dialog has grown: all of it is seen.
@@ -73,6 +81,63 @@ private Q_SLOTS:
         if (!pictures.isEmpty())
             QVERIFY(
                 dialog.grab().save(QDir(pictures).filePath(QStringLiteral("carved-export.png"))));
+    }
+
+    /// What other dialogs and panels write is offered as the export of segments is: beside the
+    /// study, and named after it.
+    void everyOfferIsNamedAfterTheStudy()
+    {
+        QSettings().remove(QStringLiteral("export/folder"));
+        QApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
+        const QTemporaryDir place;
+        core::LoadedVolume study = test::smallStudy();
+        study.volume.sourcePath = place.filePath(QStringLiteral("study"));
+        study.volume.identity.patientName = QStringLiteral("DOE^JANE");
+        study.volume.identity.modality = QStringLiteral("CT");
+        study.volume.identity.studyDate = QStringLiteral("2026-11-20");
+        study.volume.identity.seriesNumber = QStringLiteral("3");
+        test::WindowFixture fixture(std::move(study));
+        fixture.apply(test::drillAt(0));
+        const QString beside = place.filePath(QStringLiteral("Burin exports"));
+        const auto offer = [&beside](const char* of) {
+            return QStringLiteral("%1/CT 2026-11-20 series 3 - %2").arg(beside, QLatin1String(of));
+        };
+
+        ui::CarvedExportDialog carved(fixture.workspace);
+        auto* target = carved.findChild<QLineEdit*>(QStringLiteral("carvedTarget"));
+        QCOMPARE(target->text(), offer("carved.nii.gz"));
+        carved.findChild<QRadioButton*>(QStringLiteral("carvedCoverage"))->click();
+        QCOMPARE(target->text(), offer("Sculpt 1 coverage.nii.gz"));
+        QVERIFY(!QFileInfo::exists(beside)); // not before it is needed
+        carved.findChild<QPushButton*>(QStringLiteral("carvedStart"))->click();
+        QTRY_VERIFY((fixture.session().poll(), !carved.running()));
+        QVERIFY(QFileInfo::exists(offer("Sculpt 1 coverage.nii.gz")));
+        QVERIFY(QDir(beside).removeRecursively());
+
+        QStringList offered;
+        bool takes = false;
+        const test::Dialogs dialogs([&](QWidget& dialog) {
+            auto* choice = qobject_cast<QFileDialog*>(&dialog);
+            if (!choice)
+                return;
+            offered += choice->selectedFiles().value(0);
+            QDialog& asked = *choice;
+            takes ? asked.accept() : asked.reject();
+        });
+        ui::MeasurementsPanel measurements(fixture.workspace);
+        Q_EMIT measurements.findChild<QPushButton*>(QStringLiteral("saveMeasurements"))->clicked();
+        ui::AuditSaver(fixture.workspace, &fixture.window).ask();
+        ui::RefinePanel refine(fixture.workspace);
+        Q_EMIT refine.findChild<QPushButton*>(QStringLiteral("saveSurface"))->clicked();
+        QVERIFY(ui::askAndSavePicture(fixture.workspace, fixture.window).isEmpty());
+        QCOMPARE(offered,
+            (QStringList{offer("measurements.csv"), offer("audit.pdf"), offer("surface.stl"),
+                offer("window.png")}));
+        QVERIFY(!QFileInfo::exists(beside)); // nobody chose it
+        takes = true;
+        QVERIFY(!ui::askAndSavePicture(fixture.workspace, fixture.window).isEmpty());
+        QVERIFY(QFileInfo::exists(offer("window.png")));
+        QVERIFY(!QSettings().contains(QStringLiteral("export/folder")));
     }
 };
 

@@ -419,7 +419,7 @@ private Q_SLOTS:
         QCOMPARE(ui::exportName(identity, all, true),
             text("CT 2026-11-20 series 3 - Grown, Hidden, Empty"));
         QCOMPARE(ui::exportName(identity, {all[0]}, false), text("CT series 3 - Grown"));
-        QCOMPARE(ui::exportName({}, {}, true), text("segmentation"));
+        QCOMPARE(ui::exportName({}, QString(), true), text("segmentation"));
         core::Segment odd = all[0];
         odd.name = text("../a\\b: c*");
         QCOMPARE(ui::exportName({}, {odd}, true), text("___a_b_ c_"));
