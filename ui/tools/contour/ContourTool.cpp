@@ -351,6 +351,8 @@ void ContourTool::showRun()
 
 QString ContourTool::intervalText() const
 {
+    if (!m_run.isOpen() && !m_settings.fromSegment && m_settings.valuesOfBubble)
+        return tr("values as around the bubble");
     const core::Volume& volume = *m_workspace.volume();
     const GrowSettings& growth = m_workspace.growSettings();
     const double span = volume.maximum - volume.minimum;

@@ -486,6 +486,25 @@ private Q_SLOTS:
         QCOMPARE(said.size(), 0);
     }
 
+    /// The interval of growth is told at the pointer only where a click starts with it.
+    void thePointerTellsWhatCounts()
+    {
+        Fixture fixture;
+        fixture.hoverWith({});
+        const auto shown = [&fixture](double lower, bool ofBubble) {
+            ui::ContourTool::Settings settings = fixture.tool.settings();
+            settings.valuesOfBubble = ofBubble;
+            fixture.tool.setSettings(settings);
+            ui::GrowSettings growth = fixture.workspace.growSettings();
+            growth.lower = lower;
+            fixture.workspace.setGrowSettings(growth);
+            QCoreApplication::processEvents();
+            return fixture.view.grab().toImage();
+        };
+        QVERIFY(shown(-100.0, false) != shown(-50.0, false));
+        QCOMPARE(shown(-100.0, true), shown(-50.0, true));
+    }
+
     /// Where there is no segment one is made when the contour is accepted, and not before.
     void noSegmentIsLeft()
     {
