@@ -10,13 +10,41 @@
 #include <QLabel>
 #include <QPixmap>
 #include <QSignalBlocker>
+#include <QStyleOptionComboBox>
+#include <QStylePainter>
 
 namespace ui {
+
+namespace {
+
+/// Ends a name that is too long with "…", where Qt cuts it.
+class SegmentBox : public QComboBox {
+public:
+    using QComboBox::QComboBox;
+
+protected:
+    void paintEvent(QPaintEvent* /*event*/) override
+    {
+        QStylePainter painter(this);
+        QStyleOptionComboBox option;
+        initStyleOption(&option);
+        const QRect field = style()->subControlRect(
+            QStyle::CC_ComboBox, &option, QStyle::SC_ComboBoxEditField, this);
+        constexpr int gapPixels = 8; // between the swatch and the name, and behind it
+        const int swatch = option.currentIcon.isNull() ? 0 : option.iconSize.width();
+        option.currentText = fontMetrics().elidedText(
+            option.currentText, Qt::ElideRight, field.width() - swatch - gapPixels);
+        painter.drawComplexControl(QStyle::CC_ComboBox, option);
+        painter.drawControl(QStyle::CE_ComboBoxLabel, option);
+    }
+};
+
+} // namespace
 
 SeedOptions::SeedOptions(Workspace& workspace, const QString& label, QWidget* parent)
     : QWidget(parent)
     , m_workspace(workspace)
-    , m_segments(new QComboBox(this))
+    , m_segments(new SegmentBox(this))
 {
     m_segments->setObjectName(QStringLiteral("seedSegment"));
     m_segments->setFixedHeight(theme::controlHeight);

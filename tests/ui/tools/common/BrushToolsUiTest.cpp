@@ -12,6 +12,7 @@
 #include "tests/support/fixtures/WorkspaceFixture.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/PlainEdits.h"
+#include "ui/tools/common/SeedOptions.h"
 #include "ui/tools/growth/PaintTool.h"
 #include "ui/tools/sculpt/CarveBrushTool.h"
 #include "ui/views/ViewGrid.h"
@@ -21,6 +22,7 @@
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QJsonDocument>
+#include <QStyleOptionComboBox>
 #include <QToolButton>
 #include <QtTest>
 
@@ -913,6 +915,36 @@ private Q_SLOTS:
         QCOMPARE(*edit.upper, 100.0);
         QVERIFY(edit.overwriteUnlocked);
         QVERIFY(edit.path.shape == BrushPath::Shape::Ball);
+    }
+
+    /// The name of a segment that is too long for the options ends with "…", not within a letter.
+    void aLongNameEndsWithDots()
+    {
+        BrushFixture fixture(Brush::Paint);
+        ui::SeedOptions options(fixture.workspace, {});
+        options.resize(options.sizeHint());
+        auto* box = options.findChild<QComboBox*>(QStringLiteral("seedSegment"));
+        const auto drawn = [box](const QString& name) {
+            box->setItemText(box->currentIndex(), name);
+            return box->grab().toImage();
+        };
+        const QString name = QStringLiteral("Superior mesenteric artery with its branches");
+        QVERIFY(box->itemIcon(box->currentIndex()).isNull());
+        const QImage whole = drawn(name);
+        QStyleOptionComboBox option;
+        option.initFrom(box);
+        const int room =
+            box->style()
+                ->subControlRect(QStyle::CC_ComboBox, &option, QStyle::SC_ComboBoxEditField, box)
+                .width()
+            - 4; // "a new segment" has no swatch
+        bool isDotted = false;
+        for (int length = 4; length < name.size() && !isDotted; ++length) {
+            const QString part = name.left(length) + QChar(0x2026);
+            const bool isWhole = box->fontMetrics().horizontalAdvance(part) <= room;
+            isDotted = isWhole && drawn(part) == whole;
+        }
+        QVERIFY(isDotted);
     }
 };
 
