@@ -3,7 +3,7 @@
 
 #include "core/base/ParallelFor.h"
 #include "core/morphology/StageCounter.h"
-#include "core/morphology/planes/PlaneShape.h"
+#include "core/morphology/planes/SketchedShape.h"
 #include "core/volume/MemoryLimit.h"
 
 #include <algorithm>
@@ -46,7 +46,7 @@ public:
         parallelFor(int(m_shapes.size()), [&](int number) {
             const auto at = std::size_t(number);
             if (!progress.cancelled())
-                m_shapes[at] = planeShape(sketch, at, labels, size, label);
+                m_shapes[at] = sketchedShape(sketch, at, labels, size, label);
         });
         for (std::size_t one = 0; one < m_shapes.size(); ++one) {
             if (m_shapes[one].rows.empty())
@@ -63,7 +63,7 @@ public:
 
     [[nodiscard]] const std::vector<std::size_t>& drawn() const { return m_drawn; }
     [[nodiscard]] std::int64_t reach() const { return m_reach; }
-    [[nodiscard]] const PlaneShape& shape(std::size_t plane) const { return m_shapes[plane]; }
+    [[nodiscard]] const SketchedShape& shape(std::size_t plane) const { return m_shapes[plane]; }
     [[nodiscard]] const Plane& plane(std::size_t plane) const { return m_sketch.planes[plane]; }
     [[nodiscard]] const Meeting& meeting(std::size_t one, std::size_t other) const
     {
@@ -95,7 +95,7 @@ private:
         Extent extent;
         const Meeting& meeting = m_sketch.meeting(one, other);
         bool isFirst = true;
-        for (const PlaneShape::Row& row : m_shapes[one].rows) {
+        for (const SketchedShape::Row& row : m_shapes[one].rows) {
             for (const int x : {row.first, row.last}) {
                 const glm::i64vec2 place = glm::i64vec2(x, row.y) * plane(one).pitch;
                 const std::int64_t distance = fromLine(meeting, place.x, place.y);
@@ -108,7 +108,7 @@ private:
     }
 
     const PlaneSketch& m_sketch;
-    std::vector<PlaneShape> m_shapes;
+    std::vector<SketchedShape> m_shapes;
     std::vector<Extent> m_extents; ///< as the sketch's meetings
     std::vector<std::size_t> m_drawn;
     std::int64_t m_reach = 0;
@@ -306,7 +306,7 @@ private:
     template <class Visit> void atCorners(std::size_t plane, const Visit& visit) const
     {
         const glm::dvec2 pitch(m_shapes.plane(plane).pitch);
-        for (const PlaneShape::Row& row : m_shapes.shape(plane).rows) {
+        for (const SketchedShape::Row& row : m_shapes.shape(plane).rows) {
             for (const int x : {row.first - 1, row.last + 1}) {
                 visit(glm::dvec3(x * pitch.x, (row.y - 1) * pitch.y, 0.0));
                 visit(glm::dvec3(x * pitch.x, (row.y + 1) * pitch.y, 0.0));
@@ -471,7 +471,7 @@ std::vector<bool> drawnAsWhole(std::span<const std::uint8_t> labels, const glm::
     std::vector<std::uint8_t> whole(sketch.planes.size(), 0); // a byte each, for several threads
     parallelFor(int(whole.size()), [&](int number) {
         const auto at = std::size_t(number);
-        const PlaneShape shape = planeShape(sketch, at, labels, size, label);
+        const SketchedShape shape = sketchedShape(sketch, at, labels, size, label);
         whole[at] = !shape.rows.empty() && sharedPerOwn * shape.ownPixels >= shape.sharedPixels;
     });
     return {whole.begin(), whole.end()};

@@ -20,7 +20,7 @@ namespace core {
 // 1. Shapes. What was drawn on a plane are the pixels of it under which the label is
 //    (voxelUnder()). A part (pixels that touch at sides or corners) of which every pixel also lies
 //    on another plane is left out. Each pixel has a signed distance to the border, greater than 0
-//    inside (PlaneShape::at() blends them between pixels). No distance counts for less than
+//    inside (SketchedShape::at() blends them between pixels). No distance counts for less than
 //    -`reach`, the longest side of a part on any plane, at least eight pixels; beyond the pixels it
 //    is -reach.
 // 2. Hidden planes. A voxel sees a plane at its foot, the nearest place there, at the height h (at

@@ -2,7 +2,7 @@
 #include "core/morphology/planes/BetweenPlanes.h"
 
 #include "core/edits/kinds/filling/SketchPlanes.h"
-#include "core/morphology/planes/PlaneShape.h"
+#include "core/morphology/planes/SketchedShape.h"
 #include "core/volume/VolumeGeometry.h"
 #include "tests/reference/filling/BetweenPlanes.h"
 #include "tests/support/faults/FailingLog.h"

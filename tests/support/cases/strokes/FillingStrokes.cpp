@@ -86,7 +86,7 @@ void addSplits(
     large.mm3 = 1.5 * geometry.voxelVolumeMm3();
     core::SplitIslands within = islands;
     within.editable = core::EditableRange{.box = core::GrowBox{geometry.toWorld({0.0, 0.0, 0.0}),
-                                               geometry.toWorld({16.0, 99.0, 99.0})}};
+                                              geometry.toWorld({16.0, 99.0, 99.0})}};
     cases.push_back({"split islands within limits", volume, after({}), within});
     cases.push_back({"split islands into segments", volume, after({}), islands});
     cases.push_back({"split one island off", volume, after({}), named});

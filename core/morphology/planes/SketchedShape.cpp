@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/morphology/planes/PlaneShape.h"
+#include "core/morphology/planes/SketchedShape.h"
 
 #include "core/morphology/SliceDistances.h"
 #include "core/morphology/SliceParts.h"
@@ -62,9 +62,9 @@ public:
     [[nodiscard]] std::int64_t ownPixels() const { return m_ownPixels; }
     [[nodiscard]] std::int64_t sharedPixels() const { return m_sharedPixels; }
     [[nodiscard]] const glm::ivec2& size() const { return m_mask.size; }
-    [[nodiscard]] std::vector<PlaneShape::Row> rows() const
+    [[nodiscard]] std::vector<SketchedShape::Row> rows() const
     {
-        std::vector<PlaneShape::Row> rows;
+        std::vector<SketchedShape::Row> rows;
         for (int y = 0; y < m_mask.size.y; ++y) {
             const auto begin = m_mask.pixels.begin() + std::ptrdiff_t(m_mask.indexOf({0, y}));
             const auto end = begin + m_mask.size.x;
@@ -173,7 +173,7 @@ std::optional<glm::ivec3> voxelUnder(
     return voxel;
 }
 
-std::int64_t PlaneShape::at(const PlaneSketch::Plane& plane, std::int64_t right, std::int64_t up,
+std::int64_t SketchedShape::at(const PlaneSketch::Plane& plane, std::int64_t right, std::int64_t up,
     std::int64_t outside) const
 {
     constexpr int bits = 8;
@@ -194,11 +194,11 @@ std::int64_t PlaneShape::at(const PlaneSketch::Plane& plane, std::int64_t right,
     return (below * (whole - beyondY) + above * beyondY) >> (2 * bits);
 }
 
-PlaneShape planeShape(const PlaneSketch& sketch, std::size_t plane,
+SketchedShape sketchedShape(const PlaneSketch& sketch, std::size_t plane,
     std::span<const std::uint8_t> labels, const glm::ivec3& size, std::uint8_t label)
 {
     const Drawn drawn(sketch, plane, labels, size, label);
-    PlaneShape shape{.begin = sketch.planes[plane].begin,
+    SketchedShape shape{.begin = sketch.planes[plane].begin,
         .size = drawn.size(),
         .ownPixels = drawn.ownPixels(),
         .sharedPixels = drawn.sharedPixels()};

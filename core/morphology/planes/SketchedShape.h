@@ -48,7 +48,7 @@ namespace planeArithmetic {
     const PlaneSketch::Plane& plane, const glm::ivec2& pixel, const glm::ivec3& size);
 
 /// What was drawn on one plane.
-struct PlaneShape {
+struct SketchedShape {
     /// A row of pixels in which something was drawn, with its first and last such pixel.
     struct Row {
         int y = 0;
@@ -73,7 +73,7 @@ struct PlaneShape {
 };
 /// Parts of the shape that only consist of voxels on other planes are left out: they are where what
 /// was drawn there passes through this one.
-[[nodiscard]] PlaneShape planeShape(const PlaneSketch& sketch, std::size_t plane,
+[[nodiscard]] SketchedShape sketchedShape(const PlaneSketch& sketch, std::size_t plane,
     std::span<const std::uint8_t> labels, const glm::ivec3& size, std::uint8_t label);
 
 } // namespace core
