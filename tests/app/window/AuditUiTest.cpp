@@ -4,6 +4,7 @@
 #include "core/session/SessionStorage.h"
 #include "core/sessionfile/SessionFile.h"
 #include "tests/support/faults/FailingLog.h"
+#include "tests/support/fixtures/ApplicationFixture.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/CutEdits.h"
 #include "tests/support/scenes/PlainEdits.h"
@@ -96,7 +97,7 @@ private:
     }
     [[nodiscard]] bool waitUntilDrawn()
     {
-        return wait([this] { return session().idle() && window().views().refined(); });
+        return test::waitUntilDrawn(window(), m_application->workspace(), patience);
     }
     /// From where the 3D view looks, at a part of its height right of and above the middle.
     [[nodiscard]] core::Edit drill(double right, double up)
