@@ -87,12 +87,14 @@ void Application::follow()
         &Application::openDemonstration);
     connect(&m_window->opener(), &ui::StudyOpener::loaded, this, &Application::openStudy);
     connect(&m_window->opener(), &ui::StudyOpener::sessionLoaded, this, &Application::openSession);
-    // Who comes back from a file manager may have renamed the session's file there.
-    connect(
-        qApp, &QGuiApplication::applicationStateChanged, this, [this](Qt::ApplicationState now) {
-            if (now == Qt::ApplicationActive && m_workspace->session())
-                m_workspace->session()->storage().retryWriting();
-        });
+    // The session notices that another program has renamed or deleted its file when it writes.
+    constexpr std::chrono::seconds betweenLooks{5};
+    auto* look = new QTimer(this);
+    connect(look, &QTimer::timeout, this, [this] {
+        if (m_workspace->session())
+            m_workspace->session()->storage().retryWriting();
+    });
+    look->start(betweenLooks);
     new LostContext(
         *m_window, [this] { return makeRoom(); }, this);
     m_window->offerSessionsIn(sessionFolder());

@@ -71,7 +71,9 @@ private Q_SLOTS:
         QCOMPARE(session().file(), renamed);
         QCOMPARE(ui::RecentStudies::paths().value(0), renamed);
 
-        // Noticed without a step, too.
+        // Noticed without a step, too, and without the picture that is kept of the last one.
+        QVERIFY(test::waitUntilDrawn(window(), workspace()));
+        QVERIFY(session().settle());
         QVERIFY(QFile::rename(renamed, file));
         QTRY_VERIFY2_WITH_TIMEOUT(
             bar().contains(file + QStringLiteral(": another program renamed or moved")),
