@@ -2,20 +2,9 @@
 #include "core/sculpt/CutFrame.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdlib>
 
 namespace core {
-
-std::int64_t fixedPoint::squareRoot(std::int64_t value)
-{
-    auto root = std::int64_t(std::sqrt(double(value)));
-    while (root * root > value)
-        --root;
-    while ((root + 1) * (root + 1) <= value)
-        ++root;
-    return root;
-}
 
 CutColumn restoringColumn(
     const CutFrame& frame, const SurfaceHit& hit, std::int32_t from, std::int32_t weight)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/base/FixedPoint.h"
 #include "core/base/Result.h"
 #include "core/sculpt/IntegerHalfSpace.h"
 #include "core/sculpt/ProtectedLabels.h"
@@ -146,27 +147,13 @@ struct ElementBox {
     glm::ivec2 maximum{-1};
 };
 
-/// The integer arithmetic of these rules.
 namespace fixedPoint {
 
-/// 2⁻³⁰ to 2⁻¹⁶.
-[[nodiscard]] constexpr std::int64_t round14(std::int64_t value)
-{
-    return (value + (1 << 13)) >> 14;
-}
+/// Each component: 2⁻³⁰ to 2⁻¹⁶.
 [[nodiscard]] inline glm::ivec3 round14(const Fixed3& v)
 {
     return {int(round14(v[0])), int(round14(v[1])), int(round14(v[2]))};
 }
-
-/// Rounds down, for divisors above 0.
-[[nodiscard]] constexpr std::int32_t floorDivide(std::int64_t value, std::int32_t divisor)
-{
-    return std::int32_t(value >= 0 ? value / divisor : -((-value + divisor - 1) / divisor));
-}
-
-/// ⌊√value⌋.
-[[nodiscard]] std::int64_t squareRoot(std::int64_t value);
 
 } // namespace fixedPoint
 

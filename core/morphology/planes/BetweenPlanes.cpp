@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/morphology/planes/BetweenPlanes.h"
 
+#include "core/base/FixedPoint.h"
 #include "core/base/ParallelFor.h"
 #include "core/morphology/StageCounter.h"
 #include "core/morphology/planes/SketchedShape.h"
@@ -16,9 +17,9 @@ namespace core {
 
 namespace {
 
-using planeArithmetic::floorDivide;
-using planeArithmetic::round14;
-using planeArithmetic::round30;
+using fixedPoint::floorDivide;
+using fixedPoint::round14;
+using fixedPoint::round30;
 using Plane = PlaneSketch::Plane;
 using Meeting = PlaneSketch::Meeting;
 
@@ -235,7 +236,7 @@ private:
         const Meeting& meeting = m_shapes.meeting(one.plane, other.plane);
         const std::int64_t foot = other.side * fromLine(meeting, one.right, one.up);
         const std::int64_t radius =
-            planeArithmetic::squareRoot(foot * foot + one.height * one.height);
+            fixedPoint::squareRoot(foot * foot + one.height * one.height);
         const std::int64_t way = other.side * (radius - foot);
         return m_shapes.distanceAt(one.plane, one.right + round30(way * meeting.away[0]),
             one.up + round30(way * meeting.away[1]));

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/morphology/planes/SketchedShape.h"
 
+#include "core/base/FixedPoint.h"
 #include "core/morphology/SliceDistances.h"
 #include "core/morphology/SliceParts.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdlib>
 #include <limits>
 
@@ -84,7 +84,7 @@ public:
         std::vector<std::int32_t> distances;
         distances.reserve(m_mask.pixels.size());
         for (const std::int64_t square : signedSquares(m_mask, m_steps)) {
-            const auto root = std::int32_t(planeArithmetic::squareRoot(std::abs(square)));
+            const auto root = std::int32_t(fixedPoint::squareRoot(std::abs(square)));
             distances.push_back(square > 0 ? root : -root);
         }
         return distances;
@@ -130,16 +130,6 @@ private:
 
 } // namespace
 
-std::int64_t planeArithmetic::squareRoot(std::int64_t value)
-{
-    auto root = std::int64_t(std::sqrt(double(value)));
-    while (root * root > value)
-        --root;
-    while ((root + 1) * (root + 1) <= value)
-        ++root;
-    return root;
-}
-
 PlaneSketch::Fixed3 placeOf(const PlaneSketch::Plane& plane, const glm::ivec3& voxel)
 {
     PlaneSketch::Fixed3 place = plane.origin;
@@ -153,11 +143,11 @@ PlaneSketch::Fixed3 placeOf(const PlaneSketch::Plane& plane, const glm::ivec3& v
 std::optional<glm::ivec3> voxelUnder(
     const PlaneSketch::Plane& plane, const glm::ivec2& pixel, const glm::ivec3& size)
 {
-    using planeArithmetic::floorDivide;
+    using fixedPoint::floorDivide;
     glm::ivec3 voxel(0);
     const std::array<int, 2> across = axesAcross(plane);
     for (std::size_t each = 0; each < 2; ++each) {
-        const std::int64_t index = planeArithmetic::round30(plane.column.at(each)
+        const std::int64_t index = fixedPoint::round30(plane.column.at(each)
             + pixel.x * plane.columnPerRight.at(each) + pixel.y * plane.columnPerUp.at(each));
         if (index < 0 || index >= size[across.at(each)])
             return std::nullopt;
@@ -178,8 +168,8 @@ std::int64_t SketchedShape::at(const PlaneSketch::Plane& plane, std::int64_t rig
 {
     constexpr int bits = 8;
     constexpr std::int64_t whole = std::int64_t(1) << bits;
-    const std::int64_t x = planeArithmetic::floorDivide(right * whole, plane.pitch.x);
-    const std::int64_t y = planeArithmetic::floorDivide(up * whole, plane.pitch.y);
+    const std::int64_t x = fixedPoint::floorDivide(right * whole, plane.pitch.x);
+    const std::int64_t y = fixedPoint::floorDivide(up * whole, plane.pitch.y);
     const std::int64_t column = (x >> bits) - begin.x;
     const std::int64_t row = (y >> bits) - begin.y;
     if (column < 0 || row < 0 || column + 1 >= size.x || row + 1 >= size.y)

@@ -12,28 +12,6 @@
 
 namespace core {
 
-namespace planeArithmetic {
-
-/// From units · 2¹⁴ to units, halves up.
-[[nodiscard]] constexpr std::int64_t round14(std::int64_t value)
-{
-    return (value + (std::int64_t(1) << 13)) >> 14;
-}
-/// From · 2³⁰ to whole numbers, halves up.
-[[nodiscard]] constexpr std::int64_t round30(std::int64_t value)
-{
-    return (value + (std::int64_t(1) << 29)) >> 30;
-}
-/// Rounded down. @pre @p divisor is greater than 0
-[[nodiscard]] constexpr std::int64_t floorDivide(std::int64_t value, std::int64_t divisor)
-{
-    return value / divisor - (value % divisor < 0 ? 1 : 0);
-}
-/// ⌊√value⌋ of a number of at most 2⁶².
-[[nodiscard]] std::int64_t squareRoot(std::int64_t value);
-
-} // namespace planeArithmetic
-
 /// Coordinates of a voxel relative to a plane, units · 2¹⁴.
 [[nodiscard]] PlaneSketch::Fixed3 placeOf(const PlaneSketch::Plane& plane, const glm::ivec3& voxel);
 /// Whether a plane takes this voxel of its column, by the voxel's height, units · 2¹⁴.

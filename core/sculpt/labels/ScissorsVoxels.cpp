@@ -156,8 +156,8 @@ private:
     [[nodiscard]] bool isReached(const glm::ivec3& place) const
     {
         const OutlineRaster& mask = m_scissors.mask;
-        const int a = floorDivide(place.x, m_scissors.frame.pitch) - mask.first.x;
-        const int b = floorDivide(place.y, m_scissors.frame.pitch) - mask.first.y;
+        const int a = int(floorDivide(place.x, m_scissors.frame.pitch)) - mask.first.x;
+        const int b = int(floorDivide(place.y, m_scissors.frame.pitch)) - mask.first.y;
         if (a < 0 || b < 0 || a >= mask.size.x || b >= mask.size.y)
             return false;
         const std::int32_t reach =
