@@ -136,6 +136,25 @@ private Q_SLOTS:
         QVERIFY(history.done[QStringLiteral("smoothed")] > 0);
     }
 
+    /// What was drawn on planes that cross, in histories of their own.
+    void withPlanesThatCross_data()
+    {
+        QTest::addColumn<uint>("seed");
+        const bool isLong = qEnvironmentVariableIsSet("BURIN_LONG");
+        for (uint seed = 401; seed < (isLong ? 413u : 402u); ++seed)
+            QTest::addRow("seed %u", seed) << seed;
+    }
+    void withPlanesThatCross()
+    {
+        QFETCH(uint, seed);
+        reference::ReferenceEngine engine;
+        test::RandomHistory history = test::runRandomHistory(
+            engine, 150, seed, {}, {.limited = seed % 2 == 0, .crossing = true});
+        QVERIFY2(history.failure.isEmpty(), qPrintable(history.failure));
+        qInfo("between planes: %d", history.done[QStringLiteral("between planes")]);
+        QVERIFY(history.done[QStringLiteral("between planes")] > 0);
+    }
+
 private:
     std::map<QString, int> m_done;
     int m_grownInPlanes = 0; ///< in all of them

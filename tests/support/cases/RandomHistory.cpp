@@ -218,6 +218,9 @@ private:
         const auto* growth = edit.as<GrowSteps>();
         if (isRow && growth && growth->criteria.smoothing.value_or(false))
             ++m_result.done[QStringLiteral("smoothed")];
+        const auto* filling = edit.as<FillBetweenSlices>();
+        if (isRow && filling && filling->planes)
+            ++m_result.done[QStringLiteral("between planes")];
         if (isRow && inFurtherPlane)
             ++m_result.done[kind + inPlanes];
         const bool counted = edit.is<Annotate>() || edit.is<MoveMeasurement>();
@@ -559,7 +562,8 @@ private:
             return randomOutline(any(document.segments).label);
         if (m_session->history().rows().size() % 8 == 5)
             return randomReshape(document);
-        if (m_session->history().rows().size() % 8 == 1) {
+        if (m_session->history().rows().size() % 8 == 1
+            || (m_draws.crossing && m_session->history().rows().size() % 2 == 0)) {
             if (const std::optional<FillBetweenSlices> filling = randomBetween(document))
                 return *filling;
         }
@@ -577,7 +581,8 @@ private:
             if (const std::optional<SplitIslands> split = randomIslands(document))
                 return *split;
         }
-        if (m_session->history().rows().size() % 64 == (m_draws.limited ? 20 : 52) && document.segments.size() < 7)
+        if (m_session->history().rows().size() % 64 == (m_draws.limited ? 20 : 52)
+            && document.segments.size() < 7)
             return randomCurveSplit(document);
         if (m_session->history().rows().size() % 32 == 20 && document.segments.size() < 7)
             return randomSplit(document);
@@ -1031,18 +1036,22 @@ private:
         const int back = between(-9, 9);
         split.normalLps = {right, back, between(1, 9)};
         split.into = {.name = randomName(), .rgb = 0x907080};
-        const std::vector<std::uint8_t> labels = labelsBeside(split.segment);
+        split.placeLps = geometry.toWorld(glm::dvec3(voxelOf(split.segment, geometry.size)));
+        return split;
+    }
+    /// One of a segment, or the middle one of the volume if it has none.
+    glm::ivec3 voxelOf(int segment, const glm::ivec3& size)
+    {
+        const std::vector<std::uint8_t> labels = labelsBeside(segment);
         std::vector<std::size_t> own;
         for (std::size_t voxel = 0; voxel < labels.size(); ++voxel) {
-            if (labels[voxel] == split.segment)
+            if (labels[voxel] == segment)
                 own.push_back(voxel);
         }
         const std::size_t voxel = own.empty() ? labels.size() / 2 : any(own);
-        const auto columns = std::size_t(geometry.size.x);
-        const auto rows = std::size_t(geometry.size.y);
-        split.placeLps = geometry.toWorld(
-            glm::dvec3(voxel % columns, voxel / columns % rows, voxel / columns / rows));
-        return split;
+        const auto columns = std::size_t(size.x);
+        const auto rows = std::size_t(size.y);
+        return {int(voxel % columns), int(voxel / columns % rows), int(voxel / columns / rows)};
     }
     /// Through where its voxels are seen, if it has any.
     SplitByCurve randomCurveSplit(const Document& document)
@@ -1073,9 +1082,29 @@ private:
                 0.5 * between(8, 30) + 0.1, 0.5 * between(8, 30) + 0.1});
         return mirror;
     }
+    /// Planes of any direction, and some across the grid's axes, through voxels of a segment. Many
+    /// of them hold all that lies between them already.
+    FillBetweenSlices randomBetweenPlanes(const Document& document)
+    {
+        const VolumeGeometry& geometry = document.volumes.front().geometry;
+        FillBetweenSlices filling{
+            .segment = any(document.segments).label, .planes = std::vector<DrawnPlane>()};
+        for (int count = between(2, 5); count > 0; --count) {
+            const int right = between(-9, 9);
+            const int back = between(-9, 9);
+            glm::dvec3 normal(right, back, between(1, 9));
+            if (chance(40))
+                normal = geometry.direction()[between(0, 2)];
+            filling.planes->push_back(
+                {geometry.toWorld(glm::dvec3(voxelOf(filling.segment, geometry.size))), normal});
+        }
+        return filling;
+    }
     /// Of a segment that has empty slices between others, along any axis.
     std::optional<FillBetweenSlices> randomBetween(const Document& document)
     {
+        if (m_draws.crossing && chance(70))
+            return randomBetweenPlanes(document);
         std::vector<FillBetweenSlices> possible;
         for (const Segment& segment : document.segments) {
             const std::vector<std::uint8_t> labels = labelsBeside(segment.label);

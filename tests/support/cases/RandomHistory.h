@@ -32,6 +32,8 @@ struct RandomDraws {
     bool planes = false;
     /// More growths, most of which compare medians with their interval, counted as "smoothed".
     bool smoothed = false;
+    /// Fillings between named planes of several directions, counted as "between planes".
+    bool crossing = false;
 };
 
 /// @param engine used by nobody else meanwhile; it may refuse memory while the user acts
