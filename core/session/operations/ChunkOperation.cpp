@@ -42,7 +42,8 @@ void DivideOperation::readNext(SessionState& state)
         m_asked = state.engine.submit(*std::move(question));
         return;
     }
-    state.side->post(
+    m_aside.post(
+        *state.side,
         [this, edit = m_edit, geometry = state.document.volumes.front().geometry,
             reader = std::make_shared<LabelReader>(*std::move(m_reader))] {
             const Result<std::vector<std::uint8_t>> map = probabilitiesOf(edit, geometry);
@@ -80,6 +81,15 @@ void DivideOperation::commit(SessionState& state)
     const RowId newest = state.divisionRow();
     if (newest == 0 || !(state.history.row(newest).edit.get<DivideSegment>() == m_edit))
         state.commit(m_edit, {}, {});
+}
+
+bool DivideOperation::abandon(SessionState& state, const Error& error)
+{
+    if (m_done)
+        return false;
+    state.fail(error);
+    m_aside.giveUp([this] { m_done = true; });
+    return true;
 }
 
 void DivideOperation::giveUp(SessionState& state, const Error& error)
@@ -138,7 +148,8 @@ void ToggleChunks::click(SessionState& state, const ChunkMap& map)
 /// Which of the chunks are the segment's already is counted beside.
 void ToggleChunks::relabel(SessionState& state, std::vector<BrickChange> labels)
 {
-    state.side->post(
+    m_aside.post(
+        *state.side,
         [this, clicked = std::make_shared<const ClickedChunks>(*std::move(m_clicked)),
             labels = std::move(labels)] {
             auto relabelled = std::make_shared<RelabelListed>(clicked->relabelled(labels));
@@ -148,6 +159,16 @@ void ToggleChunks::relabel(SessionState& state, std::vector<BrickChange> labels)
         },
         [this](SessionState& known, const Error& error) { m_relabelling.giveUp(known, error); });
     m_clicked.reset();
+}
+
+bool ToggleChunks::abandon(SessionState& state, const Error& error)
+{
+    m_awaited.reset();
+    if (!m_aside.isAway())
+        return m_relabelling.abandon(state, error);
+    state.fail(error);
+    m_aside.giveUp([this] { m_relabelling.drop(); });
+    return true;
 }
 
 void ToggleChunks::takeResult(SessionState& state, EngineResult&& result)

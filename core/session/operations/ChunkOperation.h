@@ -7,6 +7,7 @@
 #include "core/session/operations/Relabelling.h"
 #include "core/session/past/LabelReader.h"
 #include "core/session/state/Operation.h"
+#include "core/session/surface/SideTask.h"
 
 namespace core {
 
@@ -22,6 +23,7 @@ public:
     void start(SessionState& state) override;
     void takeResult(SessionState& state, EngineResult&& result) override;
     [[nodiscard]] bool done() const override { return m_done; }
+    [[nodiscard]] bool abandon(SessionState& state, const Error& error) override;
     [[nodiscard]] bool foresee(Document& document) const override;
 
 private:
@@ -34,6 +36,7 @@ private:
     RowId m_again = 0;
     std::optional<LabelReader> m_reader;
     std::optional<Ticket> m_asked;
+    SideTask m_aside;
     bool m_done = false;
 };
 
@@ -48,6 +51,7 @@ public:
     void takeResult(SessionState& state, EngineResult&& result) override;
     [[nodiscard]] bool awaitsChunks() const override { return m_awaited.has_value(); }
     [[nodiscard]] bool done() const override { return m_relabelling.done(); }
+    [[nodiscard]] bool abandon(SessionState& state, const Error& error) override;
 
 private:
     void click(SessionState& state, const ChunkMap& map);
@@ -58,6 +62,7 @@ private:
     std::optional<RowId> m_awaited; ///< the division whose chunks are not available yet
     std::optional<ClickedChunks> m_clicked;
     std::optional<Ticket> m_asked; ///< for what their bricks hold
+    SideTask m_aside;
     Relabelling m_relabelling;
 };
 

@@ -16,17 +16,28 @@ DocumentOperation::DocumentOperation(Edit edit, RowId again)
 
 void DocumentOperation::start(SessionState& state)
 {
-    m_done = true;
     if (m_again != 0) {
+        m_isCommitting = true;
         state.complete(m_again, {});
-        return;
+    } else {
+        Document after = state.document;
+        const Result<bool> changed = applyToDocument(m_edit, after);
+        m_isCommitting = changed && *changed;
+        if (!changed)
+            state.fail(changed.error());
+        else if (*changed)
+            state.commit(m_edit, {}, {});
     }
-    Document after = state.document;
-    const Result<bool> changed = applyToDocument(m_edit, after);
-    if (!changed)
-        state.fail(changed.error());
-    else if (*changed)
-        state.commit(m_edit, {}, {});
+    m_done = true;
+}
+
+bool DocumentOperation::abandon(SessionState& state, const Error& error)
+{
+    if (m_isCommitting)
+        return false;
+    state.fail(error);
+    m_done = true;
+    return true;
 }
 
 bool DocumentOperation::foresee(Document& document) const

@@ -13,11 +13,13 @@ public:
     explicit DocumentOperation(Edit edit, RowId again = 0);
     void start(SessionState& state) override;
     [[nodiscard]] bool done() const override { return m_done; }
+    [[nodiscard]] bool abandon(SessionState& state, const Error& error) override;
     [[nodiscard]] bool foresee(Document& document) const override;
 
 private:
     Edit m_edit;
     RowId m_again = 0;
+    bool m_isCommitting = false; ///< the document may have changed
     bool m_done = false;
 };
 

@@ -85,7 +85,14 @@ void OperationQueue::submit(std::unique_ptr<Operation> operation)
 void OperationQueue::ask(EngineCommand question, Answer answer)
 {
     auto submitQuestion = [this, question = std::move(question), answer = std::move(answer)] {
-        m_answers.emplace(m_state.engine.submit(question), answer);
+        const Result<void> asked =
+            guarded([&] { m_answers.emplace(m_state.engine.submit(question), answer); });
+        if (asked)
+            return;
+        m_state.answers.push_back(
+            [answer, error = asked.error()] { answer(EngineResult{.error = error}); });
+        if (m_wakeUp)
+            m_wakeUp();
     };
     // Behind edits that have not reached the engine a question waits like they do.
     if (nothingAhead())

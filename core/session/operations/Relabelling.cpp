@@ -70,6 +70,8 @@ void Relabelling::finish(SessionState& state, EngineResult&& result)
             state.fail(*result.error);
         return;
     }
+    if (m_failed)
+        return drop();
     if (result.changes.empty())
         return leaveNoRow(state);
     m_done = true;
@@ -91,7 +93,21 @@ void Relabelling::leaveNoRow(SessionState& state)
 void Relabelling::giveUp(SessionState& state, const Error& error)
 {
     state.fail(error);
-    m_done = true;
+    drop();
+}
+
+bool Relabelling::abandon(SessionState& state, const Error& error)
+{
+    if (m_done || m_ended)
+        return false;
+    state.fail(error);
+    if (!m_begun) {
+        drop();
+        return true;
+    }
+    m_failed = true;
+    m_ended = state.engine.submit(EndEdit{Ending::Rollback});
+    return true;
 }
 
 } // namespace core

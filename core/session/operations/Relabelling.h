@@ -35,6 +35,10 @@ public:
     /// Ends without a row, because nothing has changed.
     void leaveNoRow(SessionState& state);
     void giveUp(SessionState& state, const Error& error);
+    /// Ends without a row, after something has failed that was reported.
+    void drop() { m_done = true; }
+    /// As Operation::abandon(), for as long as it is not ended.
+    [[nodiscard]] bool abandon(SessionState& state, const Error& error);
     void takeResult(SessionState& state, EngineResult&& result);
 
     [[nodiscard]] bool done() const { return m_done; }

@@ -72,7 +72,9 @@ void SurfaceOperation::takeResult(SessionState& state, EngineResult&& result)
     } else if (m_written && result.ticket == *m_written) {
         m_done = true;
         if (result.error)
-            return state.fail(*result.error);
+            return reportFailure(state, *result.error);
+        if (m_reported)
+            return; // it was abandoned
         const auto* writes = m_edit.as<WriteBack>();
         if (m_again != 0)
             state.complete(m_again, std::move(result));
@@ -164,6 +166,21 @@ void SurfaceOperation::end(SessionState& state, Ending ending)
                 [this, outcome](SessionState& known) { finish(known, std::move(*outcome)); });
         },
         [this](SessionState& known, const Error& error) { finish(known, tl::unexpected(error)); });
+    m_isEnding = true;
+}
+
+bool SurfaceOperation::abandon(SessionState& state, const Error& error)
+{
+    if (m_done || m_written || (m_work && m_isEnding))
+        return false;
+    reportFailure(state, error);
+    if (m_begun)
+        m_written = state.engine.submit(EndEdit{Ending::Rollback});
+    else if (m_work)
+        end(state, Ending::Rollback);
+    else
+        m_done = true;
+    return true;
 }
 
 /// What is thrown before the end is what the end says, too.
@@ -202,7 +219,7 @@ void SurfaceOperation::finish(SessionState& state, Result<SurfaceWork::Outcome>&
 
 void SurfaceOperation::write(SessionState& state, EngineEdit&& edit)
 {
-    state.engine.submit(BeginEdit{std::move(edit)});
+    m_begun = state.engine.submit(BeginEdit{std::move(edit)});
     m_written = state.engine.submit(EndEdit{Ending::Commit});
 }
 

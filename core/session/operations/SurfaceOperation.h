@@ -32,6 +32,7 @@ public:
     void start(SessionState& state) override;
     void takeResult(SessionState& state, EngineResult&& result) override;
     [[nodiscard]] bool done() const override { return m_done; }
+    [[nodiscard]] bool abandon(SessionState& state, const Error& error) override;
     [[nodiscard]] bool foresee(Document& document) const override;
 
     /// For an edit that is abortable: it ends with Cancelled and changes nothing. One that stands
@@ -68,6 +69,8 @@ private:
     SurfaceWork::Read m_read;
     std::shared_ptr<SurfaceWork> m_work; ///< from when it continues on the side thread
     std::optional<Ending> m_ending;
+    bool m_isEnding = false; ///< what ends the work is with the side thread, or was
+    std::optional<Ticket> m_begun; ///< the transaction that writes voxels
     std::optional<Ticket> m_written; ///< the end of the transaction that writes voxels
     bool m_isAborted = false;
     bool m_hasBegun = false; ///< SurfaceWork::begin() is through; a preview can be seen

@@ -46,8 +46,8 @@ bool WorkedOutOperation::mayGoOn(SessionState& state)
 
 void WorkedOutOperation::workAside(SessionState& state, SideThread::Work work)
 {
-    state.side->post(
-        std::move(work), [this](SessionState& known, const Error& error) { giveUp(known, error); });
+    m_aside.post(*state.side, std::move(work),
+        [this](SessionState& known, const Error& error) { giveUp(known, error); });
 }
 
 void WorkedOutOperation::write(SessionState& state, Result<Listed>&& listed)
@@ -107,11 +107,14 @@ void WorkedOutOperation::end(SessionState& state, Ending ending)
 
 bool WorkedOutOperation::abandon(SessionState& state, const Error& error)
 {
-    // Before that, what it waits for may never come.
-    if (!m_isWriting || !open())
+    if (done())
         return false;
+    m_ending = Ending::Rollback;
+    if (m_isWriting)
+        return m_relabelling.abandon(state, error);
     state.fail(error);
-    end(state, Ending::Rollback);
+    m_watch->progress.cancel();
+    m_aside.giveUp([this] { m_relabelling.drop(); });
     return true;
 }
 

@@ -6,7 +6,7 @@
 #include "core/sculpt/labels/LayerWrites.h"
 #include "core/session/operations/Relabelling.h"
 #include "core/session/state/Operation.h"
-#include "core/session/surface/SideThread.h"
+#include "core/session/surface/SideTask.h"
 
 #include <atomic>
 #include <memory>
@@ -90,6 +90,7 @@ private:
     OpenManner m_manner;
     std::optional<Ending> m_ending; ///< none: it stands open
     std::shared_ptr<Watch> m_watch;
+    SideTask m_aside;
     bool m_isWriting = false; ///< what was worked out is with the engine, or there was nothing
     Relabelling m_relabelling;
 };

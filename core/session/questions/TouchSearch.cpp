@@ -131,7 +131,8 @@ void TouchSearch::look(SessionState& state)
     const BrickGrid grid{state.document.volumes.front().geometry.size};
     const auto work = std::make_shared<Looking>(
         Looking{.differences = std::move(m_differences), .images = std::move(m_images)});
-    state.side->post(
+    m_aside.post(
+        *state.side,
         [this, touch = m_touch, grid, row, mayAnswer, work] {
             work->touched = mayAnswer && work->touches(touch, grid);
             work->goBack();
@@ -169,6 +170,15 @@ void TouchSearch::Looking::goBack()
         if (const auto image = images.find(difference.key); image != images.end())
             image->second = exclusiveOr(image->second, difference);
     }
+}
+
+bool TouchSearch::abandon(SessionState& state, const Error& error)
+{
+    if (m_done)
+        return false;
+    state.fail(error);
+    m_aside.giveUp([this, &state] { answer(state, 0); });
+    return true;
 }
 
 void TouchSearch::answer(SessionState& state, RowId row)

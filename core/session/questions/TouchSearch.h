@@ -3,6 +3,7 @@
 
 #include "core/session/questions/Touch.h"
 #include "core/session/state/Operation.h"
+#include "core/session/surface/SideTask.h"
 
 #include <functional>
 #include <map>
@@ -22,6 +23,7 @@ public:
     void takeResult(SessionState& state, EngineResult&& result) override;
     void takeDifferences(SessionState& state, Result<RowDifferences>&& differences) override;
     [[nodiscard]] bool done() const override { return m_done; }
+    [[nodiscard]] bool abandon(SessionState& state, const Error& error) override;
 
 private:
     /// What is examined on another thread than the session's.
@@ -46,6 +48,7 @@ private:
     std::vector<BrickImage> m_differences; ///< of the row that is examined
     std::map<BrickKey, BrickImage> m_images; ///< as they were after that row
     Ticket m_reading = 0;
+    SideTask m_aside;
     bool m_done = false;
 };
 

@@ -365,6 +365,14 @@ void RevertOperation::finish(SessionState& state, EngineResult&& result)
     state.notify(DocumentChange::What::Growth);
 }
 
+bool RevertOperation::abandon(SessionState& state, const Error& error)
+{
+    if (m_done || m_swapping)
+        return false;
+    giveUp(state, error);
+    return true;
+}
+
 void RevertOperation::giveUp(SessionState& state, const Error& error)
 {
     state.fail(error);

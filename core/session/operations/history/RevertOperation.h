@@ -22,6 +22,7 @@ public:
     void takeResult(SessionState& state, EngineResult&& result) override;
     void takeDifferences(SessionState& state, Result<RowDifferences>&& differences) override;
     [[nodiscard]] bool done() const override { return m_done; }
+    [[nodiscard]] bool abandon(SessionState& state, const Error& error) override;
 
 private:
     [[nodiscard]] Result<void> checkRows(const SessionState& state) const;

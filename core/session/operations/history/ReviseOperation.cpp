@@ -196,6 +196,7 @@ void ReviseOperation::takeResult(SessionState& state, EngineResult&& result)
 void ReviseOperation::workAside(SessionState& state, std::function<Sequel(StrokeFold&)> work)
 {
     m_isAside = true;
+    m_hasFolded = true;
     state.side->post(
         [this, fold = m_fold, work = std::move(work)] {
             return Sequel([this, then = work(*fold)](SessionState& now) {
@@ -369,6 +370,16 @@ void ReviseOperation::finish(SessionState& state, EngineResult&& result)
     else
         state.commit(m_edit, std::move(result), std::nullopt);
     state.lastRevision = {state.history.position(), std::move(m_begunInside)};
+}
+
+/// Until something is folded it has only read.
+bool ReviseOperation::abandon(SessionState& state, const Error& error)
+{
+    if (m_done || m_hasFolded)
+        return false;
+    state.fail(error);
+    m_done = true;
+    return true;
 }
 
 void ReviseOperation::giveUp(SessionState& state, const Error& error)

@@ -35,6 +35,7 @@ public:
     void takeResult(SessionState& state, EngineResult&& result) override;
     void takeDifferences(SessionState& state, Result<RowDifferences>&& differences) override;
     [[nodiscard]] bool done() const override { return m_done; }
+    [[nodiscard]] bool abandon(SessionState& state, const Error& error) override;
 
 private:
     using Then = std::function<void(SessionState&, EngineResult&&)>;
@@ -77,6 +78,7 @@ private:
     std::vector<RowId> m_path; ///< from the first of them to the position
     std::vector<RowId> m_toLoad; ///< the last one is loaded next
     std::shared_ptr<StrokeFold> m_fold; ///< from when the strokes are known
+    bool m_hasFolded = false; ///< the side thread has had the fold
     bool m_isAside = false; ///< the side thread works on the fold
     std::vector<RowId> m_begunInside;
     Ticket m_awaited = 0;

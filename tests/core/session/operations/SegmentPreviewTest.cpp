@@ -11,7 +11,7 @@
 #include "core/session/past/LabelReader.h"
 #include "core/session/questions/VoxelQuestions.h"
 #include "tests/reference/DelayedEngine.h"
-#include "tests/reference/ReferenceEngine.h"
+#include "tests/reference/PassingEngine.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/PlainEdits.h"
@@ -30,30 +30,16 @@ using namespace core;
 namespace {
 
 /// An oracle that refuses to write what was worked out.
-class RefusingToWrite final : public EditEngine {
+class RefusingToWrite final : public reference::PassingEngine {
 public:
-    Result<void> openVolume(const glm::ivec3& size, std::span<const std::uint16_t> codes) override
-    {
-        return m_inner.openVolume(size, codes);
-    }
     Ticket submit(EngineCommand command) override
     {
         if (auto* begin = std::get_if<BeginEdit>(&command)) {
             if (auto* relabel = std::get_if<RelabelListed>(&begin->edit))
                 relabel->bricks.push_back(relabel->bricks.front()); // never twice
         }
-        return m_inner.submit(std::move(command));
+        return PassingEngine::submit(std::move(command));
     }
-    std::vector<EngineResult> collect() override { return m_inner.collect(); }
-    void finish() override { m_inner.finish(); }
-    void setWakeUp(std::function<void()> wakeUp) override { m_inner.setWakeUp(std::move(wakeUp)); }
-    [[nodiscard]] GrowthProgress growthProgress() const override
-    {
-        return m_inner.growthProgress();
-    }
-
-private:
-    reference::ReferenceEngine m_inner;
 };
 
 /// The small study, with voxels so much smaller.
