@@ -33,6 +33,25 @@ std::vector<std::uint32_t> runOver(
     return found;
 }
 
+/// Those of these bricks that may hold one of these codes.
+std::vector<std::uint32_t> holdingCodes(
+    const VoxelFields& fields, std::vector<std::uint32_t> bricks, int lowCode, int highCode)
+{
+    std::erase_if(
+        bricks, [&](std::uint32_t brick) { return !fields.mayHold(brick, lowCode, highCode); });
+    return bricks;
+}
+
+/// Those that are in both lists, which ascend.
+std::vector<std::uint32_t> inBoth(
+    const std::vector<std::uint32_t>& some, const std::vector<std::uint32_t>& others)
+{
+    std::vector<std::uint32_t> both;
+    std::set_intersection(
+        some.begin(), some.end(), others.begin(), others.end(), std::back_inserter(both));
+    return both;
+}
+
 /// Binds which voxels of bricks may change, if not all may.
 class BindEditable {
 public:
@@ -42,6 +61,17 @@ public:
         , m_fields(fields)
         , m_editable(editable)
     {
+    }
+    /// Those of these bricks, which ascend, in which any voxel may change.
+    [[nodiscard]] std::vector<std::uint32_t> among(std::vector<std::uint32_t> bricks) const
+    {
+        if (!m_editable)
+            return bricks;
+        if (m_editable->inside)
+            bricks = inBoth(bricks, m_fields.labelledBricks());
+        if (m_editable->box)
+            bricks = inBoth(bricks, core::bricksMeeting(*m_editable->box, m_fields.grid()));
+        return holdingCodes(m_fields, std::move(bricks), m_editable->lowCode, m_editable->highCode);
     }
     void operator()(const std::vector<std::uint32_t>& bricks)
     {
@@ -62,9 +92,10 @@ private:
 /// @param editable binds first what they may change
 template <class Bind>
 std::vector<core::BrickKey> label(Program& kernel, VoxelFields& fields, BeforeImages& before,
-    const core::LabelTarget& target, const std::vector<std::uint32_t>& bricks,
+    const core::LabelTarget& target, const std::vector<std::uint32_t>& concerned,
     const Bind& bindSource, BindEditable* editable = nullptr)
 {
+    const std::vector<std::uint32_t> bricks = editable ? editable->among(concerned) : concerned;
     kernel.set("volumeSize", fields.grid().volumeSize)
         .set("volumeBricks", fields.grid().bricks())
         .set("label", unsigned(target.label))
@@ -194,19 +225,7 @@ std::vector<std::uint32_t> heldAmong(
     std::vector<std::uint32_t> held;
     std::set_union(
         labelled.begin(), labelled.end(), seeded.begin(), seeded.end(), std::back_inserter(held));
-    std::vector<std::uint32_t> both;
-    std::set_intersection(
-        bricks.begin(), bricks.end(), held.begin(), held.end(), std::back_inserter(both));
-    return both;
-}
-
-/// Those of these bricks that may hold one of these codes.
-std::vector<std::uint32_t> holdingCodes(
-    const VoxelFields& fields, std::vector<std::uint32_t> bricks, int lowCode, int highCode)
-{
-    std::erase_if(
-        bricks, [&](std::uint32_t brick) { return !fields.mayHold(brick, lowCode, highCode); });
-    return bricks;
+    return inBoth(bricks, held);
 }
 
 std::vector<core::BrickKey> write(LabelPrograms& programs, VoxelFields& fields,
@@ -236,7 +255,8 @@ std::vector<core::BrickKey> write(
     setCodes(kernel, edit.lowCode, edit.highCode);
     kernel.set("boundCount", unsigned(bounds.size()));
     return label(
-        kernel, fields, before, edit.target, allBricks(fields),
+        kernel, fields, before, edit.target,
+        holdingCodes(fields, allBricks(fields), edit.lowCode, edit.highCode),
         [&](const std::vector<std::uint32_t>&) {
             fields.codes().bindUnit(0);
             fields.radiation().bindUnit(2);
@@ -304,7 +324,7 @@ std::vector<core::BrickKey> write(
     BindEditable editable(programs, fields, edit.editable);
     return label(
         programs.following("MAPPED", edit.editable.has_value()), fields, before, target,
-        allBricks(fields),
+        edit.becomes[0] == 0 ? fields.labelledBricks() : allBricks(fields),
         [&becomes](
             const std::vector<std::uint32_t>&) { becomes.bindBase(GL_SHADER_STORAGE_BUFFER, 2); },
         &editable);

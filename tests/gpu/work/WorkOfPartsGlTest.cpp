@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/edits/kinds/filling/FillBetweenSlices.h"
+#include "core/edits/kinds/filling/MirrorSegment.h"
+#include "core/edits/kinds/pieces/ChangePiece.h"
+#include "core/edits/kinds/pieces/CutPiece.h"
+#include "core/edits/kinds/pieces/PastePiece.h"
+#include "core/edits/kinds/segments/AddSegment.h"
+#include "core/edits/kinds/segments/CombineSegments.h"
+#include "core/edits/kinds/splitting/CopySegment.h"
+#include "core/edits/kinds/splitting/SplitByCurve.h"
+#include "core/edits/kinds/splitting/SplitIslands.h"
+#include "core/edits/kinds/splitting/SplitSegment.h"
+#include "core/session/EditSession.h"
+#include "tests/support/faults/FailingLog.h"
+#include "tests/support/fixtures/CountedSession.h"
+#include "tests/support/fixtures/EditEngineFixture.h"
+#include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/GradedBall.h"
+#include "tests/support/scenes/PlainEdits.h"
+
+#include <QtTest>
+
+#include <cmath>
+#include <vector>
+
+namespace workOfPartsGlTest {
+
+using namespace core;
+using test::CountedSession;
+using test::CountedWork;
+using Ball = test::GradedBall;
+using How = CombineSegments::How;
+
+namespace {
+
+constexpr int organ = 1;
+constexpr glm::dvec3 axial(0.0, 0.0, 1.0);
+
+/// The label of the newest segment.
+int newest(CountedSession& counts)
+{
+    return counts.session().document().segments.back().label;
+}
+
+SplitPart part(const char* name)
+{
+    return {.name = QLatin1String(name), .rgb = 0x3060a0};
+}
+
+} // namespace
+
+/// What it costs to divide, copy and combine segments, to take back one of several steps, and to
+/// make pieces, counted as by WorkOfStepsGlTest. Inverting is left out: it changes nearly every
+/// voxel of the volume.
+class WorkOfPartsGlTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase() { QVERIFY2(m_gpu.isReady(), m_gpu.why()); }
+    void init() { test::failOnUnexpectedMessages(); }
+    void cleanup() { QCOMPARE(m_gpu.newErrors(), 0); }
+    void growsWithTheVolumeOnlyWhereItHasTo();
+
+private:
+    /// The steps, each for the second time: the first one makes programs and buffers.
+    std::vector<CountedWork> stepsIn(int side);
+    void divide(CountedSession& counts);
+    void combine(CountedSession& counts);
+    void fillBetween(CountedSession& counts);
+    void takeBack(CountedSession& counts);
+    void makePieces(CountedSession& counts);
+
+    test::EditEngineFixture m_gpu;
+};
+
+void WorkOfPartsGlTest::divide(CountedSession& counts)
+{
+    counts.step("split by a plane",
+        SplitSegment{.segment = organ,
+            .placeLps = Ball::middle,
+            .normalLps = {1.0, 0.0, 0.3},
+            .into = part("Right")});
+    const int right = newest(counts);
+    counts.step("swap", CombineSegments{.segment = organ, .with = right, .how = How::Swap});
+    counts.step("merging", CombineSegments{.segment = organ, .with = right});
+    counts.step("split along a line",
+        SplitByCurve{.segment = organ,
+            .view = Ball::front(),
+            .open = true,
+            .curveMm = {{-3.0, -20.0}, {-3.0, 20.0}},
+            .side = SplitByCurve::Side::Smaller,
+            .into = part("Left")});
+    counts.step("split within a curve",
+        SplitByCurve{.segment = organ,
+            .view = Ball::front(),
+            .curveMm = {{2.0, -4.0}, {8.0, -4.0}, {8.0, 4.0}, {2.0, 4.0}},
+            .into = part("Hole")});
+    counts.prepare(test::paintAt(organ, {Ball::middle + 17.0 * axial}, 2.0));
+    counts.step("split into islands", SplitIslands{.segment = organ});
+    counts.step("mirror",
+        MirrorSegment{
+            .segment = organ, .placeLps = Ball::middle + glm::dvec3(4.0, 0.0, 0.0), .keep = true});
+}
+
+/// With a segment that overlaps.
+void WorkOfPartsGlTest::combine(CountedSession& counts)
+{
+    counts.step("copy", CopySegment{.segment = organ, .name = QStringLiteral("Copy")});
+    counts.prepare(AddSegment{.name = QStringLiteral("Over"), .plane = 2});
+    const int over = newest(counts);
+    counts.prepare(test::paintAt(over, {Ball::middle}, 6.0));
+    counts.step("subtract", CombineSegments{.segment = organ, .with = over, .how = How::Subtract});
+    counts.step("union", CombineSegments{.segment = organ, .with = over, .how = How::Union});
+    counts.step(
+        "intersect", CombineSegments{.segment = organ, .with = over, .how = How::Intersect});
+}
+
+void WorkOfPartsGlTest::fillBetween(CountedSession& counts)
+{
+    counts.prepare(test::newSegment(QStringLiteral("Drawn")));
+    const int drawn = newest(counts);
+    const glm::dvec3 low = Ball::middle - 14.0 * axial;
+    const glm::dvec3 high = Ball::middle - 8.0 * axial;
+    counts.prepare(test::paintDiscAt(drawn, low, axial, 5.0));
+    counts.prepare(test::paintDiscAt(drawn, high, axial, 7.0));
+    counts.step("between slices", FillBetweenSlices{.segment = drawn});
+    const glm::dvec3 upright(1.0, 0.0, 0.0);
+    const glm::dvec3 slanted(0.0, 1.0, 1.0);
+    counts.prepare(test::paintDiscAt(drawn, high, upright, 8.0));
+    counts.prepare(test::paintDiscAt(drawn, high, slanted, 8.0));
+    counts.step("between planes",
+        FillBetweenSlices{.segment = drawn,
+            .planes = std::vector<DrawnPlane>{{high, axial}, {high, upright}, {high, slanted}}});
+}
+
+void WorkOfPartsGlTest::takeBack(CountedSession& counts)
+{
+    counts.prepare(test::paintAt(newest(counts), {Ball::middle + 12.0 * axial}, 3.0));
+    const RowId row = counts.session().history().position();
+    counts.prepare(test::paintAt(newest(counts), {Ball::middle - 20.0 * axial}, 3.0));
+    counts.step("undo only", test::revertRows({row}));
+}
+
+void WorkOfPartsGlTest::makePieces(CountedSession& counts)
+{
+    counts.prepare(test::carveAt({Ball::middle + 10.0 * axial}, 5.0));
+    counts.step("cut of a piece", CutPiece{.layer = 1, .name = QStringLiteral("Piece")});
+    const int piece = counts.session().document().pieces.back().id;
+    counts.step(
+        "move of a piece", ChangePiece{.piece = piece, .offsetMm = glm::dvec3(20.0, 0.0, 0.0)});
+    counts.step("paste of a segment",
+        PastePiece{.segment = newest(counts),
+            .name = QStringLiteral("Pasted"),
+            .pose = {.offsetMm = {0.0, 30.0, 0.0}}});
+}
+
+std::vector<CountedWork> WorkOfPartsGlTest::stepsIn(int side)
+{
+    CountedSession counts(m_gpu, side);
+    if (!counts.isOpen())
+        return {};
+    counts.prepare(test::newSegment(QStringLiteral("Organ")));
+    counts.prepare(test::paintAt(organ, {Ball::middle}, 12.0));
+    const RowId beginning = counts.session().history().position();
+    for (int round = 0; round < 2; ++round) {
+        counts.forget();
+        divide(counts);
+        combine(counts);
+        fillBetween(counts);
+        takeBack(counts);
+        makePieces(counts);
+        counts.step(
+            "back through the history", [&] { return bool(counts.session().goTo(beginning)); });
+    }
+    return counts.counted();
+}
+
+void WorkOfPartsGlTest::growsWithTheVolumeOnlyWhereItHasTo()
+{
+    const std::vector<CountedWork> small = stepsIn(test::smallWorkSide);
+    const std::vector<CountedWork> large = stepsIn(test::largeWorkSide);
+    // Lists of bricks, among which those are found that are concerned.
+    const QByteArrayList listing{"copy", "union", "back through the history"};
+    // As in WorkOfLabelsGlTest; each layer of bricks is a portion of the large volume.
+    const QByteArrayList onAll{"split by a plane", "split along a line", "split within a curve",
+        "split into islands", "mirror", "between slices", "between planes"};
+    // Besides, pictures of what lies along each line of sight, in each slice, or in each plane.
+    const QByteArrayList pictured{"split along a line", "between slices", "between planes"};
+    constexpr int pictureBytes = 64;
+    const auto grown = [](int dimensions) {
+        return std::int64_t(std::pow(test::largeWorkSide, dimensions))
+            - std::int64_t(std::pow(test::smallWorkSide, dimensions));
+    };
+    const QStringList wrong =
+        test::grownWork(m_gpu, QStringLiteral("parts"), small, large, [&](const QByteArray& name) {
+            test::MoreWork more{.tables = listing.contains(name)};
+            if (onAll.contains(name)) {
+                more.dispatches = 3;
+                more.bytesAllocated = (name == "between slices" ? 2 : 1) * grown(3)
+                    + (pictured.contains(name) ? pictureBytes * grown(2) : 0);
+            }
+            return more;
+        });
+    QVERIFY2(wrong.isEmpty(), qPrintable(wrong.join(QLatin1Char('\n'))));
+}
+
+BURIN_TEST(WorkOfPartsGlTest)
+
+} // namespace workOfPartsGlTest
+
+#include "WorkOfPartsGlTest.moc"
