@@ -13,6 +13,9 @@
 #include <itkCropImageFilter.h>
 #include <itkFlatStructuringElement.h>
 
+#include <algorithm>
+#include <cmath>
+
 namespace peer {
 
 namespace {
@@ -30,6 +33,38 @@ Kernel ballKernel(const glm::dvec3& spacingMm, double radiusMm)
     kernel.SetRadius(ballRadius(spacingMm, radiusMm));
     for (unsigned at = 0; at < kernel.Size(); ++at)
         kernel[at] = isInBall(kernel.GetOffset(at), spacingMm, radiusMm);
+    return kernel;
+}
+
+bool isInBody(
+    const itk::Offset<3>& step, const glm::dvec3& spacingMm, const std::array<AxisReach, 3>& reach)
+{
+    double sum = 0.0;
+    for (unsigned axis = 0; axis < 3; ++axis) {
+        if (step[axis] == 0)
+            continue;
+        const AxisReach& its = reach[axis];
+        const double limit = step[axis] < 0 ? its.backwardsMm : its.forwardsMm;
+        if (!(limit > 0.0))
+            return false;
+        const double part = double(step[axis]) * spacingMm[static_cast<int>(axis)] / limit;
+        sum += part * part;
+    }
+    return sum <= 1.0 + ballSlack;
+}
+
+Kernel bodyKernel(const glm::dvec3& spacingMm, const std::array<AxisReach, 3>& reach)
+{
+    Kernel kernel;
+    kernel.SetDecomposable(false);
+    itk::Size<3> radius;
+    for (unsigned axis = 0; axis < 3; ++axis)
+        radius[axis] = static_cast<itk::SizeValueType>(
+            std::ceil(std::max(reach[axis].backwardsMm, reach[axis].forwardsMm)
+                / spacingMm[static_cast<int>(axis)]));
+    kernel.SetRadius(radius);
+    for (unsigned at = 0; at < kernel.Size(); ++at)
+        kernel[at] = isInBody(kernel.GetOffset(at), spacingMm, reach);
     return kernel;
 }
 
@@ -87,6 +122,11 @@ ItkMask itkByBall(const GridMask& mask, double radiusMm, ItkBallFilter filter)
         break;
     }
     return wrapped(image, kernel);
+}
+
+ItkMask itkDilatedBySides(const GridMask& mask, const std::array<AxisReach, 3>& reach)
+{
+    return filtered<Dilation>(imageOn(mask), bodyKernel(mask.spacingMm, reach));
 }
 
 } // namespace peer

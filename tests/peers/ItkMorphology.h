@@ -3,6 +3,8 @@
 
 #include "tests/peers/ItkMask.h"
 
+#include <array>
+
 namespace peer {
 
 enum class ItkBallFilter {
@@ -16,5 +18,15 @@ enum class ItkBallFilter {
 
 /// Binary morphology by a flat structuring element of all steps that are at most a radius long.
 [[nodiscard]] ItkMask itkByBall(const GridMask& mask, double radiusMm, ItkBallFilter filter);
+
+/// How far a body reaches along an axis of the grid.
+struct AxisReach {
+    double backwardsMm = 0.0;
+    double forwardsMm = 0.0;
+};
+/// itk::BinaryDilateImageFilter by a flat structuring element of all steps whose components, each
+/// divided by the reach on its side, have squares that add up to at most 1.
+[[nodiscard]] ItkMask itkDilatedBySides(
+    const GridMask& mask, const std::array<AxisReach, 3>& reach);
 
 } // namespace peer

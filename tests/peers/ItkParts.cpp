@@ -52,9 +52,23 @@ ItkMask itkLargestPart(const GridMask& mask)
     return largest;
 }
 
-int itkPartCount(const GridMask& mask)
+ItkMask itkNumberedParts(const GridMask& mask, int leastVoxels)
 {
-    const SortedParts parts(mask, 0);
+    const SortedParts parts(mask, leastVoxels);
+    ItkMask numbered;
+    numbered.milliseconds = timeOf(parts.last());
+    const std::uint32_t* first = parts.last().GetOutput()->GetBufferPointer();
+    numbered.voxels.assign(mask.voxels.begin(), mask.voxels.end());
+    for (std::size_t voxel = 0; voxel < mask.voxels.size(); ++voxel) {
+        if (first[voxel] > 1)
+            numbered.voxels[voxel] = static_cast<std::uint8_t>(first[voxel]);
+    }
+    return numbered;
+}
+
+int itkPartCount(const GridMask& mask, int leastVoxels)
+{
+    const SortedParts parts(mask, leastVoxels);
     parts.last().Update();
     return static_cast<int>(parts.last().GetNumberOfObjects());
 }

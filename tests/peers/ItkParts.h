@@ -10,8 +10,11 @@ namespace peer {
 [[nodiscard]] ItkMask itkPartsFrom(const GridMask& mask, int leastVoxels);
 /// The same filters: the largest part.
 [[nodiscard]] ItkMask itkLargestPart(const GridMask& mask);
-/// The same filters: how many parts there are.
-[[nodiscard]] int itkPartCount(const GridMask& mask);
+/// The same filters: the parts of at least so many voxels, numbered from the largest, 1, which 255
+/// holds. The other voxels of the mask bear the number of the largest part.
+[[nodiscard]] ItkMask itkNumberedParts(const GridMask& mask, int leastVoxels);
+/// The same filters: how many parts of at least so many voxels there are.
+[[nodiscard]] int itkPartCount(const GridMask& mask, int leastVoxels = 0);
 
 /// itk::BinaryFillholeImageFilter, whose background is connected over faces.
 [[nodiscard]] ItkMask itkFilledHoles(const GridMask& mask);

@@ -3,10 +3,12 @@
 
 #include "tests/peers/ItkImages.h"
 
+#include <itkAndImageFilter.h>
 #include <itkBinaryNotImageFilter.h>
 #include <itkBinaryThresholdImageFilter.h>
 #include <itkFlipImageFilter.h>
 #include <itkHistogram.h>
+#include <itkOrImageFilter.h>
 #include <itkOtsuMultipleThresholdsCalculator.h>
 
 namespace peer {
@@ -57,6 +59,28 @@ ItkMask itkInverted(const GridMask& mask)
     filter->SetInput(imageOn(mask));
     filter->SetForegroundValue(1);
     filter->SetBackgroundValue(0);
+    return maskFrom(*filter);
+}
+
+ItkMask itkCombined(const GridMask& mask, const GridMask& other, ItkSetOperation operation)
+{
+    const MaskImage::Pointer one = imageOn(mask);
+    MaskImage::Pointer two = imageOn(other);
+    if (operation == ItkSetOperation::Union) {
+        const auto filter = itk::OrImageFilter<MaskImage>::New();
+        filter->SetInput1(one);
+        filter->SetInput2(two);
+        return maskFrom(*filter);
+    }
+    const auto invert = itk::BinaryNotImageFilter<MaskImage>::New();
+    invert->SetInput(two);
+    invert->SetForegroundValue(1);
+    invert->SetBackgroundValue(0);
+    if (operation == ItkSetOperation::Subtract)
+        two = invert->GetOutput();
+    const auto filter = itk::AndImageFilter<MaskImage>::New();
+    filter->SetInput1(one);
+    filter->SetInput2(two);
     return maskFrom(*filter);
 }
 

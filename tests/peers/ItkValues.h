@@ -21,6 +21,14 @@ struct ItkOtsu {
 
 /// itk::BinaryNotImageFilter: what is not in the mask.
 [[nodiscard]] ItkMask itkInverted(const GridMask& mask);
+enum class ItkSetOperation {
+    Union, ///< itk::OrImageFilter
+    Subtract, ///< itk::AndImageFilter with the other one inverted (itk::BinaryNotImageFilter)
+    Intersect, ///< itk::AndImageFilter
+};
+/// Two masks of one grid.
+[[nodiscard]] ItkMask itkCombined(
+    const GridMask& mask, const GridMask& other, ItkSetOperation operation);
 /// itk::FlipImageFilter across one axis.
 [[nodiscard]] ItkMask itkFlipped(const GridMask& mask, int axis);
 

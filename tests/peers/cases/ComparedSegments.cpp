@@ -54,6 +54,17 @@ core::Result<Compared> compare(RealSegment& segment, const WholeSegment& operati
     if (const core::Result<void> gone = segment.goTo(operation.before); !gone)
         return tl::unexpected(gone.error());
     core::EditSession& session = segment.session();
+    const std::vector<core::Edit> first =
+        operation.first ? operation.first(segment) : std::vector<core::Edit>();
+    for (const core::Edit& edit : first) {
+        if (const core::Result<void> applied = session.apply(edit); !applied)
+            return tl::unexpected(applied.error());
+        if (const core::Result<void> settled = session.settle(); !settled)
+            return tl::unexpected(settled.error());
+    }
+    const core::Result<std::vector<std::uint8_t>> before = session.questions().labels(0);
+    if (!before)
+        return tl::unexpected(before.error());
     Compared compared;
     QElapsedTimer timer;
     timer.start();
@@ -74,9 +85,8 @@ core::Result<Compared> compare(RealSegment& segment, const WholeSegment& operati
     const PeerMask theirs = operation.theirs(segment);
     compared.theirMilliseconds = theirs.milliseconds;
     compared.voxels = std::int64_t(ours->size());
-    const std::vector<std::uint8_t>& before = segment.labels(operation.before);
     for (std::size_t voxel = 0; voxel < ours->size(); ++voxel) {
-        compared.changed += (*ours)[voxel] != before[voxel] ? 1 : 0;
+        compared.changed += (*ours)[voxel] != (*before)[voxel] ? 1 : 0;
         compared.either += !theirs.either.empty() && theirs.either[voxel] == 1 ? 1 : 0;
         if ((*ours)[voxel] == theirs.voxels[voxel])
             continue;

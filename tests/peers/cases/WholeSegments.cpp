@@ -3,6 +3,7 @@
 
 #include "core/document/Document.h"
 #include "core/edits/kinds/filling/FillBetweenSlices.h"
+#include "core/edits/kinds/filling/FloodFill.h"
 #include "core/edits/kinds/filling/MirrorSegment.h"
 #include "core/edits/kinds/segments/CleanSegment.h"
 #include "core/edits/kinds/segments/InvertSegment.h"
@@ -10,14 +11,18 @@
 #include "core/edits/kinds/values/ThresholdSegment.h"
 #include "core/morphology/SidedBall.h"
 #include "core/volume/OtsuThresholds.h"
+#include "tests/peers/ItkConnectedThreshold.h"
 #include "tests/peers/ItkDistances.h"
 #include "tests/peers/ItkMorphology.h"
 #include "tests/peers/ItkParts.h"
 #include "tests/peers/ItkSums.h"
 #include "tests/peers/ItkValues.h"
 #include "tests/peers/cases/BlendedSlices.h"
+#include "tests/peers/cases/SeveralSegments.h"
 #include "tests/support/scenes/PlainEdits.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -311,6 +316,84 @@ WholeSegment mirror()
             }};
 }
 
+/// Towards no side but up, front and right, half as far to the front.
+WholeSegment sidedMargin()
+{
+    const auto edit = [](const RealSegment&) -> core::Edit {
+        return ReshapeSegment{.segment = RealSegment::label,
+            .operation = ShapeOperation::Grow,
+            .mm = radiusMm,
+            .sides = {.leftMm = 0.0,
+                .anteriorMm = 0.5 * radiusMm,
+                .posteriorMm = 0.0,
+                .inferiorMm = 0.0}};
+    };
+    const auto theirs = [](const RealSegment& segment) {
+        // LPS: to the left, back and head of the patient.
+        const std::array<AxisReach, 3> ofPatient{AxisReach{.backwardsMm = radiusMm},
+            AxisReach{.backwardsMm = 0.5 * radiusMm}, AxisReach{.forwardsMm = radiusMm}};
+        const std::array<int, 3> axes = core::axesOfPatient(segment.geometry());
+        std::array<AxisReach, 3> reach;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const int along = axes.at(axis);
+            AxisReach its = ofPatient.at(axis);
+            if (segment.geometry().direction()[along][int(axis)] < 0.0)
+                std::swap(its.backwardsMm, its.forwardsMm);
+            reach.at(std::size_t(along)) = its;
+        }
+        return exactly(itkDilatedBySides(segment.mask(State::Thresholded), reach));
+    };
+    return {.name = "margin.sides",
+        .peer = "ITK BinaryDilate",
+        .before = State::Thresholded,
+        .edit = edit,
+        .theirs = theirs};
+}
+
+/// From a voxel of the thresholded segment.
+WholeSegment flood()
+{
+    const auto tolerance = [](const RealSegment& segment) {
+        constexpr double noValue = 0.25; // values are whole numbers
+        constexpr double part = 0.25;
+        return std::floor(part * (segment.series().upper - segment.series().lower)) + noValue;
+    };
+    const auto seed = [](const RealSegment& segment) {
+        const std::vector<std::uint8_t>& labels = segment.labels(State::Thresholded);
+        const auto half = labels.begin() + std::ptrdiff_t(labels.size() / 2);
+        auto found = std::find(half, labels.end(), RealSegment::label);
+        if (found == labels.end())
+            found = std::find(labels.begin(), half, RealSegment::label);
+        return std::size_t(found - labels.begin());
+    };
+    const auto voxelAt = [](const RealSegment& segment, std::size_t place) {
+        const glm::ivec3& size = segment.geometry().size;
+        const auto columns = std::size_t(size.x);
+        const auto rows = std::size_t(size.y);
+        return glm::ivec3(
+            int(place % columns), int(place / columns % rows), int(place / columns / rows));
+    };
+    const auto edit = [=](const RealSegment& segment) -> core::Edit {
+        const glm::ivec3 voxel = voxelAt(segment, seed(segment));
+        return core::FloodFill{.segment = RealSegment::label,
+            .placeLps = segment.geometry().toWorld(glm::dvec3(voxel)),
+            .tolerance = tolerance(segment)};
+    };
+    const auto theirs = [=](const RealSegment& segment) {
+        const std::size_t place = seed(segment);
+        const std::vector<glm::ivec3> seeds{voxelAt(segment, place)};
+        const double value = double(segment.values()[place]);
+        ItkGrown grown = itkConnectedThreshold<float>(segment.geometry().size, segment.values(),
+            seeds, float(value - tolerance(segment)), float(value + tolerance(segment)));
+        return PeerMask{.voxels = std::move(grown.mask), .milliseconds = grown.milliseconds};
+    };
+    return {.name = "flood",
+        .peer = "ITK ConnectedThreshold",
+        .before = State::Empty,
+        .edit = edit,
+        .theirs = theirs};
+}
+
 WholeSegment majority()
 {
     return {.name = "median",
@@ -358,11 +441,13 @@ const std::vector<WholeSegment>& wholeSegments()
                 "wrap", "ITK Dilate, Fillhole, Erode", ShapeOperation::Wrap, ItkBallFilter::Wrap),
             shell("hollow.inside", ShellPlace::Inside),
             shell("hollow.centred", ShellPlace::Centred),
-            shell("hollow.outside", ShellPlace::Outside), majority(), invert(), mirror(),
-            between()};
+            shell("hollow.outside", ShellPlace::Outside), sidedMargin(), flood(), majority(),
+            invert(), mirror(), between()};
         made.insert(made.end(), more.begin(), more.end());
         const std::vector<WholeSegment> blurred = gaussians();
         made.insert(made.end(), blurred.begin(), blurred.end());
+        const std::vector<WholeSegment> several = severalSegments();
+        made.insert(made.end(), several.begin(), several.end());
         return made;
     }();
     return all;

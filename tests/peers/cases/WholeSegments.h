@@ -19,6 +19,8 @@ struct WholeSegment {
     std::function<PeerMask(const RealSegment&)> theirs;
     /// Why some voxels may differ; null: none may.
     const char* whyEither = nullptr;
+    /// What is done first, after which segment 1 is still as it was.
+    std::function<std::vector<core::Edit>(const RealSegment&)> first{};
 };
 /// Every operation that ITK has filters for.
 [[nodiscard]] const std::vector<WholeSegment>& wholeSegments();
