@@ -26,7 +26,7 @@ void StrokeHashTest::agrees_data()
     QTest::addColumn<test::StrokeCase>("stroke");
     QTest::addColumn<bool>("delayed");
     int row = 0;
-    for (const test::StrokeCase& stroke : test::strokeCases(test::longRun() ? 100 : 12))
+    for (const test::StrokeCase& stroke : test::strokeCases(test::longRun() ? 100 : 8))
         QTest::addRow("%s", stroke.name.constData())
             << stroke << (test::longRun() || row++ % 6 == 0);
 }

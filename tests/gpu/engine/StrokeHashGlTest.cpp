@@ -33,7 +33,7 @@ void StrokeHashGlTest::agrees_data()
     QTest::addColumn<bool>("delayed");
     // StrokeHashTest delays the oracle at other cases, every day.
     int row = 1;
-    for (const test::StrokeCase& stroke : test::strokeCases(test::longRun() ? 100 : 8))
+    for (const test::StrokeCase& stroke : test::strokeCases(test::longRun() ? 100 : 6))
         QTest::addRow("%s", stroke.name.constData())
             << stroke << (test::longRun() || row++ % 6 == 0);
 }
