@@ -9,7 +9,10 @@ namespace core {
 
 namespace {
 
-constexpr int portion = 1024; ///< bricks
+constexpr int leastPortion = 1024; ///< bricks
+constexpr int mostPortion = 8 * leastPortion;
+/// Of so much of a usual portion the next one may cover more.
+constexpr std::size_t little = leastPortion / 4;
 
 template <class Does>
 void forEachVoxel(const BrickGrid& grid, const BrickImage& brick, std::uint8_t label, Does does)
@@ -33,6 +36,7 @@ LabelReader::LabelReader(const glm::ivec3& size, std::uint8_t plane, Field field
     : m_grid{size}
     , m_plane(plane)
     , m_field(field)
+    , m_portion(leastPortion)
 {
 }
 
@@ -40,7 +44,7 @@ std::optional<ReadBricks> LabelReader::next()
 {
     if (m_next >= m_grid.brickCount())
         return std::nullopt;
-    const int end = std::min(m_next + portion, m_grid.brickCount());
+    const int end = std::min(m_next + m_portion, m_grid.brickCount());
     ReadBricks read;
     for (; m_next < end; ++m_next)
         read.keys.push_back({m_field, m_plane, std::uint32_t(m_next)});
@@ -51,10 +55,13 @@ Result<void> LabelReader::take(const EngineResult& answer)
 {
     if (answer.error)
         return tl::unexpected(*answer.error);
+    const std::size_t before = m_bricks.size();
     for (const BrickChange& brick : answer.changes) {
         if (!brick.after.empty())
             m_bricks.push_back({.key = brick.key, .bytes = brick.after});
     }
+    m_portion =
+        m_bricks.size() - before <= little ? std::min(2 * m_portion, mostPortion) : leastPortion;
     return {};
 }
 

@@ -20,9 +20,11 @@ struct LabelPlace {
     glm::ivec3 middle{0};
 };
 
-/// Reads one label plane, or the coverage of one layer, from the engine in portions of 4 MiB, so
-/// that other work can be done in between. Send next() to the engine and pass the result to take()
-/// until next() returns none; then let a worker assemble the bricks with takeLabels().
+/// Reads one label plane, or the coverage of one layer, from the engine in portions, so that other
+/// work can be done in between. A portion has 4 MiB; where little was in the ones before, it covers
+/// more bricks, because each of them waits for its turn (32 MiB if it then meets a full region).
+/// Send next() to the engine and pass the result to take() until next() returns none; then let a
+/// worker assemble the bricks with takeLabels().
 class LabelReader {
 public:
     /// @param field Labels or Coverage
@@ -50,6 +52,7 @@ private:
     std::uint8_t m_plane;
     Field m_field;
     int m_next = 0;
+    int m_portion; ///< bricks
     std::vector<BrickImage> m_bricks; ///< those that are not empty
 };
 

@@ -8,6 +8,7 @@
 
 #include <QTest>
 
+#include <algorithm>
 #include <cstdlib>
 #include <random>
 #include <vector>
@@ -110,6 +111,35 @@ private Q_SLOTS:
         QVERIFY(nearer);
         QVERIFY(nearer->middle == glm::ivec3(22, 4, 5));
         QVERIFY(nearer->box.maximum == ends->box.maximum);
+    }
+
+    /// Every brick once and in order, in larger portions where little is found and in smaller ones
+    /// again where much is.
+    void portionsFollowWhatIsFound()
+    {
+        constexpr int bricks = 100'000;
+        constexpr int denseFrom = 40'000;
+        constexpr int denseTo = 60'000;
+        LabelReader reader(glm::ivec3(bricks, 1, 1) * BrickGrid::side, 0);
+        const BrickBytes full(std::vector<std::uint8_t>(BrickGrid::voxelsPerBrick, 1));
+        std::uint32_t next = 0;
+        int portions = 0;
+        std::size_t largest = 0;
+        for (; const std::optional<ReadBricks> portion = reader.next(); ++portions) {
+            EngineResult answer;
+            for (const BrickKey& key : portion->keys) {
+                QCOMPARE(key.brick, next++);
+                if (int(key.brick) >= denseFrom && int(key.brick) < denseTo)
+                    answer.changes.push_back({.key = key, .before = {}, .after = full});
+            }
+            largest = std::max(largest, portion->keys.size());
+            if (int(next) > denseFrom + int(largest) && int(next) <= denseTo)
+                QCOMPARE(portion->keys.size(), std::size_t(1024));
+            QVERIFY(reader.take(answer));
+        }
+        QCOMPARE(int(next), bricks);
+        QCOMPARE(largest, std::size_t(8192));
+        QVERIFY2(portions < 40, qPrintable(QString::number(portions)));
     }
 
     void agreesWithALookAtEveryVoxel()
