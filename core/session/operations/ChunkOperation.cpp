@@ -31,21 +31,19 @@ void DivideOperation::start(SessionState& state)
         return giveUp(state, checked.error());
     if (m_edit.owners)
         return commit(state);
-    m_reader.emplace(state.document.volumes.front().geometry.size,
+    m_reading.emplace(state.document.volumes.front().geometry.size,
         state.document.segment(m_edit.segment)->plane);
     readNext(state);
 }
 
 void DivideOperation::readNext(SessionState& state)
 {
-    if (std::optional<ReadBricks> question = m_reader->next()) {
-        m_asked = state.engine.submit(*std::move(question));
+    if (m_reading->ask(state.engine))
         return;
-    }
     m_aside.post(
         *state.side,
         [this, edit = m_edit, geometry = state.document.volumes.front().geometry,
-            reader = std::make_shared<LabelReader>(*std::move(m_reader))] {
+            reader = std::make_shared<LabelReader>(std::move(m_reading->reader()))] {
             const Result<std::vector<std::uint8_t>> map = probabilitiesOf(edit, geometry);
             auto owners = std::make_shared<Result<std::vector<ChunkOwner>>>(map
                     ? chunkOwners(edit, geometry, reader->takeLabels())
@@ -54,7 +52,7 @@ void DivideOperation::readNext(SessionState& state)
                 [this, owners](SessionState& known) { takeOwners(known, std::move(*owners)); });
         },
         [this](SessionState& known, const Error& error) { giveUp(known, error); });
-    m_reader.reset();
+    m_reading.reset();
 }
 
 void DivideOperation::takeOwners(SessionState& state, Result<std::vector<ChunkOwner>>&& owners)
@@ -67,10 +65,9 @@ void DivideOperation::takeOwners(SessionState& state, Result<std::vector<ChunkOw
 
 void DivideOperation::takeResult(SessionState& state, EngineResult&& result)
 {
-    if (!m_asked || result.ticket != *m_asked)
+    if (!m_reading || !m_reading->awaits(result.ticket))
         return;
-    m_asked.reset();
-    if (const Result<void> taken = m_reader->take(result); !taken)
+    if (const Result<void> taken = m_reading->take(result); !taken)
         return giveUp(state, taken.error());
     readNext(state);
 }

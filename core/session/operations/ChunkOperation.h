@@ -5,7 +5,7 @@
 #include "core/edits/kinds/chunks/ChunkVoxels.h"
 #include "core/edits/kinds/chunks/DivideSegment.h"
 #include "core/session/operations/Relabelling.h"
-#include "core/session/past/LabelReader.h"
+#include "core/session/past/LabelReading.h"
 #include "core/session/state/Operation.h"
 #include "core/session/surface/SideTask.h"
 
@@ -34,8 +34,7 @@ private:
 
     DivideSegment m_edit;
     RowId m_again = 0;
-    std::optional<LabelReader> m_reader;
-    std::optional<Ticket> m_asked;
+    std::optional<LabelReading> m_reading; ///< until all is read
     SideTask m_aside;
     bool m_done = false;
 };

@@ -25,7 +25,7 @@ void ContourOperation::start(SessionState& state)
 {
     if (!mayStart(state))
         return;
-    m_reader.emplace(state.document.volumes.front().geometry.size,
+    m_reading.emplace(state.document.volumes.front().geometry.size,
         state.document.segment(contour().segment)->plane);
     readLabels(state);
 }
@@ -34,10 +34,8 @@ void ContourOperation::readLabels(SessionState& state)
 {
     if (!mayGoOn(state))
         return;
-    if (std::optional<ReadBricks> question = m_reader->next()) {
-        m_asked = state.engine.submit(*std::move(question));
+    if (m_reading->ask(state.engine))
         return;
-    }
     findGround(state);
 }
 
@@ -45,7 +43,7 @@ void ContourOperation::findGround(SessionState& state)
 {
     workAside(state,
         [this, edit = contour(), work = m_work, document = state.document,
-            reader = std::make_shared<LabelReader>(*std::move(m_reader))] {
+            reader = std::make_shared<LabelReader>(std::move(m_reading->reader()))] {
             std::optional<Error> failed;
             if (Result<ContourGround> ground = contourGround(edit, document, reader->takeLabels()))
                 work->ground = *std::move(ground);
@@ -58,7 +56,7 @@ void ContourOperation::findGround(SessionState& state)
                 readCodes(known);
             });
         });
-    m_reader.reset();
+    m_reading.reset();
 }
 
 void ContourOperation::readCodes(SessionState& state)
@@ -109,16 +107,16 @@ Result<RelabelListed> ContourOperation::evolved(
 
 void ContourOperation::takeResult(SessionState& state, EngineResult&& result)
 {
+    if (m_reading && m_reading->awaits(result.ticket)) {
+        if (const Result<void> taken = m_reading->take(result); !taken)
+            return giveUp(state, taken.error());
+        return readLabels(state);
+    }
     if (!m_asked || result.ticket != *m_asked)
         return takeWritten(state, std::move(result));
     m_asked.reset();
     if (result.error)
         return giveUp(state, *result.error);
-    if (m_reader) {
-        if (const Result<void> taken = m_reader->take(result); !taken)
-            return giveUp(state, taken.error());
-        return readLabels(state);
-    }
     // The side thread rests meanwhile.
     m_work->slabs.push_back(std::move(result.codes));
     readCodes(state);

@@ -4,7 +4,7 @@
 #include "core/contour/ContourEvolution.h"
 #include "core/edits/kinds/filling/EvolveContour.h"
 #include "core/session/operations/WorkedOutOperation.h"
-#include "core/session/past/LabelReader.h"
+#include "core/session/past/LabelReading.h"
 
 #include <cstdint>
 #include <memory>
@@ -40,8 +40,8 @@ private:
     [[nodiscard]] const EvolveContour& contour() const { return edit().get<EvolveContour>(); }
 
     std::shared_ptr<Work> m_work;
-    std::optional<LabelReader> m_reader;
-    std::optional<Ticket> m_asked; ///< question for labels or codes that is not answered yet
+    std::optional<LabelReading> m_reading; ///< until all labels are read
+    std::optional<Ticket> m_asked; ///< question for codes that is not answered yet
     int m_nextSlice = 0; ///< index of the slice whose codes are read next
 };
 

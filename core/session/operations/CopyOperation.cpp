@@ -53,7 +53,7 @@ void CopyOperation::start(SessionState& state)
 
 void CopyOperation::lookAt(SessionState& state, std::uint8_t plane)
 {
-    m_reader.emplace(state.document.volumes.front().geometry.size, plane);
+    m_reading.emplace(state.document.volumes.front().geometry.size, plane);
     readNext(state);
 }
 
@@ -61,13 +61,11 @@ void CopyOperation::readNext(SessionState& state)
 {
     if (!mayGoOn(state))
         return;
-    if (std::optional<ReadBricks> question = m_reader->next()) {
-        m_asked = state.engine.submit(*std::move(question));
+    if (m_reading->ask(state.engine))
         return;
-    }
     workAside(state,
         [this, own = m_own, label = std::uint8_t(copy().segment),
-            reader = std::make_shared<LabelReader>(*std::move(m_reader))] {
+            reader = std::make_shared<LabelReader>(std::move(m_reading->reader()))] {
             auto labels = std::make_shared<std::vector<std::uint8_t>>(reader->takeLabels());
             if (!own)
                 return SideThread::Sequel([this, labels](SessionState& known) {
@@ -84,7 +82,7 @@ void CopyOperation::readNext(SessionState& state)
                     lookFurther(known);
                 });
         });
-    m_reader.reset();
+    m_reading.reset();
 }
 
 void CopyOperation::lookFurther(SessionState& state)
@@ -114,9 +112,8 @@ void CopyOperation::writeCopy(SessionState& state)
 
 void CopyOperation::takeResult(SessionState& state, EngineResult&& result)
 {
-    if (m_asked && result.ticket == *m_asked) {
-        m_asked.reset();
-        if (const Result<void> taken = m_reader->take(result); !taken)
+    if (m_reading && m_reading->awaits(result.ticket)) {
+        if (const Result<void> taken = m_reading->take(result); !taken)
             return giveUp(state, taken.error());
         return readNext(state);
     }

@@ -3,7 +3,7 @@
 
 #include "core/edits/kinds/splitting/CopySegment.h"
 #include "core/session/operations/WorkedOutOperation.h"
-#include "core/session/past/LabelReader.h"
+#include "core/session/past/LabelReading.h"
 
 #include <cstdint>
 #include <memory>
@@ -39,8 +39,7 @@ private:
     Labels m_own;
     std::vector<std::uint8_t> m_taken; ///< planes in which others have voxels of the segment
     std::vector<std::uint8_t> m_left; ///< planes that were not looked at, the next one last
-    std::optional<LabelReader> m_reader;
-    std::optional<Ticket> m_asked; ///< question for labels that is not answered yet
+    std::optional<LabelReading> m_reading; ///< until all of a plane is read
 };
 
 } // namespace core

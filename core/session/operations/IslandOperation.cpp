@@ -8,7 +8,6 @@
 #include "core/edits/kinds/segments/ReshapeSegment.h"
 #include "core/edits/kinds/splitting/SplitByCurve.h"
 #include "core/edits/kinds/splitting/SplitSegment.h"
-#include "core/engine/EngineCommands.h"
 
 #include <utility>
 
@@ -81,7 +80,7 @@ void IslandOperation::start(SessionState& state)
 {
     if (!mayStart(state))
         return;
-    m_reader.emplace(
+    m_reading.emplace(
         state.document.volumes.front().geometry.size, state.document.segment(m_segment)->plane);
     readNext(state);
 }
@@ -90,26 +89,23 @@ void IslandOperation::readNext(SessionState& state)
 {
     if (!mayGoOn(state))
         return;
-    if (std::optional<ReadBricks> question = m_reader->next()) {
-        m_asked = state.engine.submit(*std::move(question));
+    if (m_reading->ask(state.engine))
         return;
-    }
     workAside(state,
         [this, workOut = m_workOut, watch = watch(), document = state.document,
-            reader = std::make_shared<LabelReader>(*std::move(m_reader))] {
+            reader = std::make_shared<LabelReader>(std::move(m_reading->reader()))] {
             auto listed = std::make_shared<Result<Listed>>(
                 workOut(document, reader->takeLabels(), watch->progress));
             return SideThread::Sequel(
                 [this, listed](SessionState& known) { write(known, std::move(*listed)); });
         });
-    m_reader.reset();
+    m_reading.reset();
 }
 
 void IslandOperation::takeResult(SessionState& state, EngineResult&& result)
 {
-    if (m_asked && result.ticket == *m_asked) {
-        m_asked.reset();
-        if (const Result<void> taken = m_reader->take(result); !taken)
+    if (m_reading && m_reading->awaits(result.ticket)) {
+        if (const Result<void> taken = m_reading->take(result); !taken)
             return giveUp(state, taken.error());
         return readNext(state);
     }

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/session/operations/WorkedOutOperation.h"
-#include "core/session/past/LabelReader.h"
+#include "core/session/past/LabelReading.h"
 
 #include <functional>
 #include <optional>
@@ -37,8 +37,7 @@ private:
 
     int m_segment; ///< label
     LabelWork m_workOut;
-    std::optional<LabelReader> m_reader;
-    std::optional<Ticket> m_asked; ///< question for labels that is not answered yet
+    std::optional<LabelReading> m_reading; ///< until all is read
 };
 
 } // namespace core

@@ -34,14 +34,14 @@ void SplitIslandsOperation::start(SessionState& state)
         return;
     const glm::ivec3& size = state.document.volumes.front().geometry.size;
     const std::uint8_t own = state.document.segment(split().segment)->plane;
-    m_work->readers.emplace_back(size, own);
+    m_work->readings.emplace_back(size, own);
     // A range that is not valid was refused.
     if (const auto editable = editableVoxels(split().editable, state.document, "splitIslands");
         editable && *editable) {
         std::set<std::uint8_t> others = planesOf(**editable);
         others.erase(own);
         for (const std::uint8_t plane : others)
-            m_work->readers.emplace_back(size, plane);
+            m_work->readings.emplace_back(size, plane);
     }
     readLabels(state);
 }
@@ -50,11 +50,9 @@ void SplitIslandsOperation::readLabels(SessionState& state)
 {
     if (!mayGoOn(state))
         return;
-    for (; m_reading < m_work->readers.size(); ++m_reading) {
-        if (std::optional<ReadBricks> question = m_work->readers[m_reading].next()) {
-            m_asked = state.engine.submit(*std::move(question));
+    for (; m_reading < m_work->readings.size(); ++m_reading) {
+        if (m_work->readings[m_reading].ask(state.engine))
             return;
-        }
     }
     if (isByValue(split()))
         findBox(state);
@@ -65,7 +63,7 @@ void SplitIslandsOperation::readLabels(SessionState& state)
 void SplitIslandsOperation::findBox(SessionState& state)
 {
     workAside(state, [this, work = m_work, label = state.document.segment(split().segment)->label] {
-        if (const std::optional<LabelPlace> place = work->readers.front().placeOf(label))
+        if (const std::optional<LabelPlace> place = work->readings.front().reader().placeOf(label))
             work->box = place->box;
         return SideThread::Sequel([this](SessionState& known) {
             m_nextSlice = m_work->box.minimum.z;
@@ -108,9 +106,9 @@ Result<LabelListed> SplitIslandsOperation::listed(
 {
     std::vector<std::vector<std::uint8_t>> labels;
     std::vector<LabelPlane> planes;
-    for (LabelReader& reader : work.readers) {
-        const std::uint8_t plane = reader.plane();
-        labels.push_back(reader.takeLabels());
+    for (LabelReading& reading : work.readings) {
+        const std::uint8_t plane = reading.reader().plane();
+        labels.push_back(reading.reader().takeLabels());
         planes.push_back({plane, labels.back()});
     }
     return labelListed(
@@ -119,14 +117,14 @@ Result<LabelListed> SplitIslandsOperation::listed(
 
 void SplitIslandsOperation::takeResult(SessionState& state, EngineResult&& result)
 {
-    if (!m_asked || result.ticket != *m_asked)
-        return takeWritten(state, std::move(result));
-    m_asked.reset();
-    if (m_reading < m_work->readers.size()) {
-        if (const Result<void> taken = m_work->readers[m_reading].take(result); !taken)
+    if (m_reading < m_work->readings.size() && m_work->readings[m_reading].awaits(result.ticket)) {
+        if (const Result<void> taken = m_work->readings[m_reading].take(result); !taken)
             return giveUp(state, taken.error());
         return readLabels(state);
     }
+    if (!m_asked || result.ticket != *m_asked)
+        return takeWritten(state, std::move(result));
+    m_asked.reset();
     if (result.error)
         return giveUp(state, *result.error);
     // The side thread rests meanwhile.

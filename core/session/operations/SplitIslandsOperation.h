@@ -3,7 +3,7 @@
 
 #include "core/edits/kinds/splitting/SplitIslands.h"
 #include "core/session/operations/WorkedOutOperation.h"
-#include "core/session/past/LabelReader.h"
+#include "core/session/past/LabelReading.h"
 
 #include <cstdint>
 #include <memory>
@@ -30,7 +30,7 @@ public:
 private:
     /// Used by one thread at a time.
     struct Work {
-        std::vector<LabelReader> readers; ///< the segment's plane first
+        std::vector<LabelReading> readings; ///< the segment's plane first
         VoxelBox box; ///< around the segment; empty: no values are read
         std::vector<std::uint16_t> codes; ///< of the box, slab by slab
     };

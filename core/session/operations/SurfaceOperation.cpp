@@ -44,15 +44,13 @@ void SurfaceOperation::start(SessionState& state)
         return work(state);
     const int label = m_edit.is<LaySurface>() ? m_edit.get<LaySurface>().segment
                                               : state.document.surface->segment;
-    m_reader.emplace(state.surface.geometry().size, state.document.segment(label)->plane);
+    m_reading.emplace(state.surface.geometry().size, state.document.segment(label)->plane);
     readOn(state);
 }
 
 void SurfaceOperation::readOn(SessionState& state)
 {
-    if (auto question = m_reader->next())
-        m_asked = state.engine.submit(*std::move(question));
-    else
+    if (!m_reading->ask(state.engine))
         work(state);
 }
 
@@ -60,13 +58,12 @@ void SurfaceOperation::takeResult(SessionState& state, EngineResult&& result)
 {
     if (m_asked && result.ticket == *m_asked) {
         m_asked.reset();
-        if (!m_reader) {
-            if (result.error)
-                return giveUp(state, *result.error);
-            m_read.codes = std::move(result.codes);
-            return work(state);
-        }
-        if (const Result<void> taken = m_reader->take(result); !taken)
+        if (result.error)
+            return giveUp(state, *result.error);
+        m_read.codes = std::move(result.codes);
+        work(state);
+    } else if (m_reading && m_reading->awaits(result.ticket)) {
+        if (const Result<void> taken = m_reading->take(result); !taken)
             return giveUp(state, taken.error());
         readOn(state);
     } else if (m_written && result.ticket == *m_written) {
@@ -81,7 +78,7 @@ void SurfaceOperation::takeResult(SessionState& state, EngineResult&& result)
         else if (!result.changes.empty()
             || (writes && agreesAfterwards(*writes) && state.document.surface->isApart()))
             state.commit(m_edit, std::move(result), {});
-    } else if (result.error) {
+    } else if (m_begun && result.ticket == *m_begun && result.error) {
         giveUp(state, *result.error);
     }
 }
@@ -109,12 +106,14 @@ void SurfaceOperation::work(SessionState& state)
         m_read.past = surfacePast(state.history, state.surface);
     m_work = std::make_shared<SurfaceWork>(
         state.surface, *surfaceEditOf(m_edit), state.document, std::move(m_read));
-    if (m_reader) {
-        post(state, [work = m_work, reader = std::make_shared<LabelReader>(*std::move(m_reader))] {
-            work->setLabels(reader->takeLabels());
-            return SideThread::Sequel();
-        });
-        m_reader.reset();
+    if (m_reading) {
+        post(state,
+            [work = m_work,
+                reader = std::make_shared<LabelReader>(std::move(m_reading->reader()))] {
+                work->setLabels(reader->takeLabels());
+                return SideThread::Sequel();
+            });
+        m_reading.reset();
     }
     const SurfacePath* known = surfacePathOf(m_edit);
     post(state, [this, work = m_work, path = known ? *known : SurfacePath()] {

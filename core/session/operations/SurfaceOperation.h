@@ -3,7 +3,7 @@
 
 #include "core/edits/kinds/Edit.h"
 #include "core/edits/kinds/SurfaceEdit.h"
-#include "core/session/past/LabelReader.h"
+#include "core/session/past/LabelReading.h"
 #include "core/session/state/Operation.h"
 #include "core/session/surface/SurfaceWork.h"
 
@@ -64,8 +64,8 @@ private:
     OpenManner m_manner;
     Kind m_kind;
     RowId m_again = 0;
-    std::optional<LabelReader> m_reader; ///< while labels are being read
-    std::optional<Ticket> m_asked;
+    std::optional<LabelReading> m_reading; ///< while labels are being read
+    std::optional<Ticket> m_asked; ///< question for codes
     SurfaceWork::Read m_read;
     std::shared_ptr<SurfaceWork> m_work; ///< from when it continues on the side thread
     std::optional<Ending> m_ending;

@@ -46,6 +46,7 @@ std::optional<ReadBricks> LabelReader::next()
         return std::nullopt;
     const int end = std::min(m_next + m_portion, m_grid.brickCount());
     ReadBricks read;
+    read.keys.reserve(std::size_t(end - m_next));
     for (; m_next < end; ++m_next)
         read.keys.push_back({m_field, m_plane, std::uint32_t(m_next)});
     return read;
