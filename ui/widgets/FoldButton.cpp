@@ -3,8 +3,8 @@
 
 #include "ui/base/Icons.h"
 #include "ui/base/Theme.h"
+#include "ui/widgets/BringIntoView.h"
 
-#include <QScrollArea>
 #include <QTimer>
 
 namespace ui {
@@ -21,20 +21,10 @@ FoldButton::FoldButton(QWidget& body, QWidget* parent)
     connect(this, &QToolButton::clicked, this, [this] {
         setFolded(!folded());
         if (!folded())
-            QTimer::singleShot(0, this, &FoldButton::bringIntoView); // when it is laid out
+            QTimer::singleShot(
+                0, this, [this] { bringIntoView(m_body, *this); }); // laid out by then
     });
     setFolded(true);
-}
-
-void FoldButton::bringIntoView()
-{
-    for (QWidget* widget = parentWidget(); widget; widget = widget->parentWidget()) {
-        auto* area = qobject_cast<QScrollArea*>(widget);
-        if (!area)
-            continue;
-        area->ensureWidgetVisible(&m_body, 0, theme::padding);
-        area->ensureWidgetVisible(this, 0, theme::padding); // of what is too high the head
-    }
 }
 
 bool FoldButton::folded() const

@@ -19,8 +19,6 @@ public:
     [[nodiscard]] bool folded() const;
 
 private:
-    void bringIntoView();
-
     QWidget& m_body;
 };
 

@@ -9,6 +9,7 @@
 #include "core/session/StepFindings.h"
 #include "ui/base/NumberText.h"
 #include "ui/base/Theme.h"
+#include "ui/widgets/BringIntoView.h"
 #include "ui/widgets/fields/NumberField.h"
 #include "ui/workspace/Workspace.h"
 
@@ -18,6 +19,7 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QSignalBlocker>
+#include <QTimer>
 #include <QVBoxLayout>
 
 #include <cmath>
@@ -178,11 +180,16 @@ void LeakSection::showAlarm(const std::optional<core::LeakAlarm>& alarm)
         m_guard->setFocus();
     m_offer->setVisible(alarm.has_value());
     showBesideGrowth();
-    if (alarm)
-        m_text->setText(tr("A leak? Generation %1 burst out of a narrow place, %2 wide. %3")
-                            .arg(countText(alarm->generation), widthText(*alarm),
-                                QStringLiteral("<a href=\"show\" style=\"color: %1\">%2</a>")
-                                    .arg(theme::accent.name(), tr("Show\u00a0it"))));
+    if (!alarm)
+        return;
+    m_text->setText(tr("A leak? Generation %1 burst out of a narrow place, %2 wide. %3")
+                        .arg(countText(alarm->generation), widthText(*alarm),
+                            QStringLiteral("<a href=\"show\" style=\"color: %1\">%2</a>")
+                                .arg(theme::accent.name(), tr("Show\u00a0it"))));
+    // Where the panel is scrolled, folded or hidden, growth would seem to have ended by itself.
+    QTimer::singleShot(0, m_offer, [this] { bringIntoView(*m_offer, *m_text); });
+    m_workspace.say(
+        tr("Growth stopped: is this a leak? Plug, reject or accept it in the panel Growth"));
 }
 
 void LeakSection::showBesideGrowth()

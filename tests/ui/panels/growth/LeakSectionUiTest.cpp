@@ -19,6 +19,9 @@
 #include <QDoubleSpinBox>
 #include <QJsonDocument>
 #include <QLabel>
+#include <QScopeGuard>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QtTest>
 
 namespace leakSectionUiTest {
@@ -105,6 +108,33 @@ class LeakSectionUiTest : public QObject {
 
 private Q_SLOTS:
     void init() { test::failOnUnexpectedMessages(); }
+
+    /// In a panel that is scrolled away the question would be overlooked: growth would seem to have
+    /// ended by itself.
+    void theQuestionIsSeenWhereverThePanelStands()
+    {
+        LeakyPanel leaky;
+        QScrollArea column;
+        const auto parted = qScopeGuard([&column] { column.takeWidget()->setParent(nullptr); });
+        column.setWidgetResizable(true);
+        column.resize(leaky.panel.width(), 220);
+        column.setWidget(&leaky.panel);
+        column.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&column));
+        QString said;
+        connect(&leaky.workspace, &ui::Workspace::said, this,
+            [&said](const QString& sentence) { said = sentence; });
+        const auto isSeen = [&](const char* name) {
+            auto& part = leaky.part<QWidget>(name);
+            return part.isVisible()
+                && part.visibleRegion().boundingRect() == QRect(QPoint(0, 0), part.size());
+        };
+        column.verticalScrollBar()->setValue(0);
+        leaky.click("growPlay");
+        QVERIFY(leaky.offered());
+        QTRY_VERIFY(isSeen("leakText") && isSeen("leakPlug"));
+        QVERIFY2(said.contains(QLatin1String("leak")), qPrintable(said));
+    }
 
     /// How much wider a leak is stands with what stops at leaks, not with the barriers.
     void bothWidthsStandTogether()

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/widgets/BringIntoView.h"
+
+#include "ui/base/Theme.h"
+
+#include <QScrollArea>
+
+namespace ui {
+
+void bringIntoView(QWidget& part, QWidget& head)
+{
+    for (QWidget* widget = part.parentWidget(); widget; widget = widget->parentWidget()) {
+        auto* area = qobject_cast<QScrollArea*>(widget);
+        if (!area)
+            continue;
+        area->ensureWidgetVisible(&part, 0, theme::padding);
+        area->ensureWidgetVisible(&head, 0, theme::padding);
+    }
+}
+
+} // namespace ui
