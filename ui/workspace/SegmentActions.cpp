@@ -238,53 +238,60 @@ void carryOut(
         how.words);
 }
 
-/// @param to label that receives the island; none: nobody
-void aboutIsland(Workspace& workspace, int label, core::IslandRule rule, const glm::dvec3& placeLps,
-    std::optional<int> to)
+/// What is told if there is nothing to clean.
+QString nothingToClean(const Workspace& workspace, const core::CleanSegment& edit)
 {
-    carryOut(workspace,
-        core::CleanSegment{.segment = label, .rule = rule, .islandLps = placeLps, .to = to},
-        rule == core::IslandRule::KeepClicked
-            ? QObject::tr("'%1' is one island already").arg(nameOfSegment(workspace, label))
-            : QObject::tr("'%1' has no island there").arg(nameOfSegment(workspace, label)));
+    const QString name = nameOfSegment(workspace, edit.segment);
+    switch (edit.rule) {
+    case core::IslandRule::FillHoles:
+        return QObject::tr("'%1' has no hole that is closed on all sides").arg(name);
+    case core::IslandRule::RemoveSmall:
+        return QObject::tr("'%1' has no island below %2 mm³")
+            .arg(name, numberText(edit.mm3.value_or(0.0), 1));
+    case core::IslandRule::KeepLargest:
+    case core::IslandRule::KeepClicked:
+        return QObject::tr("'%1' is one island already").arg(name);
+    case core::IslandRule::RemoveClicked:
+    case core::IslandRule::GiveClicked:
+        break;
+    }
+    return QObject::tr("'%1' has no island there").arg(name);
 }
 
 } // namespace
 
+void cleanSegment(Workspace& workspace, const core::CleanSegment& edit, bool isOpen)
+{
+    carryOut(workspace, edit, nothingToClean(workspace, edit), {.isOpen = isOpen});
+}
+
 void fillHoles(Workspace& workspace, int label)
 {
-    carryOut(workspace, core::CleanSegment{.segment = label, .rule = core::IslandRule::FillHoles},
-        QObject::tr("'%1' has no hole that is closed on all sides")
-            .arg(nameOfSegment(workspace, label)));
+    cleanSegment(workspace, {.segment = label, .rule = core::IslandRule::FillHoles});
 }
 
 void keepLargestIsland(Workspace& workspace, int label)
 {
-    carryOut(workspace, core::CleanSegment{.segment = label, .rule = core::IslandRule::KeepLargest},
-        QObject::tr("'%1' is one island already").arg(nameOfSegment(workspace, label)));
+    cleanSegment(workspace, {.segment = label, .rule = core::IslandRule::KeepLargest});
 }
 
 void removeSmallIslands(Workspace& workspace, int label)
 {
     const core::EditSession* session = workspace.session();
-    const core::Segment* segment = session ? session->document().segment(label) : nullptr;
-    if (segment)
-        removeSmallIslands(workspace, label, smallIslandMm3(workspace, *segment));
+    if (const core::Segment* segment = session ? session->document().segment(label) : nullptr)
+        cleanSegment(workspace,
+            {.segment = label,
+                .rule = core::IslandRule::RemoveSmall,
+                .mm3 = smallIslandMm3(workspace, *segment)});
 }
 
-void removeSmallIslands(Workspace& workspace, int label, double belowMm3)
+void mirrorSegment(Workspace& workspace, const core::MirrorSegment& edit, bool isOpen)
 {
-    carryOut(workspace,
-        core::CleanSegment{
-            .segment = label, .rule = core::IslandRule::RemoveSmall, .mm3 = belowMm3},
-        QObject::tr("'%1' has no island below %2 mm³")
-            .arg(nameOfSegment(workspace, label), numberText(belowMm3, 1)));
-}
-
-void mirrorSegment(Workspace& workspace, const core::MirrorSegment& edit)
-{
+    const QString name = nameOfSegment(workspace, edit.segment);
     carryOut(workspace, edit,
-        QObject::tr("'%1' is its own mirror image").arg(nameOfSegment(workspace, edit.segment)));
+        edit.keep ? QObject::tr("'%1' has its mirror image already").arg(name)
+                  : QObject::tr("'%1' is its own mirror image").arg(name),
+        {.isOpen = isOpen});
 }
 
 std::optional<core::SplitSegment> splitOfPlane(const Workspace& workspace, int label)
@@ -380,17 +387,20 @@ void takeThreshold(Workspace& workspace, const core::ThresholdSegment& edit, boo
 
 void removeIsland(Workspace& workspace, int label, const glm::dvec3& placeLps)
 {
-    aboutIsland(workspace, label, core::IslandRule::RemoveClicked, placeLps, std::nullopt);
+    cleanSegment(workspace,
+        {.segment = label, .rule = core::IslandRule::RemoveClicked, .islandLps = placeLps});
 }
 
 void keepOnlyIsland(Workspace& workspace, int label, const glm::dvec3& placeLps)
 {
-    aboutIsland(workspace, label, core::IslandRule::KeepClicked, placeLps, std::nullopt);
+    cleanSegment(workspace,
+        {.segment = label, .rule = core::IslandRule::KeepClicked, .islandLps = placeLps});
 }
 
 void giveIsland(Workspace& workspace, int label, int to, const glm::dvec3& placeLps)
 {
-    aboutIsland(workspace, label, core::IslandRule::GiveClicked, placeLps, to);
+    cleanSegment(workspace,
+        {.segment = label, .rule = core::IslandRule::GiveClicked, .islandLps = placeLps, .to = to});
 }
 
 namespace {

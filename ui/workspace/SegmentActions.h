@@ -11,6 +11,7 @@
 #include <optional>
 
 namespace core {
+struct CleanSegment;
 struct Document;
 struct EvolveContour;
 struct FillBetweenSlices;
@@ -62,16 +63,13 @@ void intersectSegments(Workspace& workspace, int label, int with);
 /// Makes a new segment with the voxels of a segment, which may be locked, in another label plane.
 void duplicateSegment(Workspace& workspace, int label);
 
-/// Fills the holes of a segment, keeps only its largest island, or removes its small islands.
-/// @param belowMm3 the size that islands must have to stay; without it smallIslandMm3()
+/// Fills the holes of a segment, keeps only its largest island, or removes those of its islands
+/// that are smaller than smallIslandMm3().
 void fillHoles(Workspace& workspace, int label);
 void keepLargestIsland(Workspace& workspace, int label);
 void removeSmallIslands(Workspace& workspace, int label);
-void removeSmallIslands(Workspace& workspace, int label, double belowMm3);
 
-/// mirrorSegment() replaces a segment by its mirror image; invertSegment() replaces it by all
-/// voxels that belong to no segment.
-void mirrorSegment(Workspace& workspace, const core::MirrorSegment& edit);
+/// Replaces a segment by all voxels that belong to no segment.
 void invertSegment(Workspace& workspace, int label);
 
 /// Makes the part of a segment behind the cutting plane, as the plane's viewer sees it, a new
@@ -87,16 +85,20 @@ void splitByCurve(Workspace& workspace, const core::SplitByCurve& edit);
 [[nodiscard]] QString partsText(const Workspace& workspace, const QString& name,
     std::int64_t voxels, const QString& otherName, std::int64_t otherVoxels);
 
-/// The following three may be previewed before (EditTrial).
+/// The following five may be previewed before (EditTrial).
 /// @param isOpen whether @p edit stands open in the session, for its preview; it is committed then,
 /// and nothing is computed again
 ///
 /// reshapeSegment() grows, shrinks, hollows out, smooths or wraps a segment; fillBetweenSlices()
-/// fills it between the slices on which it was drawn; takeThreshold() applies a threshold.
+/// fills it between the slices on which it was drawn; takeThreshold() applies a threshold;
+/// cleanSegment() fills holes or takes islands away; mirrorSegment() replaces it by its mirror
+/// image, or adds that.
 void reshapeSegment(Workspace& workspace, const core::ReshapeSegment& edit, bool isOpen = false);
 void fillBetweenSlices(
     Workspace& workspace, const core::FillBetweenSlices& edit, bool isOpen = false);
 void takeThreshold(Workspace& workspace, const core::ThresholdSegment& edit, bool isOpen);
+void cleanSegment(Workspace& workspace, const core::CleanSegment& edit, bool isOpen = false);
+void mirrorSegment(Workspace& workspace, const core::MirrorSegment& edit, bool isOpen = false);
 
 /// Makes islands of a segment segments of their own.
 void splitIslands(Workspace& workspace, const core::SplitIslands& edit);

@@ -31,8 +31,8 @@ bool isTrial(const core::Edit& open)
 
 } // namespace
 
-EditTrial::EditTrial(Workspace& workspace, Pace pace, QDialog* dialog)
-    : QObject(dialog)
+EditTrial::EditTrial(Workspace& workspace, Pace pace, QWidget* owner)
+    : QObject(owner)
     , m_workspace(workspace)
     , m_pace(pace)
 {
@@ -42,7 +42,8 @@ EditTrial::EditTrial(Workspace& workspace, Pace pace, QDialog* dialog)
     m_countSoon.setInterval(countMilliseconds);
     connect(&m_countSoon, &QTimer::timeout, this, &EditTrial::count);
     connect(&workspace, &Workspace::sessionClosing, this, &EditTrial::drop);
-    connect(dialog, &QDialog::finished, this, &EditTrial::drop);
+    if (const auto* dialog = qobject_cast<QDialog*>(owner))
+        connect(dialog, &QDialog::finished, this, &EditTrial::drop);
 }
 
 bool EditTrial::isOpen() const
@@ -72,7 +73,7 @@ bool EditTrial::isCounting() const
 void EditTrial::show(const core::Edit& edit)
 {
     m_wanted = edit;
-    if (m_pace == Pace::AtRest) {
+    if (m_pace != Pace::AtOnce) {
         // What is seen stays until there is something else to be seen.
         if (isOpen() && !m_workspace.session()->openHasBegun() && !isOf(edit))
             rollBack();
@@ -89,7 +90,8 @@ void EditTrial::begin()
     if (!session || !m_wanted)
         return;
     // A growth or a stroke that stands open is left to its user.
-    if (const core::Edit* open = session->openEdit(); open && !isTrial(*open))
+    const bool givesWay = m_pace == Pace::InPassing && !isOpen();
+    if (const core::Edit* open = session->openEdit(); open && (givesWay || !isTrial(*open)))
         return m_soon.start(laterMilliseconds);
     const core::Edit wanted = *std::exchange(m_wanted, std::nullopt);
     if (!isOf(wanted)) {

@@ -11,7 +11,7 @@
 #include <memory>
 #include <optional>
 
-class QDialog;
+class QWidget;
 
 namespace core {
 class LabelReader;
@@ -23,8 +23,9 @@ class Workspace;
 
 /// Previews an edit of a segment in all views before it becomes a step of the history. The preview
 /// is an open edit of the session; for another edit it is rolled back and begun again. Any other
-/// edit takes the preview back, and so does its dialog when it closes. Once a preview has stayed
-/// for a moment, the segment's voxels in it are counted, beside the window.
+/// edit takes the preview back, and so does a dialog that shows it when it closes; what is no
+/// dialog drops it when it is hidden. Once a preview has stayed for a moment, the segment's voxels
+/// in it are counted, beside the window.
 class EditTrial : public QObject {
     Q_OBJECT
 
@@ -36,9 +37,12 @@ public:
         /// When nothing else was requested for a while: for edits that are worked out first, which
         /// takes its time. A request stops what is being worked out for another one.
         AtRest,
+        /// As AtRest, for what is only pointed at: it waits until the preview of a dialog has
+        /// ended, which the others replace.
+        InPassing,
     };
-    /// @param dialog that shows it; becomes its parent
-    EditTrial(Workspace& workspace, Pace pace, QDialog* dialog);
+    /// @param owner the dialog or panel that shows it; becomes its parent
+    EditTrial(Workspace& workspace, Pace pace, QWidget* owner);
 
     /// Requests the preview of @p edit, which can stand open (core/edits/EditTask.h). Nothing is
     /// shown for an edit that the session refuses.

@@ -5,6 +5,8 @@
 #include "core/session/EditSession.h"
 #include "ui/base/MenuText.h"
 #include "ui/base/Theme.h"
+#include "ui/dialogs/segment/PointedPreview.h"
+#include "ui/dialogs/segment/PreviewRow.h"
 #include "ui/menus/EditableButton.h"
 #include "ui/menus/SegmentEntries.h"
 #include "ui/menus/SegmentMenus.h"
@@ -31,13 +33,15 @@ struct ShortName {
     const char* id;
     const char* text;
 };
+constexpr const char* fillsHoles = "segments.fillHoles";
+constexpr const char* keepsLargest = "segments.keepLargest";
 constexpr const char* removeSmall = "segments.removeSmall";
 constexpr const char* splitByThePlane = "segments.splitByPlane";
 constexpr int lookMilliseconds = 100;
 constexpr std::array<ShortName, 9> shortNames{{
-    {"segments.fillHoles", QT_TRANSLATE_NOOP("ui::CleanUpPanel", "Fill holes")},
+    {fillsHoles, QT_TRANSLATE_NOOP("ui::CleanUpPanel", "Fill holes")},
     {"segments.fillBetween", QT_TRANSLATE_NOOP("ui::CleanUpPanel", "Between slices …")},
-    {"segments.keepLargest", QT_TRANSLATE_NOOP("ui::CleanUpPanel", "Keep largest")},
+    {keepsLargest, QT_TRANSLATE_NOOP("ui::CleanUpPanel", "Keep largest")},
     {"segments.splitIslands", QT_TRANSLATE_NOOP("ui::CleanUpPanel", "Split islands …")},
     {removeSmall, QT_TRANSLATE_NOOP("ui::CleanUpPanel", "Remove small")},
     {"segments.smooth", QT_TRANSLATE_NOOP("ui::CleanUpPanel", "Smooth …")},
@@ -52,6 +56,21 @@ const SegmentAction* actionOf(const char* id)
     const auto found = std::find_if(all.begin(), all.end(),
         [id](const SegmentAction& each) { return QLatin1String(each.id) == QLatin1String(id); });
     return found == all.end() ? nullptr : &*found;
+}
+
+bool isOf(const SegmentAction& action, const char* id)
+{
+    return QLatin1String(action.id) == QLatin1String(id);
+}
+
+/// The rule of an action that can be previewed.
+std::optional<core::IslandRule> ruleOf(const SegmentAction& action)
+{
+    if (isOf(action, fillsHoles))
+        return core::IslandRule::FillHoles;
+    if (isOf(action, keepsLargest))
+        return core::IslandRule::KeepLargest;
+    return isOf(action, removeSmall) ? std::optional(core::IslandRule::RemoveSmall) : std::nullopt;
 }
 
 const core::Segment* activeSegmentOf(const Workspace& workspace)
@@ -100,11 +119,12 @@ CleanUpPanel::CleanUpPanel(Workspace& workspace, QWidget* parent)
         grid->addWidget(button, place / 2, place % 2);
         m_buttons.push_back({button, action});
         ++place;
-        if (QLatin1String(each.id) != QLatin1String(removeSmall))
+        if (!isOf(*action, removeSmall))
             continue;
         grid->addWidget(m_smallMm3, place / 2, place % 2);
         ++place;
     }
+    setUpPreview(*grid);
     grid->addWidget(
         new EditableButton(workspace, this, EditableButton::In::Column), grid->rowCount(), 0, 1, 2);
     setUpParts(*grid);
@@ -112,7 +132,10 @@ CleanUpPanel::CleanUpPanel(Workspace& workspace, QWidget* parent)
         m_isSetByHand = false;
         refresh();
     });
-    connect(&m_workspace, &Workspace::activeSegmentChanged, this, &CleanUpPanel::refresh);
+    connect(&m_workspace, &Workspace::activeSegmentChanged, this, [this] {
+        refresh();
+        m_pointed->pointAnew();
+    });
     connect(&m_workspace, &Workspace::documentChanged, this,
         [this](const core::DocumentChange& change) {
             if (change.what == core::DocumentChange::What::Segments)
@@ -122,6 +145,47 @@ CleanUpPanel::CleanUpPanel(Workspace& workspace, QWidget* parent)
         });
     connect(&m_workspace.plane(), &CuttingPlane::changed, this, &CleanUpPanel::showPossible);
     refresh();
+}
+
+CleanUpPanel::~CleanUpPanel() = default;
+
+void CleanUpPanel::setUpPreview(QGridLayout& grid)
+{
+    m_preview =
+        new PreviewRow(m_workspace, QStringLiteral("cleanUp"), this, PreviewRow::In::Column);
+    m_pointed = std::make_unique<PointedPreview>(*m_preview);
+    QStringList names;
+    for (const Button& each : m_buttons) {
+        if (!ruleOf(*each.action))
+            continue;
+        names += each.button->text();
+        const PointedPreview::Asked asked = [this, each]() -> std::optional<core::Edit> {
+            if (!each.button->isEnabled())
+                return std::nullopt;
+            return cleaningOf(*each.action);
+        };
+        m_pointed->watch(*each.button, asked);
+        if (isOf(*each.action, removeSmall))
+            m_pointed->watch(*m_smallMm3, asked);
+    }
+    m_preview->setToolTip(tr("While the pointer rests on %1, all views show what becomes of the "
+                             "segment; a click does it")
+                              .arg(names.join(QStringLiteral(" · "))));
+    grid.addWidget(m_preview, grid.rowCount(), 0, 1, 2);
+    connect(m_smallMm3, &QDoubleSpinBox::valueChanged, m_pointed.get(), &PointedPreview::pointAnew);
+    connect(&m_workspace, &Workspace::editableChanged, m_pointed.get(), &PointedPreview::follow);
+    connect(m_preview, &PreviewRow::changed, this, &CleanUpPanel::followPreview);
+}
+
+/// What was being read for the parts of a split would be read of the preview.
+void CleanUpPanel::followPreview()
+{
+    const core::EditSession* session = m_workspace.session();
+    if (session && session->transactionOpen() && !m_trial.parts())
+        m_trial.drop();
+    else
+        m_lookSoon.start();
+    m_preview->showState(activeSegmentOf(m_workspace));
 }
 
 void CleanUpPanel::setUpParts(QGridLayout& grid)
@@ -193,9 +257,8 @@ void CleanUpPanel::showPossible()
 
 void CleanUpPanel::lookAtParts()
 {
-    const auto split = std::find_if(m_buttons.begin(), m_buttons.end(), [](const Button& each) {
-        return QLatin1String(each.action->id) == QLatin1String(splitByThePlane);
-    });
+    const auto split = std::find_if(m_buttons.begin(), m_buttons.end(),
+        [](const Button& each) { return isOf(*each.action, splitByThePlane); });
     const bool isMeant = isVisible() && split != m_buttons.end() && split->button->isEnabled()
         && m_workspace.editableText().isEmpty(); // which would leave it less than is counted
     const std::optional<core::SplitSegment> edit =
@@ -218,19 +281,33 @@ void CleanUpPanel::showParts()
     m_parts->setVisible(!parts.isEmpty());
 }
 
+std::optional<core::CleanSegment> CleanUpPanel::cleaningOf(const SegmentAction& action) const
+{
+    const std::optional<core::IslandRule> rule = ruleOf(action);
+    if (!rule)
+        return std::nullopt;
+    core::CleanSegment edit{.segment = m_workspace.activeSegment(),
+        .rule = *rule,
+        .editable = m_workspace.editableRange()};
+    if (rule == core::IslandRule::RemoveSmall)
+        edit.mm3 = m_smallMm3->value();
+    return edit;
+}
+
 void CleanUpPanel::run(const SegmentAction& action)
 {
-    const int label = m_workspace.activeSegment();
-    if (QLatin1String(action.id) == QLatin1String(removeSmall))
-        removeSmallIslands(m_workspace, label, m_smallMm3->value());
-    else
-        action.run(m_workspace, label);
+    const std::optional<core::CleanSegment> edit = cleaningOf(action);
+    if (!edit)
+        return action.run(m_workspace, m_workspace.activeSegment());
+    cleanSegment(m_workspace, *edit, m_preview->handOver(*edit));
+    m_pointed->rest();
 }
 
 void CleanUpPanel::refresh()
 {
     showPossible();
     const core::Segment* segment = activeSegmentOf(m_workspace);
+    m_preview->showState(segment);
     m_summary = segment ? segment->name : QString();
     Q_EMIT summaryChanged(m_summary);
     if (const bool now = hasSomething(); now != m_hadSomething) {

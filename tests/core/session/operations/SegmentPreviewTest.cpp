@@ -51,7 +51,8 @@ LoadedVolume studyOf(double scale)
     return study;
 }
 
-/// A session on an oracle: segment 1 on three slices, with a speck, and segment 2 beside it.
+/// A session on an oracle: segment 1 on four slices, with a hole and a speck, and segment 2 beside
+/// it.
 struct Bench {
     explicit Bench(EditEngine& engine, const QString& file = {}, double scale = 1.0)
         : session(*EditSession::create(engine, studyOf(scale), {.file = file}))
@@ -62,10 +63,12 @@ struct Bench {
             return test::paintDiscAt(
                 1, geometry.toWorld(index), geometry.direction()[2], radius * scale);
         };
-        for (const Edit& edit : {test::addSegment("Organ"), test::addSegment("Other"),
-                 disc({20.0, 18.0, 8.0}, 6.0), disc({20.0, 18.0, 9.0}, 6.0),
-                 disc({18.0, 17.0, 14.0}, 4.0), disc({30.0, 12.0, 22.0}, 1.1),
-                 test::paintAt(2, {geometry.toWorld({28.0, 18.0, 9.0})}, 3.0 * scale)})
+        for (const Edit& edit :
+            {test::addSegment("Organ"), test::addSegment("Other"), disc({20.0, 18.0, 7.0}, 6.0),
+                disc({20.0, 18.0, 8.0}, 6.0), disc({20.0, 18.0, 9.0}, 6.0),
+                test::eraseAt(1, {geometry.toWorld({18.0, 18.0, 8.0})}, 0.5 * scale),
+                disc({18.0, 17.0, 14.0}, 4.0), disc({30.0, 12.0, 22.0}, 1.1),
+                test::paintAt(2, {geometry.toWorld({28.0, 18.0, 9.0})}, 3.0 * scale)})
             isReady = session->apply(edit).has_value() && isReady;
         isReady = session->settle().has_value() && isReady;
         before = session->stateHash();
@@ -140,7 +143,11 @@ const std::vector<std::pair<const char*, Edit>>& previews()
                 .editable = EditableRange{.lower = 0.0, .upper = 100.0}}},
         {"between slices", FillBetweenSlices{.segment = 1}},
         {"mirror", MirrorSegment{.segment = 1}},
-        {"largest island", CleanSegment{.segment = 1, .rule = IslandRule::KeepLargest}}};
+        {"mirror beside it", MirrorSegment{.segment = 1, .keep = true}},
+        {"holes", CleanSegment{.segment = 1, .rule = IslandRule::FillHoles}},
+        {"largest island", CleanSegment{.segment = 1, .rule = IslandRule::KeepLargest}},
+        {"small islands",
+            CleanSegment{.segment = 1, .rule = IslandRule::RemoveSmall, .mm3 = 100.0}}};
     return all;
 }
 

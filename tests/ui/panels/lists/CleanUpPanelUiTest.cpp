@@ -341,6 +341,9 @@ private Q_SLOTS:
                 qPrintable(each->text()));
             QVERIFY(fixture.panel->rect().contains(each->geometry()));
         }
+        const auto& now = *fixture.panel->findChild<QLabel*>(QStringLiteral("cleanUpNow"));
+        QVERIFY(now.fontMetrics().horizontalAdvance(QStringLiteral("12043.2 mL → 12041.1 mL"))
+            <= now.width());
     }
 };
 

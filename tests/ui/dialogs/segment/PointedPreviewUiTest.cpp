@@ -1,0 +1,353 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/dialogs/segment/PointedPreview.h"
+
+#include "core/edits/kinds/segments/CleanSegment.h"
+#include "core/edits/kinds/segments/ReshapeSegment.h"
+#include "tests/support/faults/FailingLog.h"
+#include "tests/support/fixtures/WindowFixture.h"
+#include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/PlainEdits.h"
+#include "tests/support/scenes/SmallStudy.h"
+#include "ui/base/NumberText.h"
+#include "ui/dialogs/segment/ReshapeDialog.h"
+#include "ui/panels/lists/CleanUpPanel.h"
+#include "ui/workspace/CuttingPlane.h"
+
+#include <QCheckBox>
+#include <QDoubleSpinBox>
+#include <QEnterEvent>
+#include <QLabel>
+#include <QPushButton>
+#include <QSettings>
+#include <QSignalSpy>
+#include <QTimer>
+#include <QtTest>
+
+#include <cmath>
+
+namespace pointedPreviewUiTest {
+
+namespace {
+
+/// With the panel Clean up, whose buttons are previewed.
+struct Fixture : test::WindowFixture {
+    Fixture()
+        : WindowFixture(test::smallStudy())
+        , panel(new ui::CleanUpPanel(workspace))
+    {
+        window.addPanel(panel);
+        window.showPanels(true);
+        // As the engine's thread wakes the window in the program.
+        QObject::connect(&wakeUp, &QTimer::timeout, [this] {
+            if (core::EditSession* open = workspace.session())
+                open->poll();
+        });
+        wakeUp.start(10);
+    }
+    /// Two dabs of one segment, the larger one with a hole, and a segment without voxels.
+    [[nodiscard]] bool addDabs()
+    {
+        const core::VolumeGeometry& geometry = workspace.volume()->geometry;
+        const glm::dvec3 middle = geometry.toWorld({28.0, 24.0, 10.0});
+        apply(test::addSegment("Parts"));
+        apply(test::addSegment("Other"));
+        apply(test::paintAt(1, {geometry.toWorld({10.0, 10.0, 10.0})}, 2.0));
+        one = voxels(1);
+        apply(test::paintAt(1, {middle}, 3.0));
+        hole = voxels(1);
+        apply(test::eraseAt(1, {middle}, 0.3));
+        hole -= voxels(1);
+        workspace.setActiveSegment(1);
+        return hole > 0 && one > hole && QTest::qWaitFor([this] { return panel->isVisible(); });
+    }
+    [[nodiscard]] std::int64_t voxels(int label)
+    {
+        return session().document().segment(label)->voxels;
+    }
+    [[nodiscard]] QPushButton& button(const QByteArray& id)
+    {
+        auto* found =
+            panel->findChild<QPushButton*>(QStringLiteral("cleanUp.segments.") + QLatin1String(id));
+        if (!found)
+            qFatal("no button %s", id.constData());
+        return *found;
+    }
+    [[nodiscard]] QCheckBox& previewBox()
+    {
+        return *panel->findChild<QCheckBox*>(QStringLiteral("cleanUpPreview"));
+    }
+    [[nodiscard]] QDoubleSpinBox& smallMm3()
+    {
+        return *panel->findChild<QDoubleSpinBox*>(QStringLiteral("cleanUp.smallMm3"));
+    }
+    /// What it says of the segment's size.
+    [[nodiscard]] QString now()
+    {
+        return panel->findChild<QLabel*>(QStringLiteral("cleanUpNow"))->text();
+    }
+    /// What it says where so many voxels more, or less, are previewed.
+    [[nodiscard]] QString more(std::int64_t count)
+    {
+        const std::int64_t before = voxels(1);
+        return QStringLiteral("%1 → %2\n%3%4 voxel%5")
+            .arg(sizeOf(before), sizeOf(before + count),
+                count < 0 ? QString(ui::minusSign) : QStringLiteral("+"),
+                ui::countText(std::abs(count)),
+                std::abs(count) == 1 ? QString() : QStringLiteral("s"));
+    }
+    [[nodiscard]] QString sizeOf(std::int64_t count)
+    {
+        return ui::volumeText(
+            double(count) * workspace.volume()->geometry.voxelVolumeMm3() / 1000.0);
+    }
+    /// The rule that is previewed in the views.
+    [[nodiscard]] bool previews(core::IslandRule rule)
+    {
+        const core::Edit* open = session().openEdit();
+        const auto* edit = open ? open->as<core::CleanSegment>() : nullptr;
+        return edit && edit->rule == rule && session().openIsPreview() && session().openHasBegun();
+    }
+    /// Every mm³ below that size goes, which is more than that of the first dab.
+    [[nodiscard]] double aboveTheFirst()
+    {
+        return std::ceil(double(one) * workspace.volume()->geometry.voxelVolumeMm3()) + 1.0;
+    }
+
+    ui::CleanUpPanel* panel;
+    QTimer wakeUp;
+    std::int64_t one = 0; ///< voxels of the smaller dab
+    std::int64_t hole = 0; ///< voxels of the hole in the other one
+};
+
+/// The pointer comes to rest on a widget, or goes away from it.
+void pointAt(QWidget& widget)
+{
+    const QPointF middle = widget.rect().center();
+    QEnterEvent event(middle, middle, widget.mapToGlobal(middle));
+    QCoreApplication::sendEvent(&widget, &event);
+}
+void pointAway(QWidget& widget)
+{
+    QEvent event(QEvent::Leave);
+    QCoreApplication::sendEvent(&widget, &event);
+}
+
+} // namespace
+
+/// What a button would do is previewed while it is pointed at.
+class PointedPreviewUiTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init()
+    {
+        test::failOnUnexpectedMessages();
+        QSettings().remove(QStringLiteral("cleanUp"));
+    }
+
+    /// What a button would do is seen while the pointer rests on it, and gone with the pointer; a
+    /// click takes what is seen.
+    void isSeenBeforeItIsDone_data()
+    {
+        QTest::addColumn<QByteArray>("id");
+        QTest::addColumn<core::IslandRule>("rule");
+        QTest::newRow("holes") << QByteArray("fillHoles") << core::IslandRule::FillHoles;
+        QTest::newRow("largest") << QByteArray("keepLargest") << core::IslandRule::KeepLargest;
+        QTest::newRow("small") << QByteArray("removeSmall") << core::IslandRule::RemoveSmall;
+    }
+    void isSeenBeforeItIsDone()
+    {
+        QFETCH(const QByteArray, id);
+        QFETCH(const core::IslandRule, rule);
+        Fixture fixture;
+        QVERIFY(fixture.addDabs());
+        fixture.smallMm3().setValue(fixture.aboveTheFirst());
+        const std::int64_t before = fixture.voxels(1);
+        const std::int64_t change =
+            rule == core::IslandRule::FillHoles ? fixture.hole : -fixture.one;
+        const QString expected = fixture.more(change);
+        const QByteArray hash = fixture.session().stateHash();
+        const std::size_t rows = fixture.rows();
+        QPushButton& button = fixture.button(id);
+        QCOMPARE(fixture.now(), fixture.sizeOf(before));
+        pointAt(button);
+        QCOMPARE(fixture.now(), QStringLiteral("%1 → …").arg(fixture.sizeOf(before)));
+        QTRY_COMPARE(fixture.now(), expected);
+        QVERIFY(fixture.previews(rule));
+        QCOMPARE(fixture.rows(), rows);
+        pointAway(button);
+        QVERIFY(!fixture.session().openEdit());
+        QCOMPARE(fixture.now(), fixture.sizeOf(before));
+        QVERIFY(fixture.session().settle());
+        QCOMPARE(fixture.session().stateHash(), hash);
+
+        pointAt(button);
+        QTRY_COMPARE(fixture.now(), expected);
+        QSignalSpy said(&fixture.workspace, &ui::Workspace::said);
+        QTest::mouseClick(&button, Qt::LeftButton);
+        QVERIFY(!fixture.session().openEdit() && fixture.session().settle());
+        QCOMPARE(fixture.rows(), rows + 1);
+        QCOMPARE(fixture.voxels(1), before + change);
+        QTRY_COMPARE(said.size(), 1);
+        QVERIFY(said.front().front().toString().endsWith(QStringLiteral("; Ctrl+Z takes it back")));
+        // What was done is not done once more while the pointer is still there, nor after undo.
+        QTest::qWait(500);
+        QVERIFY(!fixture.session().openEdit());
+        QVERIFY(fixture.session().undo() && fixture.session().settle());
+        QTest::qWait(500);
+        QVERIFY(!fixture.session().openEdit());
+        QTRY_COMPARE(fixture.now(), fixture.sizeOf(before));
+        QCOMPARE(fixture.session().stateHash(), hash);
+        // Before it is seen, a click is as fast.
+        pointAway(button);
+        pointAt(button);
+        QTest::mouseClick(&button, Qt::LeftButton);
+        QVERIFY(fixture.session().settle());
+        QCOMPARE(fixture.voxels(1), before + change);
+    }
+
+    /// The field is that of its button: what it asks for is seen at once.
+    void thePreviewFollowsTheField()
+    {
+        Fixture fixture;
+        QVERIFY(fixture.addDabs());
+        QDoubleSpinBox& size = fixture.smallMm3();
+        const QString nothing =
+            QStringLiteral("%1\nstays as it is").arg(fixture.sizeOf(fixture.voxels(1)));
+        pointAt(size);
+        QTRY_COMPARE(fixture.now(), nothing);
+        QVERIFY(fixture.previews(core::IslandRule::RemoveSmall));
+        size.setValue(fixture.aboveTheFirst());
+        QTRY_COMPARE(fixture.now(), fixture.more(-fixture.one));
+        pointAway(size);
+        QVERIFY(!fixture.session().openEdit());
+        // Who comes to it by the keyboard sees the same, and what a button would do.
+        fixture.window.activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(&fixture.window));
+        size.setFocus(Qt::MouseFocusReason);
+        QTRY_COMPARE(fixture.now(), fixture.more(-fixture.one));
+        fixture.button("fillHoles").setFocus(Qt::TabFocusReason);
+        QTRY_COMPARE(fixture.now(), fixture.more(fixture.hole));
+        fixture.button("keepLargest").setFocus(Qt::MouseFocusReason);
+        QVERIFY(!fixture.session().openEdit());
+    }
+
+    /// Switched off, folded away or with another segment, nothing is left of it.
+    void thePreviewEnds()
+    {
+        Fixture fixture;
+        QVERIFY(fixture.addDabs());
+        const QByteArray hash = fixture.session().stateHash();
+        const QString expected = fixture.more(-fixture.one);
+        QPushButton& button = fixture.button("keepLargest");
+        pointAt(button);
+        QTRY_COMPARE(fixture.now(), expected);
+        fixture.previewBox().setChecked(false);
+        QVERIFY(!fixture.session().openEdit());
+        pointAway(button);
+        pointAt(button);
+        QTest::qWait(500);
+        QVERIFY(!fixture.session().openEdit());
+        fixture.previewBox().setChecked(true);
+        QTRY_COMPARE(fixture.now(), expected);
+        fixture.panel->hide();
+        QVERIFY(!fixture.session().openEdit());
+        fixture.panel->show();
+        QTest::qWait(500);
+        QVERIFY(!fixture.session().openEdit());
+        pointAt(button);
+        QTRY_COMPARE(fixture.now(), expected);
+        fixture.workspace.setActiveSegment(2);
+        QTRY_COMPARE(fixture.now(), QStringLiteral("%1\nstays as it is").arg(fixture.sizeOf(0)));
+        QCOMPARE(fixture.session().openEdit()->get<core::CleanSegment>().segment, 2);
+        fixture.workspace.setActiveSegment(1);
+        QTRY_COMPARE(fixture.now(), expected);
+        // Where only part of it may change, only that is seen.
+        core::ClipRegion clip = fixture.workspace.clip();
+        clip.box.on = true;
+        clip.box.minimum.x = 18.0; // without the first dab
+        fixture.workspace.setClip(clip);
+        fixture.workspace.setEditableSettings({.on = true, .boxed = true});
+        QTRY_COMPARE(fixture.now(),
+            QStringLiteral("%1\nstays as it is").arg(fixture.sizeOf(fixture.voxels(1))));
+        fixture.workspace.setEditableSettings({});
+        QTRY_COMPARE(fixture.now(), expected);
+        // Any step takes it back.
+        fixture.apply(test::addSegment("Third"));
+        QVERIFY(!fixture.session().openEdit());
+        QTRY_COMPARE(fixture.now(), fixture.sizeOf(fixture.voxels(1)));
+        QVERIFY(fixture.session().undo() && fixture.session().settle());
+        QCOMPARE(fixture.session().stateHash(), hash);
+        fixture.apply(test::lockSegment(1));
+        pointAway(button);
+        pointAt(button);
+        QTest::qWait(500);
+        QVERIFY(!fixture.session().openEdit());
+    }
+
+    /// The parts of a split are those of the segment, and not of what is previewed of it.
+    void thePartsOfASplitAreWithoutIt()
+    {
+        Fixture fixture;
+        QVERIFY(fixture.addDabs());
+        const core::VolumeGeometry& geometry = fixture.workspace.volume()->geometry;
+        const auto parts = [&] {
+            const auto* line = fixture.panel->findChild<QLabel*>(QStringLiteral("cleanUp.parts"));
+            return line->isVisible() ? line->text() : QString();
+        };
+        const QString expected =
+            QStringLiteral("Parts: %1 · Parts 1: %2")
+                .arg(ui::millilitreText(fixture.one, geometry.voxelVolumeMm3()),
+                    ui::millilitreText(fixture.voxels(1) - fixture.one, geometry.voxelVolumeMm3()));
+        QPushButton& button = fixture.button("keepLargest");
+        pointAt(button);
+        QTRY_COMPARE(fixture.now(), fixture.more(-fixture.one));
+        ui::CuttingPlane& plane = fixture.workspace.plane();
+        plane.setPose(
+            ui::CuttingPlane::poseFacing(geometry.toWorld({20.0, 18.0, 10.0}), {1.0, 0.0, 0.0}));
+        plane.show();
+        QTest::qWait(400);
+        QCOMPARE(parts(), QString());
+        pointAway(button);
+        QTRY_COMPARE(parts(), expected);
+        pointAt(button);
+        QTRY_COMPARE(fixture.now(), fixture.more(-fixture.one));
+        QTest::qWait(300);
+        QCOMPARE(parts(), expected);
+    }
+
+    /// Whoever passes over the panel leaves the preview of a dialog alone.
+    void theDialogsGoFirst()
+    {
+        Fixture fixture;
+        QVERIFY(fixture.addDabs());
+        QTest::mouseClick(&fixture.button("smooth"), Qt::LeftButton);
+        auto* dialog = fixture.window.findChild<ui::ReshapeDialog*>();
+        QVERIFY(dialog);
+        QTRY_VERIFY(fixture.session().isOpen<core::ReshapeSegment>());
+        QPushButton& button = fixture.button("keepLargest");
+        pointAt(button);
+        QTest::qWait(600);
+        QVERIFY(fixture.session().isOpen<core::ReshapeSegment>());
+        dialog->close();
+        QTRY_COMPARE(fixture.now(), fixture.more(-fixture.one));
+        QVERIFY(fixture.previews(core::IslandRule::KeepLargest));
+        pointAway(button);
+        QVERIFY(!fixture.session().openEdit());
+    }
+
+    void theBoxIsRemembered()
+    {
+        for (const bool isOn : {true, false, true}) {
+            Fixture fixture;
+            QCOMPARE(fixture.previewBox().isChecked(), isOn);
+            fixture.previewBox().setChecked(!isOn);
+        }
+    }
+};
+
+BURIN_WINDOW_TEST(PointedPreviewUiTest)
+
+} // namespace pointedPreviewUiTest
+
+#include "PointedPreviewUiTest.moc"
