@@ -302,7 +302,7 @@ QStringList textsIn(const QString& code)
         QStringLiteral("[A-Za-z]{2,}[,;:.]? +[a-zA-Z(%“]|^\"[A-Z][a-z]+(?: …|\\.|: .*)?\"$"));
     static const QRegularExpression markup(
         QStringLiteral("[{}<>]|^\"(?:color|background|padding|border)\\b[^ ]*: |^\"\\w+\\+|"
-                       "^\"(?:Burin|Between|Reshape)\"$"));
+                       "^\"(?:Burin|Between|Mirror|Reshape)\"$"));
     static const QRegularExpression oneWord(QStringLiteral("^\"\\w+\"$"));
     static const QRegularExpression behindAName(QStringLiteral("\\+\\s*$"));
     static const QRegularExpression seam(QStringLiteral("\"\\s*\""));

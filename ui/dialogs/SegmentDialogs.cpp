@@ -2,6 +2,7 @@
 #include "ui/dialogs/SegmentDialogs.h"
 
 #include "ui/dialogs/segment/BetweenSlicesDialog.h"
+#include "ui/dialogs/segment/MirrorDialog.h"
 #include "ui/dialogs/segment/ReshapeDialog.h"
 #include "ui/dialogs/segment/SplitIslandsDialog.h"
 #include "ui/dialogs/segment/ThresholdDialog.h"
@@ -28,6 +29,10 @@ void openSegmentDialogs(Workspace& workspace, QWidget& window)
     QObject::connect(
         &workspace, &Workspace::fillBetweenAsked, &window, [&workspace, &window](int label) {
             theDialog<BetweenSlicesDialog>(workspace, window).ask(label);
+        });
+    QObject::connect(
+        &workspace, &Workspace::mirrorAsked, &window, [&workspace, &window](int label) {
+            theDialog<MirrorDialog>(workspace, window).ask(label);
         });
     QObject::connect(
         &workspace, &Workspace::splitIslandsAsked, &window, [&workspace, &window](int label) {

@@ -50,6 +50,11 @@ void askToSplit(Workspace& workspace, int label)
     workspace.askToSplitIslands(label);
 }
 
+void askToMirror(Workspace& workspace, int label)
+{
+    workspace.askToMirror(label);
+}
+
 template <core::MirroredSides sides> void mirrorAtMiddle(Workspace& workspace, int label)
 {
     mirrorSegment(workspace, {.segment = label, .sides = sides});
@@ -161,6 +166,11 @@ const std::vector<SegmentAction>& segmentActions()
             .text = QObject::tr("Mirror head and feet at the crosshair"),
             .named = QObject::tr("Mirror '%1' head and feet at the crosshair"),
             .run = &mirrorAtCrosshair<core::MirroredSides::InferiorSuperior>,
+            .submenu = QObject::tr("Mirror")},
+        {.id = "segments.mirrorBy",
+            .text = QObject::tr("Mirror …"),
+            .named = QObject::tr("Mirror '%1' …"),
+            .run = &askToMirror,
             .submenu = QObject::tr("Mirror")},
         {.id = "segments.duplicate",
             .text = QObject::tr("Duplicate segment"),

@@ -281,6 +281,8 @@ public:
     void askToReshape(int label, core::ShapeOperation first) { Q_EMIT reshapeAsked(label, first); }
     /// Asks the window to open the dialog that fills a segment between slices.
     void askToFillBetween(int label) { Q_EMIT fillBetweenAsked(label); }
+    /// Asks the window to open the dialog that mirrors a segment.
+    void askToMirror(int label) { Q_EMIT mirrorAsked(label); }
     /// Asks the window to open the dialog that splits islands of a segment.
     void askToSplitIslands(int label) { Q_EMIT splitIslandsAsked(label); }
     /// Asks the window to open the dialog for a threshold of a segment.
@@ -318,6 +320,7 @@ Q_SIGNALS:
     void offered(const ui::Workspace::Offer& made);
     void reshapeAsked(int label, core::ShapeOperation first);
     void fillBetweenAsked(int label);
+    void mirrorAsked(int label);
     void splitIslandsAsked(int label);
     void thresholdAsked(int label);
     void pressureChanged(double pressure);

@@ -208,7 +208,7 @@ private Q_SLOTS:
         const auto mirror = std::find_if(submenus.begin(), submenus.end(),
             [](const QAction* each) { return each->text() == QStringLiteral("Mirror"); });
         QVERIFY(mirror != submenus.end() && (*mirror)->menu());
-        QCOMPARE((*mirror)->menu()->actions().size(), 6);
+        QCOMPARE((*mirror)->menu()->actions().size(), 7);
         const glm::ivec3 size = fixture.session().document().volumes.front().geometry.size;
         fixture.workspace.setCrosshairLps(
             fixture.workspace.volume()->geometry.toWorld({10.0, 11.0, 9.0}));
