@@ -24,6 +24,7 @@
 
 #include <QApplication>
 #include <QDoubleSpinBox>
+#include <QEnterEvent>
 #include <QLabel>
 #include <QMenu>
 #include <QPushButton>
@@ -123,6 +124,22 @@ private:
         const std::size_t rows = session().history().rows().size();
         found->click();
         QVERIFY(wait([&] { return session().history().rows().size() > rows; }));
+    }
+    /// The panel that cleans up, with the pointer on a button.
+    [[nodiscard]] QImage panelWithPreview()
+    {
+        auto* button =
+            window().findChild<QPushButton*>(QStringLiteral("cleanUp.segments.removeSmall"));
+        const auto* now = window().findChild<QLabel*>(QStringLiteral("cleanUpNow"));
+        const QPointF middle = button->rect().center();
+        QEnterEvent enter(middle, middle, button->mapToGlobal(middle));
+        QCoreApplication::sendEvent(button, &enter);
+        if (!wait([now] { return now->text().endsWith(QStringLiteral(" voxels")); }))
+            qFatal("no preview: %s", qPrintable(now->text()));
+        const QImage seen = pictureOf(QStringLiteral("Clean up"));
+        QEvent leave(QEvent::Leave);
+        QCoreApplication::sendEvent(button, &leave);
+        return seen;
     }
     /// Waits until a preview is there, and drawn. To settle would end it.
     void previewed(const QLabel& size)
@@ -239,16 +256,17 @@ private Q_SLOTS:
             panels.push_back(test::middleOf(axial, cleanSize));
         };
         keep();
+        const QImage panel = panelWithPreview();
         press("cleanUp.segments.fillHoles");
         press("cleanUp.segments.removeSmall");
         keep();
         workspace().askToReshape(1, core::ShapeOperation::Grow);
         auto& margin = dialog<ui::ReshapeDialog>();
         QVERIFY(QTest::qWaitForWindowExposed(&margin));
+        margin.findChild<QDoubleSpinBox*>(QStringLiteral("reshapeMm"))->setValue(2.0);
         press("applyReshape");
         margin.close();
         keep();
-        const QImage panel = pictureOf(QStringLiteral("Clean up"));
         std::vector<QImage> below = lesionBetweenSlices();
         below.insert(below.begin(), panel);
         QVERIFY(test::keepCollage({panels, below}, "clean-up.png"));
