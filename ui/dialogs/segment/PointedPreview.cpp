@@ -4,6 +4,7 @@
 #include "ui/dialogs/segment/PreviewRow.h"
 
 #include <QAbstractSpinBox>
+#include <QApplication>
 #include <QFocusEvent>
 #include <QWidget>
 
@@ -34,41 +35,77 @@ void PointedPreview::watch(QWidget& widget, Asked asked)
     widget.installEventFilter(this);
 }
 
+void PointedPreview::setPointedAt(QWidget* widget)
+{
+    if (m_pointedAt == widget)
+        return;
+    m_pointedAt = widget;
+    if (widget)
+        qApp->installEventFilter(this);
+    else
+        qApp->removeEventFilter(this);
+    pointAnew();
+}
+
+void PointedPreview::setFocused(QWidget* widget)
+{
+    if (m_focused == widget)
+        return;
+    m_focused = widget;
+    pointAnew();
+}
+
 bool PointedPreview::eventFilter(QObject* watched, QEvent* event)
 {
-    QObject* const pointedAt = m_pointedAt;
-    QObject* const focused = m_focused;
-    switch (event->type()) {
+    if (m_watched.contains(watched))
+        look(*static_cast<QWidget*>(watched), *event);
+    else if (m_pointedAt && isPenElsewhere(*watched, *event))
+        setPointedAt(nullptr);
+    return QObject::eventFilter(watched, event);
+}
+
+/// @param widget one that is watched
+void PointedPreview::look(QWidget& widget, const QEvent& event)
+{
+    switch (event.type()) {
     case QEvent::Enter:
-        m_pointedAt = watched;
+        setPointedAt(&widget);
         break;
     case QEvent::Leave:
-        if (m_pointedAt == watched)
-            m_pointedAt = nullptr;
+        if (m_pointedAt == &widget)
+            setPointedAt(nullptr);
         break;
     case QEvent::FocusIn:
-        if (comesByKeyboard(*watched, static_cast<const QFocusEvent&>(*event)))
-            m_focused = watched;
+        if (comesByKeyboard(widget, static_cast<const QFocusEvent&>(event)))
+            setFocused(&widget);
         break;
     case QEvent::FocusOut:
-        if (m_focused == watched)
-            m_focused = nullptr;
+        if (m_focused == &widget)
+            setFocused(nullptr);
         break;
     case QEvent::Hide:
-        m_pointedAt = nullptr;
-        m_focused = nullptr;
+        setPointedAt(nullptr);
+        setFocused(nullptr);
         break;
     default:
         break;
     }
-    if (m_pointedAt != pointedAt || m_focused != focused)
-        pointAnew();
-    return QObject::eventFilter(watched, event);
+}
+
+/// Where a widget takes a pen's own events, as views do, Qt does not tell the widget before that it
+/// was left. What a widget does not take goes on to those around it.
+bool PointedPreview::isPenElsewhere(QObject& receiver, const QEvent& event) const
+{
+    if (event.type() == QEvent::TabletLeaveProximity)
+        return true;
+    const bool isPen = event.type() == QEvent::TabletMove || event.type() == QEvent::TabletPress;
+    const auto* widget = isPen ? qobject_cast<const QWidget*>(&receiver) : nullptr;
+    return widget && !widget->isAncestorOf(m_pointedAt) && !m_pointedAt->isAncestorOf(widget);
 }
 
 void PointedPreview::follow()
 {
-    QObject* const meant = m_pointedAt ? m_pointedAt : m_focused;
+    QWidget* const meant = m_pointedAt ? m_pointedAt : m_focused;
     const auto asked = m_rests ? m_watched.end() : m_watched.find(meant);
     m_row.preview(asked == m_watched.end() ? std::nullopt : asked->second());
 }

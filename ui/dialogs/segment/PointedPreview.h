@@ -41,10 +41,15 @@ protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
+    void setPointedAt(QWidget* widget);
+    void setFocused(QWidget* widget);
+    void look(QWidget& widget, const QEvent& event);
+    [[nodiscard]] bool isPenElsewhere(QObject& receiver, const QEvent& event) const;
+
     PreviewRow& m_row;
     std::map<QObject*, Asked> m_watched;
-    QObject* m_pointedAt = nullptr; ///< by the pointer
-    QObject* m_focused = nullptr; ///< by the keyboard
+    QWidget* m_pointedAt = nullptr; ///< by the pointer
+    QWidget* m_focused = nullptr; ///< by the keyboard
     bool m_rests = false;
 };
 

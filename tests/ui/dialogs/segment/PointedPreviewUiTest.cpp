@@ -4,6 +4,7 @@
 #include "core/edits/kinds/segments/CleanSegment.h"
 #include "core/edits/kinds/segments/ReshapeSegment.h"
 #include "tests/support/faults/FailingLog.h"
+#include "tests/support/fixtures/Pen.h"
 #include "tests/support/fixtures/WindowFixture.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/PlainEdits.h"
@@ -11,6 +12,8 @@
 #include "ui/base/NumberText.h"
 #include "ui/dialogs/segment/ReshapeDialog.h"
 #include "ui/panels/lists/CleanUpPanel.h"
+#include "ui/views/SliceView.h"
+#include "ui/views/ViewGrid.h"
 #include "ui/workspace/CuttingPlane.h"
 
 #include <QCheckBox>
@@ -282,6 +285,31 @@ private Q_SLOTS:
         pointAway(button);
         pointAt(button);
         QTest::qWait(500);
+        QVERIFY(!fixture.session().openEdit());
+    }
+
+    /// A pen that goes on to a view leaves the button without a word of Qt.
+    void thePreviewEndsWithThePen()
+    {
+        Fixture fixture;
+        QVERIFY(fixture.addDabs());
+        QPushButton& button = fixture.button("keepLargest");
+        const QString expected = fixture.more(-fixture.one);
+        ui::ImageView& view = fixture.window.views().axial();
+        test::Pen overTheView(view);
+        test::Pen overTheButton(button);
+        quint64 ms = 1000;
+        pointAt(button);
+        overTheButton.hover(QPointF(3.0, 3.0), ++ms);
+        QTRY_COMPARE(fixture.now(), expected);
+        overTheButton.hover(QPointF(5.0, 3.0), ++ms);
+        QVERIFY(fixture.previews(core::IslandRule::KeepLargest));
+        overTheView.hover(QPointF(50.0, 50.0), ++ms);
+        QVERIFY(!fixture.session().openEdit());
+        pointAt(button);
+        QTRY_COMPARE(fixture.now(), expected);
+        QEvent away(QEvent::TabletLeaveProximity);
+        QCoreApplication::sendEvent(qApp, &away);
         QVERIFY(!fixture.session().openEdit());
     }
 
