@@ -69,7 +69,8 @@ public:
 
     Made operator()(const SplitIslands& edit) const
     {
-        return std::make_unique<SplitIslandsOperation>(edit, m_again);
+        return std::make_unique<SplitIslandsOperation>(
+            edit, SplitIslandsOperation::Kind::Whole, m_again);
     }
     Made operator()(const CopySegment& edit) const
     {
@@ -124,6 +125,9 @@ std::unique_ptr<Operation> openOperationOf(const Edit& edit)
                     known, SurfaceOperation::Kind::Interactive);
             else if constexpr (isWorkedOutKind<E>)
                 return std::make_unique<IslandOperation>(known, IslandOperation::Kind::Interactive);
+            else if constexpr (isOneOf<E, SplitIslands>)
+                return std::make_unique<SplitIslandsOperation>(
+                    known, SplitIslandsOperation::Kind::Interactive);
             else
                 return nullptr;
         },

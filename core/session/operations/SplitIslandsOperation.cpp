@@ -17,15 +17,15 @@ constexpr int splitCodesAtOnce = 1 << 21; ///< 4 MiB; one slice where it has mor
 
 } // namespace
 
-SplitIslandsOperation::SplitIslandsOperation(const SplitIslands& edit, RowId again)
-    : WorkedOutOperation(edit, Kind::Whole, again)
+SplitIslandsOperation::SplitIslandsOperation(const SplitIslands& edit, Kind kind, RowId again)
+    : WorkedOutOperation(edit, kind, again)
     , m_work(std::make_shared<Work>())
 {
 }
 
 bool SplitIslandsOperation::foresee(Document& document) const
 {
-    return split().into && applyToDocument(edit(), document);
+    return isCommitted() && split().into && applyToDocument(edit(), document);
 }
 
 void SplitIslandsOperation::start(SessionState& state)

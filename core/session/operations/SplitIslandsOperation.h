@@ -15,16 +15,17 @@ namespace core {
 /// Carries out a SplitIslands. It reads the labels of the segment's plane and, with an editable
 /// range, those of the planes that the range refers to and the values around the segment; an engine
 /// that writes asks the range again. The side thread finds the islands, and lists in the edit the
-/// segments that they become.
+/// segments that they become. As a preview it writes their labels, and they are segments of the
+/// document once it is committed.
 class SplitIslandsOperation final : public WorkedOutOperation {
 public:
     /// @param again as in VoxelOperation
-    explicit SplitIslandsOperation(const SplitIslands& edit, RowId again = 0);
+    SplitIslandsOperation(const SplitIslands& edit, Kind kind, RowId again = 0);
 
     void start(SessionState& state) override;
     void takeResult(SessionState& state, EngineResult&& result) override;
     /// As Operation::foresee(). Returns false for an edit that does not list its segments, because
-    /// its islands must be counted first.
+    /// its islands must be counted first, and for a preview that is not committed.
     [[nodiscard]] bool foresee(Document& document) const override;
 
 private:

@@ -82,6 +82,8 @@ protected:
     void takeWritten(SessionState& state, EngineResult&& result);
 
     [[nodiscard]] const std::shared_ptr<Watch>& watch() const { return m_watch; }
+    /// Whether it becomes a row if it changes anything; a preview does not unless it is committed.
+    [[nodiscard]] bool isCommitted() const { return m_ending == Ending::Commit; }
 
 private:
     [[nodiscard]] bool isRolledBack() const { return m_ending == Ending::Rollback; }

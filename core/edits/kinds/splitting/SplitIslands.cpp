@@ -9,6 +9,7 @@
 #include "core/edits/engine/EditableRanges.h"
 #include "core/edits/engine/IslandSizes.h"
 #include "core/edits/engine/ListedRuns.h"
+#include "core/edits/open/OpenStroke.h"
 #include "core/islands/SegmentIslands.h"
 #include "core/sculpt/labels/HeldVoxels.h"
 
@@ -76,7 +77,16 @@ Result<bool> apply(const SplitIslands& edit, Document& document)
 EditEffects effects(const SplitIslands& edit)
 {
     // Elsewhere there may be more islands, or fewer.
-    return splitEffects(edit.segment, edit.into.has_value() || namesPlaces(edit.editable));
+    EditEffects all =
+        splitEffects(edit.segment, edit.into.has_value() || namesPlaces(edit.editable));
+    all.standsOpen = opens<SplitIslands>();
+    return all;
+}
+
+/// A preview, for the user to decide.
+OpenManner openManner(const SplitIslands&)
+{
+    return {.withoutPen = true, .endsIfRefused = true};
 }
 
 /// "Split 3 islands off 'Liver', −1 204 voxels"

@@ -40,6 +40,7 @@ Result<bool> apply(const SplitIslands& edit, Document& document);
 [[nodiscard]] EditEffects effects(const SplitIslands& edit);
 [[nodiscard]] RowTitle rowTitle(const SplitIslands& edit, const RowFacts& row);
 [[nodiscard]] EditDependencies dependencies(const SplitIslands& edit, const DependencyFacts& row);
+[[nodiscard]] OpenManner openManner(const SplitIslands& edit);
 
 /// The number of voxels that an island must have at least to become a segment.
 [[nodiscard]] std::int64_t leastVoxels(const SplitIslands& edit, const VolumeGeometry& geometry);

@@ -32,7 +32,8 @@ static_assert(isSurfaceTool<SpherePush> && !isSurfaceTool<BrushStroke>);
 static_assert(!isSurfaceTool<ApplyTemplate> && hasOpenManner<ApplyTemplate>);
 static_assert(!isSurfaceTool<LaySurface> && !hasOpenManner<LaySurface>);
 static_assert(hasOpenManner<ReshapeSegment> && hasOpenManner<FillBetweenSlices>);
-static_assert(!hasOpenManner<SplitIslands> && !hasOpenManner<FloodFill>);
+static_assert(hasOpenManner<SplitIslands>);
+static_assert(!hasOpenManner<SplitSegment> && !hasOpenManner<FloodFill>);
 
 namespace {
 
@@ -156,8 +157,8 @@ private Q_SLOTS:
         QVERIFY(openMannerOf(ApplyTemplate()).withoutPen);
         QVERIFY(!openMannerOf(SpherePush()).withoutPen);
         // What is worked out first is a preview as a threshold is.
-        for (const Edit& edit : std::vector<Edit>{
-                 CleanSegment(), ReshapeSegment(), FillBetweenSlices(), MirrorSegment()}) {
+        for (const Edit& edit : std::vector<Edit>{CleanSegment(), ReshapeSegment(),
+                 FillBetweenSlices(), MirrorSegment(), SplitIslands()}) {
             const OpenManner manner = openMannerOf(edit);
             QVERIFY(manner.withoutPen && manner.endsIfRefused && !manner.keepsForNext);
             QVERIFY(manner.usualEnding == Ending::Rollback);

@@ -5,6 +5,7 @@
 #include "core/edits/kinds/segments/CleanSegment.h"
 #include "core/edits/kinds/segments/ReshapeSegment.h"
 #include "core/edits/kinds/splitting/SplitIslands.h"
+#include "core/edits/kinds/splitting/SplitSegment.h"
 #include "core/engine/EngineCommands.h"
 #include "core/session/EditSession.h"
 #include "core/session/SegmentWork.h"
@@ -20,6 +21,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -142,7 +144,7 @@ const std::vector<std::pair<const char*, Edit>>& previews()
                 .mm = 9.0,
                 .editable = EditableRange{.lower = 0.0, .upper = 100.0}}},
         {"between slices", FillBetweenSlices{.segment = 1}},
-        {"mirror", MirrorSegment{.segment = 1}},
+        {"mirror", MirrorSegment{.segment = 1}}, {"islands", SplitIslands{.segment = 1}},
         {"mirror beside it", MirrorSegment{.segment = 1, .keep = true}},
         {"holes", CleanSegment{.segment = 1, .rule = IslandRule::FillHoles}},
         {"largest island", CleanSegment{.segment = 1, .rule = IslandRule::KeepLargest}},
@@ -362,11 +364,52 @@ private Q_SLOTS:
         QCOMPARE(session.begin(grown(0.0)).error().code, ErrorCode::InvalidField);
         QCOMPARE(
             session.begin(FillBetweenSlices{.segment = 7}).error().code, ErrorCode::UnknownSegment);
-        // Its segments would have to be made.
-        QCOMPARE(session.begin(SplitIslands{.segment = 1}).error().code, ErrorCode::InvalidField);
+        // Its segment would have to be made.
+        QCOMPARE(session.begin(SplitSegment{.segment = 1}).error().code, ErrorCode::InvalidField);
         QVERIFY(session.apply(test::lockSegment(1)) && session.settle());
         QCOMPARE(session.begin(grown(2.0)).error().code, ErrorCode::SegmentLocked);
         QVERIFY(!session.openEdit());
+    }
+
+    /// New segments are seen by their labels, and are the document's once it is a step.
+    void segmentsAreMadeWhenItIsAStep()
+    {
+        for (const bool isNamed : {false, true}) {
+            reference::ReferenceEngine engine;
+            Bench bench(engine);
+            EditSession& session = *bench.session;
+            SplitIslands edit{.segment = 1};
+            if (isNamed)
+                edit.into = usualParts(session.document(), *session.document().segment(1), 2);
+            const std::vector<std::uint8_t> first = bench.labels();
+            QVERIFY(session.begin(edit) && session.openIsPreview() && bench.waitUntilSeen());
+            const std::vector<std::uint8_t> seen = bench.labels();
+            QVERIFY(std::count(seen.begin(), seen.end(), 3) > 0);
+            QVERIFY(std::count(seen.begin(), seen.end(), 4) > 0);
+            QCOMPARE(session.openEdit()->get<SplitIslands>().into->size(), std::size_t(2));
+            QCOMPARE(session.document().segments.size(), std::size_t(2));
+            QCOMPARE(session.foreseenDocument().segments.size(), std::size_t(2));
+            session.end(Ending::Rollback);
+            QCOMPARE(session.foreseenDocument().segments.size(), std::size_t(2));
+            QVERIFY(bench.isAsBefore());
+            QCOMPARE(bench.labels(), first);
+            // A segment that is added meanwhile takes the preview back, and its label.
+            QVERIFY(session.begin(edit) && bench.waitUntilSeen());
+            QVERIFY(session.apply(test::addSegment("Third")) && session.settle());
+            QCOMPARE(bench.labels(), first);
+            QVERIFY(session.undo() && session.settle());
+            QCOMPARE(session.stateHash(), bench.before);
+            QVERIFY(session.begin(edit) && bench.waitUntilSeen());
+            session.end(Ending::Commit);
+            QCOMPARE(session.foreseenDocument().segments.size(), std::size_t(4));
+            QVERIFY(session.settle());
+            QCOMPARE(session.document().segments.size(), std::size_t(4));
+            QVERIFY(session.document().segment(3)->voxels > 0);
+            QVERIFY(session.undo() && session.settle());
+            QCOMPARE(session.stateHash(), bench.before);
+            QCOMPARE(session.document().segments.size(), std::size_t(2));
+            QVERIFY(bench.told.empty());
+        }
     }
 
     /// As a stroke under the pen: a crash leaves nothing of it. On the disk is what was taken.
