@@ -358,11 +358,12 @@ void fillBetweenSlices(Workspace& workspace, const core::FillBetweenSlices& edit
         {.isOpen = isOpen});
 }
 
-void splitIslands(Workspace& workspace, const core::SplitIslands& edit)
+void splitIslands(Workspace& workspace, const core::SplitIslands& edit, bool isOpen)
 {
     carryOut(workspace, edit,
         QObject::tr("'%1' has no other island that is large enough")
-            .arg(nameOfSegment(workspace, edit.segment)));
+            .arg(nameOfSegment(workspace, edit.segment)),
+        {.isOpen = isOpen});
 }
 
 void floodFill(Workspace& workspace, const core::FloodFill& edit)

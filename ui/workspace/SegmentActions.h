@@ -85,23 +85,22 @@ void splitByCurve(Workspace& workspace, const core::SplitByCurve& edit);
 [[nodiscard]] QString partsText(const Workspace& workspace, const QString& name,
     std::int64_t voxels, const QString& otherName, std::int64_t otherVoxels);
 
-/// The following five may be previewed before (EditTrial).
+/// The following six may be previewed before (EditTrial).
 /// @param isOpen whether @p edit stands open in the session, for its preview; it is committed then,
 /// and nothing is computed again
 ///
 /// reshapeSegment() grows, shrinks, hollows out, smooths or wraps a segment; fillBetweenSlices()
 /// fills it between the slices on which it was drawn; takeThreshold() applies a threshold;
 /// cleanSegment() fills holes or takes islands away; mirrorSegment() replaces it by its mirror
-/// image, or adds that.
+/// image, or adds that; splitIslands() makes islands of it segments of their own.
 void reshapeSegment(Workspace& workspace, const core::ReshapeSegment& edit, bool isOpen = false);
 void fillBetweenSlices(
     Workspace& workspace, const core::FillBetweenSlices& edit, bool isOpen = false);
 void takeThreshold(Workspace& workspace, const core::ThresholdSegment& edit, bool isOpen);
 void cleanSegment(Workspace& workspace, const core::CleanSegment& edit, bool isOpen = false);
 void mirrorSegment(Workspace& workspace, const core::MirrorSegment& edit, bool isOpen = false);
+void splitIslands(Workspace& workspace, const core::SplitIslands& edit, bool isOpen = false);
 
-/// Makes islands of a segment segments of their own.
-void splitIslands(Workspace& workspace, const core::SplitIslands& edit);
 /// Returns the size below which an island counts as small: 100 mm³, or a hundredth of its segment
 /// where that is less. Specks of a growth or of a network are smaller, and hardly anything that
 /// users look for is.

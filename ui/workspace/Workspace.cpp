@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/workspace/Workspace.h"
 
+#include "core/edits/document/DocumentEdits.h"
+#include "core/edits/kinds/splitting/SplitIslands.h"
 #include "core/session/SessionStorage.h"
 #include "ui/base/AuthorName.h"
 #include "ui/base/Theme.h"
@@ -231,12 +233,25 @@ Workspace::DrawnSegments Workspace::drawnSegments(const SegmentLook& look) const
         look.fillPercent.value_or(m_viewOptions.segmentFillPercent)};
 }
 
+namespace {
+
+/// With the segments that a preview would make: their voxels are seen already.
+core::Document documentSeen(const core::EditSession& session)
+{
+    core::Document seen = session.document();
+    if (session.isOpen<core::SplitIslands>())
+        static_cast<void>(core::applyToDocument(*session.openEdit(), seen));
+    return seen;
+}
+
+} // namespace
+
 gpu::SegmentDisplay Workspace::segmentDisplay(const SegmentLook& look) const
 {
     if (!m_session)
         return {};
     gpu::SegmentDisplay display =
-        ui::segmentDisplay(m_session->document(), m_viewOptions.showSegments);
+        ui::segmentDisplay(documentSeen(*m_session), m_viewOptions.showSegments);
     display.warningRgb = theme::caution.rgb() & 0xFFFFFFu;
     if (m_warnAfter)
         display.warnAfterGeneration = *m_warnAfter;

@@ -363,6 +363,8 @@ private Q_SLOTS:
             dialogs.push_back(pictureOfDialog<ui::ReshapeDialog>());
         }
         workspace().askToSplitIslands(1);
+        const auto* now = window().findChild<QLabel*>(QStringLiteral("splitNow"));
+        QVERIFY(wait([now] { return now->text().endsWith(u')'); }));
         dialogs.push_back(pictureOfDialog<ui::SplitIslandsDialog>());
         QVERIFY(test::keepCollage({dialogs}, "segment-dialogs.png"));
     }

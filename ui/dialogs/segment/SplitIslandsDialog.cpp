@@ -5,6 +5,7 @@
 #include "core/session/EditSession.h"
 #include "ui/base/NumberText.h"
 #include "ui/base/Theme.h"
+#include "ui/dialogs/segment/PreviewRow.h"
 #include "ui/menus/EditableButton.h"
 #include "ui/menus/SegmentMenus.h"
 #include "ui/widgets/fields/NumberField.h"
@@ -25,6 +26,7 @@ SplitIslandsDialog::SplitIslandsDialog(Workspace& workspace, QWidget* parent)
     : LabelLookDialog(workspace, tr("Split islands into segments"), QStringLiteral("split"), parent)
     , m_mm3(new NumberField(this))
     , m_result(new QLabel(this))
+    , m_preview(new PreviewRow(workspace, QStringLiteral("split"), this))
     , m_apply(new QPushButton(tr("Split"), this))
 {
     constexpr double mostMm3 = 1e7; // ten litres
@@ -62,9 +64,14 @@ SplitIslandsDialog::SplitIslandsDialog(Workspace& workspace, QWidget* parent)
     column().addWidget(m_result);
     column().addWidget(new EditableNote(workspace, this));
     column().addSpacing(theme::smallPadding);
+    column().addWidget(m_preview);
     column().addLayout(buttons);
-    connect(m_mm3, &QDoubleSpinBox::valueChanged, this, &SplitIslandsDialog::showState);
-    connect(&workspace, &Workspace::editableChanged, this, &SplitIslandsDialog::showState);
+    connect(m_mm3, &QDoubleSpinBox::valueChanged, this, &SplitIslandsDialog::follow);
+    connect(&workspace, &Workspace::editableChanged, this, &SplitIslandsDialog::follow);
+    connect(m_preview, &PreviewRow::switched, this, &SplitIslandsDialog::follow);
+    connect(m_preview, &PreviewRow::changed, this, &SplitIslandsDialog::showState);
+    // Pictures have the colours of the new segments, too.
+    connect(m_preview, &PreviewRow::changed, &workspace, &Workspace::viewOptionsChanged);
     connect(m_apply, &QPushButton::clicked, this, &SplitIslandsDialog::carryOut);
     connect(close, &QPushButton::clicked, this, &QDialog::reject);
 }
@@ -90,14 +97,37 @@ void SplitIslandsDialog::count(const LabelFetch::Planes& planes)
             const core::Progress& progress) {
             return core::islandSizes(planes->front().labels, size, label, progress);
         },
-        [this](const std::vector<std::int64_t>& sizes) { m_sizes = sizes; });
+        [this](const std::vector<std::int64_t>& sizes) {
+            m_sizes = sizes;
+            follow();
+        });
 }
 
 core::SplitIslands SplitIslandsDialog::chosen() const
 {
-    core::SplitIslands edit{.segment = label()};
+    core::SplitIslands edit{.segment = label(), .editable = workspace().editableRange()};
     if (const double mm3 = m_mm3->value(); mm3 > 0.0)
         edit.mm3 = mm3;
+    return edit;
+}
+
+std::optional<std::int64_t> SplitIslandsDialog::others() const
+{
+    if (!m_sizes)
+        return std::nullopt;
+    const std::int64_t least = core::leastVoxels(chosen(), workspace().volume()->geometry);
+    const auto large = std::count_if(
+        m_sizes->begin(), m_sizes->end(), [least](std::int64_t voxels) { return voxels >= least; });
+    return std::max<std::int64_t>(0, large - 1); // the largest stays, however small it is
+}
+
+core::SplitIslands SplitIslandsDialog::previewed() const
+{
+    core::SplitIslands edit = chosen();
+    const core::Segment* about = segment();
+    const std::int64_t made = others().value_or(0);
+    if (about && made > 0 && !edit.editable)
+        edit.into = core::usualParts(workspace().session()->document(), *about, std::size_t(made));
     return edit;
 }
 
@@ -108,11 +138,7 @@ void SplitIslandsDialog::showState()
     QString why = whyUnchangeable(about);
     QString result = isLooking() ? tr("Looking …") : QString();
     if (about && m_sizes) {
-        const std::int64_t least = core::leastVoxels(chosen(), workspace().volume()->geometry);
-        const auto large = std::count_if(m_sizes->begin(), m_sizes->end(),
-            [least](std::int64_t voxels) { return voxels >= least; });
-        // The largest stays, however small it is.
-        const auto others = std::max<std::int64_t>(0, large - 1);
+        const std::int64_t others = *this->others();
         // Which of them have voxels that may change is only known when they are split.
         const bool isLimited = !workspace().editableText().isEmpty();
         const auto room = std::int64_t(core::roomForSegments(workspace().session()->document()));
@@ -135,11 +161,27 @@ void SplitIslandsDialog::showState()
     m_result->setText(result);
     m_apply->setEnabled(why.isEmpty());
     m_apply->setToolTip(why);
+    m_preview->showState(about);
+}
+
+void SplitIslandsDialog::forgetFound()
+{
+    m_sizes.reset();
+    m_preview->preview(std::nullopt); // what is looked at next is the segment without it
+}
+
+void SplitIslandsDialog::follow()
+{
+    showState();
+    const bool isWanted = isVisible() && m_sizes && m_apply->isEnabled();
+    m_preview->preview(isWanted ? std::optional<core::Edit>(previewed()) : std::nullopt);
 }
 
 void SplitIslandsDialog::carryOut()
 {
-    splitIslands(workspace(), chosen());
+    const core::SplitIslands seen = previewed();
+    const bool isOpen = m_preview->handOver(seen);
+    splitIslands(workspace(), isOpen ? seen : chosen(), isOpen);
 }
 
 } // namespace ui

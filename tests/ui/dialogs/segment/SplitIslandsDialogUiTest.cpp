@@ -2,6 +2,7 @@
 #include "ui/dialogs/segment/SplitIslandsDialog.h"
 
 #include "core/brick/VoxelRuns.h"
+#include "core/document/SegmentColours.h"
 #include "core/edits/kinds/splitting/SplitIslands.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/fixtures/WindowFixture.h"
@@ -10,10 +11,13 @@
 #include "tests/support/scenes/PlainMasks.h"
 #include "tests/support/scenes/SmallStudy.h"
 #include "ui/base/ErrorText.h"
+#include "ui/base/NumberText.h"
 
+#include <QCheckBox>
 #include <QDoubleSpinBox>
 #include <QLabel>
 #include <QPushButton>
+#include <QSettings>
 #include <QSignalSpy>
 #include <QTimer>
 #include <QtTest>
@@ -93,7 +97,11 @@ class SplitIslandsDialogUiTest : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void init() { test::failOnUnexpectedMessages(); }
+    void init()
+    {
+        test::failOnUnexpectedMessages();
+        QSettings().remove(QStringLiteral("split"));
+    }
 
     /// How many have voxels that may change is not known before; the dialog says which may.
     void keepsToTheEditableRange()
@@ -182,6 +190,75 @@ private Q_SLOTS:
         fixture.apply(test::lockSegment(1));
         QTRY_VERIFY(!splitOf(dialog).isEnabled());
         QCOMPARE(splitOf(dialog).toolTip(), QStringLiteral("'Parts' is locked"));
+        dialog.close();
+    }
+
+    /// The new segments are seen in their colours before they are made, and taken as they are seen.
+    void areSeenBeforeTheyAreMade()
+    {
+        Fixture fixture;
+        const double voxelMm3 = fixture.workspace.volume()->geometry.voxelVolumeMm3();
+        const auto sized = [voxelMm3](std::int64_t voxels) {
+            return ui::volumeText(double(voxels) * voxelMm3 / 1000.0);
+        };
+        const auto sees = [&](int label) {
+            return fixture.workspace.segmentDisplay().visible[std::size_t(label)];
+        };
+        const QByteArray hash = fixture.session().stateHash();
+        const std::size_t rows = fixture.rows();
+        const std::int64_t all = fixture.voxels(1);
+        const std::uint32_t colour = core::usualSegmentColour(1);
+        ui::SplitIslandsDialog& dialog = fixture.opened();
+        const auto* now = dialog.findChild<QLabel*>(QStringLiteral("splitNow"));
+        QVERIFY(now && !sees(2));
+        const QString both =
+            QStringLiteral("Preview: %1 → %2 (−%3)")
+                .arg(sized(all), sized(fixture.large), sized(fixture.middle + fixture.small));
+        QTRY_COMPARE(now->text(), both);
+        QVERIFY(fixture.session().isOpen<core::SplitIslands>());
+        QVERIFY(sees(2) && sees(3) && !sees(4));
+        QCOMPARE(fixture.workspace.segmentDisplay().rgb[2], colour);
+        QCOMPARE(fixture.session().document().segments.size(), std::size_t(1));
+        QCOMPARE(fixture.rows(), rows);
+        sizeOf(dialog).setValue((double(fixture.small) + 0.5) * voxelMm3);
+        QTRY_COMPARE(now->text(),
+            QStringLiteral("Preview: %1 → %2 (−%3)")
+                .arg(sized(all), sized(all - fixture.middle), sized(fixture.middle)));
+        QVERIFY(sees(2) && !sees(3));
+        dialog.close();
+        QVERIFY(!fixture.session().openEdit() && !sees(2));
+        QVERIFY(fixture.session().settle());
+        QCOMPARE(fixture.session().stateHash(), hash);
+
+        QVERIFY(&fixture.opened() == &dialog);
+        QTRY_COMPARE(now->text(), both);
+        QSignalSpy drawn(&fixture.workspace, &ui::Workspace::viewOptionsChanged);
+        dialog.findChild<QCheckBox*>(QStringLiteral("splitPreview"))->setChecked(false);
+        QVERIFY(!fixture.session().openEdit() && !sees(2) && drawn.size() > 0);
+        dialog.findChild<QCheckBox*>(QStringLiteral("splitPreview"))->setChecked(true);
+        QTRY_COMPARE(now->text(), both);
+        QTest::mouseClick(&splitOf(dialog), Qt::LeftButton);
+        QVERIFY(!fixture.session().openEdit() && fixture.session().settle());
+        QCOMPARE(fixture.rows(), rows + 1);
+        QCOMPARE(fixture.session().document().segments.size(), std::size_t(3));
+        QCOMPARE(fixture.voxels(1), fixture.large);
+        QCOMPARE(fixture.voxels(2), fixture.middle);
+        QCOMPARE(fixture.session().document().segment(2)->rgb, colour);
+        QTRY_COMPARE(now->text(), QStringLiteral("Now: %1").arg(sized(fixture.large)));
+        dialog.close();
+
+        // Of which islands may change, it is known when they are worked out.
+        QVERIFY(fixture.session().undo() && fixture.session().settle());
+        core::ClipRegion clip = fixture.workspace.clip();
+        clip.box.on = true;
+        clip.box.maximum.y = 18.5; // the small dab alone
+        fixture.workspace.setClip(clip);
+        fixture.workspace.setEditableSettings({.on = true, .boxed = true});
+        sizeOf(fixture.opened()).setValue(0.0);
+        QTRY_COMPARE(now->text(),
+            QStringLiteral("Preview: %1 → %2 (−%3)")
+                .arg(sized(all), sized(all - fixture.small), sized(fixture.small)));
+        QVERIFY(sees(2) && !sees(3));
         dialog.close();
     }
 
