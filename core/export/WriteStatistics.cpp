@@ -46,6 +46,7 @@ Result<void> writeReport(const QString& path, const Volume& volume, const Export
             .surfaceMm2 = each.surfaceMm2,
             .sphericity = each.sphericity,
             .longestMm = each.longestMm,
+            .acrossMm = each.acrossMm,
             .minimum = each.minimum,
             .maximum = each.maximum,
             .mean = each.mean,

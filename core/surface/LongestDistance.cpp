@@ -36,12 +36,12 @@ public:
         build(0, m_points.size());
     }
 
-    /// The square of the longest distance.
-    double longest()
+    LongestDistance longest()
     {
+        m_found = {.from = m_points.front(), .to = m_points.front()};
         startFromFarPoints();
         compare(0, 0);
-        return m_best;
+        return m_found;
     }
 
 private:
@@ -82,6 +82,15 @@ private:
         return at;
     }
 
+    void take(const glm::dvec3& from, const glm::dvec3& to)
+    {
+        const double squared = squaredDistance(from, to);
+        if (squared <= m_best)
+            return;
+        m_best = squared;
+        m_found = {.from = from, .to = to};
+    }
+
     /// Goes from a point to the point farthest from it, several times. This yields a long distance
     /// at the start, so that many pairs can be skipped.
     void startFromFarPoints()
@@ -92,7 +101,7 @@ private:
                 m_points.begin(), m_points.end(), [&](const glm::dvec3& a, const glm::dvec3& b) {
                     return squaredDistance(a, from) < squaredDistance(b, from);
                 });
-            m_best = std::max(m_best, squaredDistance(next, from));
+            take(from, next);
             from = next;
         }
     }
@@ -114,7 +123,7 @@ private:
         if (a.left == 0 && b.left == 0) {
             for (std::size_t i = a.begin; i < a.end; ++i) {
                 for (std::size_t k = b.begin; k < b.end; ++k)
-                    m_best = std::max(m_best, squaredDistance(m_points[i], m_points[k]));
+                    take(m_points[i], m_points[k]);
             }
             return;
         }
@@ -141,16 +150,17 @@ private:
     std::vector<glm::dvec3> m_points;
     std::vector<Node> m_nodes;
     glm::dvec3 m_middle{0.0};
-    double m_best = 0.0;
+    double m_best = 0.0; ///< the square of the longest distance found
+    LongestDistance m_found{};
 };
 
 } // namespace
 
-double longestDistance(std::vector<glm::dvec3> points)
+LongestDistance longestDistance(std::vector<glm::dvec3> points)
 {
-    if (points.size() < 2)
-        return 0.0;
-    return std::sqrt(BoxTree(std::move(points)).longest());
+    if (points.empty())
+        return {};
+    return BoxTree(std::move(points)).longest();
 }
 
 } // namespace core

@@ -42,7 +42,7 @@ struct StatisticsColumn {
     NumberKind kind;
 };
 
-constexpr std::array<StatisticsColumn, 19> statisticsColumns{{
+constexpr std::array<StatisticsColumn, 20> statisticsColumns{{
     {"volumeMl", QT_TRANSLATE_NOOP("ui::StatisticsModel", "Volume"),
         QT_TRANSLATE_NOOP("ui::StatisticsModel", "Volume"), NumberKind::Millilitres},
     {"mean", QT_TRANSLATE_NOOP("ui::StatisticsModel", "Mean"),
@@ -73,6 +73,9 @@ constexpr std::array<StatisticsColumn, 19> statisticsColumns{{
         QT_TRANSLATE_NOOP("ui::StatisticsModel", "Sphericity"), NumberKind::Ratio},
     {"longestDiameterMm", QT_TRANSLATE_NOOP("ui::StatisticsModel", "Longest"),
         QT_TRANSLATE_NOOP("ui::StatisticsModel", "Longest diameter"), NumberKind::Mm},
+    {"acrossDiameterMm", QT_TRANSLATE_NOOP("ui::StatisticsModel", "Across"),
+        QT_TRANSLATE_NOOP("ui::StatisticsModel", "Longest diameter across the longest one"),
+        NumberKind::Mm},
     {"voxels", QT_TRANSLATE_NOOP("ui::StatisticsModel", "Voxels"),
         QT_TRANSLATE_NOOP("ui::StatisticsModel", "Number of voxels"), NumberKind::Count},
     {"importAddedMl", QT_TRANSLATE_NOOP("ui::StatisticsModel", "Added"),

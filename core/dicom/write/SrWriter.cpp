@@ -75,6 +75,8 @@ void putGroup(DcmItem* measurements, const SrContent& content, const SegFile& se
         schemeCode("UCUM", "1", "no units"));
     tree.number(item, schemeCode("IBSI", "L0JK", "Maximum 3D Diameter of a Mesh"), group.longestMm,
         schemeCode("UCUM", "mm", "millimeter"));
+    tree.number(item, schemeCode("SCT", "103340004", "Short Axis"), group.acrossMm,
+        schemeCode("UCUM", "mm", "millimeter"));
     const CodedConcept quantity = quantityOf(content.unit, content.identity.modality);
     const auto value = [&](double number, const CodedConcept& derivation) {
         tree.derived(item, quantity, number, unitCode(content.unit), derivation);

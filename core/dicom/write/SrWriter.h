@@ -30,6 +30,7 @@ struct SrGroup {
     double surfaceMm2 = 0.0;
     double sphericity = 0.0;
     double longestMm = 0.0;
+    double acrossMm = 0.0; ///< the longest one perpendicular to it
     double minimum = 0.0;
     double maximum = 0.0;
     double mean = 0.0;
@@ -55,11 +56,12 @@ struct SrContent {
 
 /// Writes a DICOM SR measurement report (PS3.16 TID 1500, groups of TID 1411) to @p path as an
 /// Enhanced SR: one group per segment with tracking, finding, the segment of the SEG, its source
-/// series, volume (cm3), surface (mm2), sphericity, longest diameter (mm), and values with their
-/// derivation; and one per measurement (SrMeasured.h), with which it is a Comprehensive 3D SR. What
-/// was changed since an import has concepts of Burin's own (scheme 99BURIN), since DICOM has no
-/// code for the Dice coefficient or for volumes added and taken. It uses plain dcmdata, since
-/// DCMTK's own templates accept only ASCII.
+/// series, volume (cm3), surface (mm2), sphericity, longest diameter and the longest one across it
+/// (mm; "Short Axis" of CID 7470), and values with their derivation; and one per measurement
+/// (SrMeasured.h), with which it is a Comprehensive 3D SR. What was changed since an import has
+/// concepts of Burin's own (scheme 99BURIN), since DICOM has no code for the Dice coefficient or
+/// for volumes added and taken. It uses plain dcmdata, since DCMTK's own templates accept only
+/// ASCII.
 ///
 /// @returns sentences on what was normalised or left out of the source's header
 /// Errors: as for writeSeg(), and those of reading the SEG.

@@ -196,6 +196,21 @@ Clause differenceOf(const SegmentNumbers& said, const Numbers& right, double tol
     return {};
 }
 
+/// The surface is not measured anew; of its diameters, none across is longer than the longest.
+/// @return what is wrong; empty if nothing is
+Clause differenceOfDiameters(const SegmentNumbers& said)
+{
+    const auto numberOf = [&said](const char* name) {
+        const auto found = said.numbers.find(QLatin1String(name));
+        return found == said.numbers.end() ? 0.0 : found->second;
+    };
+    const double longest = numberOf("longestDiameterMm");
+    const double across = numberOf("acrossDiameterMm");
+    return across > 0.0 && across <= longest * (1.0 + reportTolerance)
+        ? Clause()
+        : Clause::saying("diameters of '%1'", said.name);
+}
+
 /// What measurements of the document come to, by the codes of a report. Arrows and texts come to
 /// nothing.
 std::vector<std::map<QString, double>> measuredAnew(const ExportExpectation& expected)
@@ -277,6 +292,8 @@ Result<std::vector<SegmentNumbers>> saidInReport(
         SegmentNumbers said{.label = expected.segments[i].label, .name = group.name, .numbers = {}};
         const std::map<QString, QString> names{
             {QStringLiteral("118565006"), QStringLiteral("volumeMl")},
+            {QStringLiteral("L0JK"), QStringLiteral("longestDiameterMm")},
+            {QStringLiteral("103340004"), QStringLiteral("acrossDiameterMm")},
             {QStringLiteral("373098007"), QStringLiteral("mean")},
             {QStringLiteral("386136009"), QStringLiteral("standardDeviation")},
             {QStringLiteral("255605001"), QStringLiteral("minimum")},
@@ -345,6 +362,8 @@ Result<ReportLines> checkStatisticsExport(
             differenceOf(all[i], right, isReport ? reportTolerance : relativeTolerance);
         if (!what.isEmpty())
             return mismatch(what);
+        if (const Clause wrong = differenceOfDiameters(all[i]); !wrong.isEmpty())
+            return mismatch(wrong);
         numbers += right.size();
     }
     return ReportLines{ReportSentence{ReportCode::NumbersEqual,

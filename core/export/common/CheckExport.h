@@ -59,8 +59,10 @@ Result<ReportLines> checkSurfaceExport(ExportFormat format, const QString& file,
     const ExportExpectation& expected, const Progress& progress);
 
 /// Opens statistics (CSV, JSON or SR) and the source files. Checks every number against an
-/// independent count voxel by voxel; for an SR also that patient, study, source series and the
-/// segments of the SEG beside it are correct. Result and errors as above.
+/// independent count voxel by voxel, and that the diameter across does not exceed the longest one
+/// (what is measured on the smoothed surface is not measured anew); for an SR also that patient,
+/// study, source series and the segments of the SEG beside it are correct. Result and errors as
+/// above.
 Result<ReportLines> checkStatisticsExport(
     const QString& file, const ExportExpectation& expected, const Progress& progress);
 

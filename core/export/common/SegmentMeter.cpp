@@ -2,14 +2,13 @@
 #include "core/export/common/SegmentMeter.h"
 
 #include "core/export/common/CheckSources.h"
-#include "core/surface/LongestDistance.h"
+#include "core/surface/DistanceAcross.h"
 #include "core/surface/SegmentSurface.h"
 #include "core/volume/UnevenSlices.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <utility>
 
 namespace core {
 
@@ -37,7 +36,9 @@ void measureSurface(
     if (found.surfaceMm2 > 0.0)
         found.sphericity =
             std::cbrt(36.0 * std::numbers::pi * enclosedMm3 * enclosedMm3) / found.surfaceMm2;
-    found.longestMm = longestDistance(std::move(places));
+    const LongestDistance longest = longestDistance(places);
+    found.longestMm = longest.length();
+    found.acrossMm = distanceAcross(places, surface.triangles, longest.to - longest.from).length();
 }
 
 } // namespace

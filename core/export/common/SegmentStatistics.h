@@ -37,6 +37,10 @@ struct SegmentStatistics {
     /// rougher: for a ball of voxels it is about 0.97.
     double sphericity = 0.0;
     double longestMm = 0.0; ///< the greatest distance between two points of the smoothed surface
+    /// The greatest distance between two points of it whose line is perpendicular to that one
+    /// (DistanceAcross.h). In shapes with several longest diameters it is perpendicular to one of
+    /// them.
+    double acrossMm = 0.0;
     double minimum = 0.0;
     double maximum = 0.0;
     double mean = 0.0;

@@ -37,16 +37,16 @@ std::vector<StatisticsNumber> numbersOf(const SegmentStatistics& s)
     static_assert(percentileNames.size() == statisticsPercentiles.size());
     std::vector<StatisticsNumber> numbers{{"voxels", double(s.voxels)}, {"volumeMl", s.millilitres},
         {"surfaceMm2", s.surfaceMm2}, {"sphericity", s.sphericity},
-        {"longestDiameterMm", s.longestMm}, {"firstColumn", double(s.first.x)},
-        {"firstRow", double(s.first.y)}, {"firstSlice", double(s.first.z)},
-        {"lastColumn", double(s.last.x)}, {"lastRow", double(s.last.y)},
-        {"lastSlice", double(s.last.z)}, {"lowestLeftMm", s.lowestLps.x},
-        {"lowestPosteriorMm", s.lowestLps.y}, {"lowestSuperiorMm", s.lowestLps.z},
-        {"highestLeftMm", s.highestLps.x}, {"highestPosteriorMm", s.highestLps.y},
-        {"highestSuperiorMm", s.highestLps.z}, {"centroidLeftMm", s.centroidLps.x},
-        {"centroidPosteriorMm", s.centroidLps.y}, {"centroidSuperiorMm", s.centroidLps.z},
-        {"minimum", s.minimum}, {"maximum", s.maximum}, {"mean", s.mean},
-        {"standardDeviation", s.deviation}, {"median", s.median}};
+        {"longestDiameterMm", s.longestMm}, {"acrossDiameterMm", s.acrossMm},
+        {"firstColumn", double(s.first.x)}, {"firstRow", double(s.first.y)},
+        {"firstSlice", double(s.first.z)}, {"lastColumn", double(s.last.x)},
+        {"lastRow", double(s.last.y)}, {"lastSlice", double(s.last.z)},
+        {"lowestLeftMm", s.lowestLps.x}, {"lowestPosteriorMm", s.lowestLps.y},
+        {"lowestSuperiorMm", s.lowestLps.z}, {"highestLeftMm", s.highestLps.x},
+        {"highestPosteriorMm", s.highestLps.y}, {"highestSuperiorMm", s.highestLps.z},
+        {"centroidLeftMm", s.centroidLps.x}, {"centroidPosteriorMm", s.centroidLps.y},
+        {"centroidSuperiorMm", s.centroidLps.z}, {"minimum", s.minimum}, {"maximum", s.maximum},
+        {"mean", s.mean}, {"standardDeviation", s.deviation}, {"median", s.median}};
     for (std::size_t i = 0; i < percentileNames.size(); ++i)
         numbers.push_back({percentileNames[i], s.percentiles[i]});
     if (s.sinceImport) {

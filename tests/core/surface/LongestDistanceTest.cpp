@@ -66,11 +66,11 @@ private Q_SLOTS:
 
 void LongestDistanceTest::fewPoints()
 {
-    QCOMPARE(core::longestDistance({}), 0.0);
-    QCOMPARE(core::longestDistance({{1.0, 2.0, 3.0}}), 0.0);
-    QCOMPARE(core::longestDistance({{1.0, 2.0, 3.0}, {1.0, 5.0, 7.0}}), 5.0);
+    QCOMPARE(core::longestDistance({}).length(), 0.0);
+    QCOMPARE(core::longestDistance({{1.0, 2.0, 3.0}}).length(), 0.0);
+    QCOMPARE(core::longestDistance({{1.0, 2.0, 3.0}, {1.0, 5.0, 7.0}}).length(), 5.0);
     // More than a leaf holds, all at one place.
-    QCOMPARE(core::longestDistance(std::vector<glm::dvec3>(100, {1.0, 2.0, 3.0})), 0.0);
+    QCOMPARE(core::longestDistance(std::vector<glm::dvec3>(100, {1.0, 2.0, 3.0})).length(), 0.0);
 }
 
 /// In boxes, plates and lines of all sizes.
@@ -82,7 +82,7 @@ void LongestDistanceTest::scatteredPoints()
             1 + int(random() % 60), 1 + int(random() % 60), 1 + int(random() % 20));
         const std::vector<glm::dvec3> points = scattered(random, 1 + random() % 700, size);
         const double right = byBruteForce(points);
-        const double found = core::longestDistance(points);
+        const double found = core::longestDistance(points).length();
         QVERIFY2(std::abs(found - right) <= 1e-12 * right,
             qPrintable(QStringLiteral("round %1: %2 of %3").arg(round).arg(found).arg(right)));
     }
@@ -101,7 +101,7 @@ void LongestDistanceTest::pointsOfASphere()
                 + 40.0
                     * glm::normalize(glm::dvec3(normal(random), normal(random), normal(random))));
         const double right = byBruteForce(points);
-        QVERIFY(std::abs(core::longestDistance(points) - right) <= 1e-12 * right);
+        QVERIFY(std::abs(core::longestDistance(points).length() - right) <= 1e-12 * right);
     }
 }
 
@@ -110,13 +110,13 @@ void LongestDistanceTest::surfacesOfBalls()
     for (const double radius : {0.8, 3.0, 9.0}) {
         const std::vector<glm::dvec3> points = ballSurface(radius);
         const double right = byBruteForce(points);
-        QVERIFY(std::abs(core::longestDistance(points) - right) <= 1e-12 * right);
+        QVERIFY(std::abs(core::longestDistance(points).length() - right) <= 1e-12 * right);
     }
     // A large one is too much for brute force; it may be smaller than the ball by what voxels are.
     const std::vector<glm::dvec3> points = ballSurface(60.0);
     QElapsedTimer clock;
     clock.start();
-    const double found = core::longestDistance(points);
+    const double found = core::longestDistance(points).length();
     qInfo("%zu points of a ball: %.3f mm in %lld ms", points.size(), found, clock.elapsed());
     QVERIFY(found > 118.0 && found < 122.0);
 }

@@ -111,6 +111,7 @@ private Q_SLOTS:
     void report();
     void aReportAndItsSegComeAndGoTogether();
     void aNumberThatIsWrongIsFound();
+    void aDiameterAcrossThatIsTooLongIsFound();
     void withoutValuesNothingIsWritten();
 };
 
@@ -179,6 +180,7 @@ void ExportStatisticsTest::surfaceOfBalls()
         QVERIFY(std::abs(ball.surfaceMm2 - right) < 0.04 * right);
         QVERIFY(ball.sphericity > 0.95 && ball.sphericity < 1.0);
         QVERIFY(std::abs(ball.longestMm - 2.0 * radius) < 1.0);
+        QVERIFY(std::abs(ball.acrossMm - 2.0 * radius) < 1.0 && ball.acrossMm <= ball.longestMm);
         // Around the ball: more surface, and as long as the whole volume's diagonal.
         const SegmentStatistics rest = on.statistics().back();
         QVERIFY(rest.sphericity > 0.0 && rest.sphericity < ball.sphericity);
@@ -202,6 +204,8 @@ void ExportStatisticsTest::aRodIsLongAndNoBall()
     // From an end of the rod along z (3, 3, 1.5 … 17.5) to the far end of the other's (17.5, 10,
     // 10) is 14.5, 7 and 25.5 mm or less; the rod along z itself is 48 mm long.
     QVERIFY(std::abs(rods.longestMm - 48.0) < 3.0);
+    // Perpendicular to it only the other rod is long.
+    QVERIFY2(std::abs(rods.acrossMm - 16.0) < 1.0, qPrintable(QString::number(rods.acrossMm)));
     QVERIFY2(rods.sphericity > 0.2 && rods.sphericity < 0.4,
         qPrintable(QString::number(rods.sphericity)));
 }
@@ -238,7 +242,7 @@ void ExportStatisticsTest::othersReadTheSame()
             QCOMPARE(rows[i][field.key()].toString().toDouble(), field->toDouble());
             ++numbers;
         }
-        QCOMPARE(numbers, 32);
+        QCOMPARE(numbers, 33);
     }
 }
 
@@ -372,6 +376,8 @@ void ExportStatisticsTest::report()
         QVERIFY(std::abs(numbers.at(QStringLiteral("QCFX")) - all[i].sphericity) < 1e-8);
         QVERIFY(std::abs(numbers.at(QStringLiteral("L0JK")) - all[i].longestMm) < 1e-6);
         QVERIFY(numbers.at(QStringLiteral("L0JK")) > 0.0);
+        QVERIFY(std::abs(numbers.at(QStringLiteral("103340004")) - all[i].acrossMm) < 1e-6);
+        QVERIFY(numbers.at(QStringLiteral("103340004")) > 0.0);
     }
     // DCMTK's reader of reports knows the rules of their trees.
     const auto dumped = test::runProgram(QStringLiteral("dsrdump"), {on.file("a.dcm")});
@@ -381,7 +387,8 @@ void ExportStatisticsTest::report()
         {QByteArray("Imaging Measurement Report"), QByteArray("Referenced Segment"),
             QByteArray("Liver"), QByteArray("\"Leber, \\\"rechts\\\"\""),
             QByteArray::number(first.mean, 'g', 12).left(6), QByteArray("Hounsfield unit"),
-            QByteArray("Sphericity"), QByteArray("Maximum 3D Diameter of a Mesh")})
+            QByteArray("Sphericity"), QByteArray("Maximum 3D Diameter of a Mesh"),
+            QByteArray("Short Axis")})
         QVERIFY2(dumped.output.contains(text) || text.startsWith("\"Leber"),
             (text + " in\n" + dumped.output).constData());
 }
@@ -453,6 +460,30 @@ void ExportStatisticsTest::aNumberThatIsWrongIsFound()
         QVERIFY(!checked);
         QCOMPARE(checked.error().code, ErrorCode::ExportMismatch);
     }
+}
+
+void ExportStatisticsTest::aDiameterAcrossThatIsTooLongIsFound()
+{
+    Measured on(ramp());
+    on.at(1, 1, 1) = on.at(2, 1, 1) = 1;
+    on.at(3, 1, 1) = 2;
+    const ExportRequest request = on.request(ExportFormat::Csv, "b.csv");
+    QVERIFY(exportMask(on.study.volume, request, {}));
+    const ExportExpectation expected{.volume = on.study.volume,
+        .segments = request.segments,
+        .planes = request.planes,
+        .format = request.format,
+        .codes = request.codes};
+    QVERIFY(checkStatisticsExport(request.file, expected, {}));
+    QByteArray text = test::bytesOf(request.file);
+    text.replace("longestDiameterMm,acrossDiameterMm", "acrossDiameterMm,longestDiameterMm");
+    QFile file(request.file);
+    QVERIFY(file.open(QIODevice::WriteOnly | QIODevice::Truncate));
+    QCOMPARE(file.write(text), text.size());
+    file.close();
+    const auto checked = checkStatisticsExport(request.file, expected, {});
+    QVERIFY(!checked);
+    QCOMPARE(checked.error().code, ErrorCode::ExportMismatch);
 }
 
 void ExportStatisticsTest::withoutValuesNothingIsWritten()

@@ -467,7 +467,8 @@ private Q_SLOTS:
             QStringLiteral("Volume (voxels)"));
         QCOMPARE(fixture.at(0, "volumeMl").toDouble(),
             double(fixture.session().document().segment(1)->voxels));
-        for (const char* key : {"surfaceMm2", "sphericity", "longestDiameterMm"}) {
+        for (const char* key :
+            {"surfaceMm2", "sphericity", "longestDiameterMm", "acrossDiameterMm"}) {
             QVERIFY2(!fixture.at(0, key).isValid(), key);
             QCOMPARE(fixture.text(0, key), QStringLiteral("—"));
         }
