@@ -125,7 +125,7 @@ template <> inline constexpr const char* editName<EvolveContour> = "evolveContou
 template <>
 inline constexpr const char* editMeaning<EvolveContour> =
     "Lets the contour of a segment that is not locked evolve generation by generation, from the "
-    "segment as it stands or from a bubble: outwards where values lie in an interval, inwards "
+    "segment as it stands or from bubbles: outwards where values lie in an interval, inwards "
     "where they do not, kept at edges and kept smooth. Evolving again goes on where it stopped.";
 template <class Visitor> void visitFields(Visitor& visit, EvolveContour& edit)
 {
@@ -156,6 +156,10 @@ template <class Visitor> void visitFields(Visitor& visit, EvolveContour& edit)
     visit.when(edit.bubbleLps.has_value(), [&] {
         visit.field("bubbleMm", Presence::Required, edit.bubbleMm, brushRadius,
             "the radius of that ball; only given with bubbleLps");
+        visit.maybe("furtherBubblesLps", edit.furtherBubblesLps, PointList{positionLps},
+            "further places, around each of which the segment receives such a ball; only given "
+            "with bubbleLps",
+            "there is one ball");
     });
     visit.field("generations", Presence::Optional, edit.generations,
         WholeNumber{1, mostContourGenerations},

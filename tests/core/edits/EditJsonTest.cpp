@@ -275,6 +275,14 @@ private Q_SLOTS:
         QVERIFY(bubble->get<EvolveContour>().bubbleLps == glm::dvec3(1.0, 2.0, 3.0));
         QCOMPARE(bubble->get<EvolveContour>().generations, 7);
         QVERIFY(!editToJson(*contour).contains(QLatin1String("round")));
+        QVERIFY(!editToJson(*bubble).contains(QLatin1String("furtherBubblesLps")));
+        const Result<Edit> bubbles =
+            editFromJson(parse("{'edit':'evolveContour','segment':2,'bubbleLps':[1,2,3],"
+                               "'bubbleMm':4,'furtherBubblesLps':[[4,5,6.0001],[7,8,9]]}"));
+        QVERIFY(bubbles);
+        QVERIFY(quantised(*bubbles).get<EvolveContour>().furtherBubblesLps
+            == (std::vector<glm::dvec3>{{4.0, 5.0, 6.0}, {7.0, 8.0, 9.0}}));
+        QVERIFY(editToJson(*editFromJson(editToJson(*bubbles))) == editToJson(*bubbles));
         const Result<Edit> round =
             editFromJson(parse("{'edit':'evolveContour','segment':2,'round':true}"));
         QVERIFY(round);
@@ -335,7 +343,7 @@ private Q_SLOTS:
         for (const Edit& edit :
             {*angle, *note, *onSlab, *distance, *carved, *seen, *inverted, *cleaned, *given,
                 *merged, *swapped, *grown, *shell, *between, *across, *flood, *contour, *bubble,
-                *away, *threshold, *everything, *islands, *every, *split, *copy, *beside})
+                *bubbles, *away, *threshold, *everything, *islands, *every, *split, *copy, *beside})
             QCOMPARE(editToJson(*editFromJson(editToJson(edit))), editToJson(edit));
         for (const char* wrong :
             {"{'edit':'layerToSegment','layer':1}",
@@ -380,6 +388,9 @@ private Q_SLOTS:
                 "{'edit':'evolveContour','segment':2,'edgeGradient':10}",
                 "{'edit':'evolveContour','segment':2,'bubbleMm':10}",
                 "{'edit':'evolveContour','segment':2,'bubbleLps':[1,2,3]}",
+                "{'edit':'evolveContour','segment':2,'furtherBubblesLps':[[1,2,3]]}",
+                "{'edit':'evolveContour','segment':2,'bubbleLps':[1,2,3],'bubbleMm':4,"
+                "'furtherBubblesLps':[]}",
                 "{'edit':'evolveContour','segment':2,'generations':0}",
                 "{'edit':'evolveContour','segment':2,'erase':true,'overwriteUnlocked':true}",
                 "{'edit':'fillBetweenSlices'}",

@@ -207,19 +207,22 @@ Contour contourOf(const core::EvolveContour& edit, const core::ContourRule& rule
     const core::VolumeGeometry& geometry = study.volume.geometry;
     const ContourGrid grid{geometry.size};
     Contour contour{.study = &study, .rule = rule};
-    glm::ivec3 middle(0);
+    std::vector<glm::dvec3> bubbles;
     if (edit.bubbleLps)
-        middle = glm::ivec3(glm::floor(geometry.toIndex(*edit.bubbleLps) + 0.5));
+        bubbles.push_back(*edit.bubbleLps);
+    if (edit.bubbleLps && edit.furtherBubblesLps)
+        bubbles.insert(
+            bubbles.end(), edit.furtherBubblesLps->begin(), edit.furtherBubblesLps->end());
     grid.visitAll([&](const glm::ivec3& voxel) {
         const int label = labels[grid.at(voxel)];
         const bool isOwn = label == edit.segment;
         const bool erases = edit.erase == true;
         const bool mayChange = isOwn || (!erases && (label == 0 || mayTake(label)));
         bool isInside = isOwn;
-        if (edit.bubbleLps && mayChange) {
-            const glm::dvec3 to =
-                geometry.toWorld(glm::dvec3(voxel)) - geometry.toWorld(glm::dvec3(middle));
-            if (glm::length(to) <= edit.bubbleMm)
+        for (const glm::dvec3& bubble : bubbles) {
+            const glm::dvec3 middle = glm::floor(geometry.toIndex(bubble) + 0.5);
+            const glm::dvec3 to = geometry.toWorld(glm::dvec3(voxel)) - geometry.toWorld(middle);
+            if (mayChange && glm::length(to) <= edit.bubbleMm)
                 isInside = !erases;
         }
         contour.absent.push_back(erases && edit.bubbleLps && !isOwn);

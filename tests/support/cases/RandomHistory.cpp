@@ -1175,6 +1175,9 @@ private:
             contour.bubbleLps = geometry.toWorld(middle);
             // No distance between two voxels: rounding decides nothing.
             contour.bubbleMm = (between(1, 4) + 0.13) * std::max({spacing.x, spacing.y, spacing.z});
+            if (m_session->history().rows().size() % 5 > 2) // of the row's number, as below
+                contour.furtherBubblesLps = {geometry.toWorld(glm::dvec3(last) - middle),
+                    geometry.toWorld(glm::floor(glm::dvec3(last) / 2.0))};
         }
         contour.generations = between(1, 6);
         contour.overwriteUnlocked = chance(40);

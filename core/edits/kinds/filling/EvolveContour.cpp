@@ -11,7 +11,9 @@
 #include "core/edits/engine/EngineEdits.h"
 #include "core/edits/engine/ListedRuns.h"
 #include "core/edits/kinds/growth/GrowLimits.h"
+#include "core/morphology/BallFilters.h"
 #include "core/morphology/MillimetreBall.h"
+#include "core/volume/MemoryLimit.h"
 
 #include <algorithm>
 #include <cmath>
@@ -28,32 +30,93 @@ tl::unexpected<Error> contourFieldError(const char* field, const Clause& reason)
         QStringLiteral("evolveContour.%1").arg(QLatin1String(field)), reason);
 }
 
-/// The voxels of a bubble, by the one in its middle.
-struct Bubble {
-    glm::ivec3 middle{0};
+/// The voxels of bubbles, by those in their middles.
+struct Bubbles {
+    std::vector<glm::ivec3> middles{};
     MillimetreBall ball{};
+
+    [[nodiscard]] VoxelBox boxIn(const glm::ivec3& size) const
+    {
+        VoxelBox box;
+        for (const glm::ivec3& middle : middles) {
+            const VoxelBox one{.minimum = glm::max(middle - ball.extent, glm::ivec3(0)),
+                .maximum = glm::min(middle + ball.extent + 1, size)};
+            box = box.empty() ? one : box.united(one);
+        }
+        return box;
+    }
 };
 
-Result<std::optional<Bubble>> bubbleOf(const EvolveContour& edit, const VolumeGeometry& geometry)
+/// None: there is no bubble.
+Result<std::optional<Bubbles>> bubblesOf(const EvolveContour& edit, const VolumeGeometry& geometry)
 {
     if (!edit.bubbleLps)
         return std::nullopt;
-    const std::optional<glm::ivec3> middle = voxelNearest(*edit.bubbleLps, geometry);
-    if (!middle)
-        return contourFieldError(
-            "bubbleLps", Clause::saying("%1 lies outside the volume", pointText(*edit.bubbleLps)));
+    Bubbles bubbles;
+    const auto add = [&](const char* field, const glm::dvec3& placeLps) -> Result<void> {
+        const std::optional<glm::ivec3> middle = voxelNearest(placeLps, geometry);
+        if (!middle)
+            return contourFieldError(
+                field, Clause::saying("%1 lies outside the volume", pointText(placeLps)));
+        bubbles.middles.push_back(*middle);
+        return {};
+    };
+    if (const Result<void> added = add("bubbleLps", *edit.bubbleLps); !added)
+        return tl::unexpected(added.error());
+    if (edit.furtherBubblesLps) {
+        for (const glm::dvec3& placeLps : *edit.furtherBubblesLps) {
+            if (const Result<void> added = add("furtherBubblesLps", placeLps); !added)
+                return tl::unexpected(added.error());
+        }
+    }
     if (!(edit.bubbleMm > 0.0))
         return contourFieldError("bubbleMm", Clause::saying("is no length"));
     if (ballVoxels(geometry, edit.bubbleMm) > mostBallVoxels)
         return contourFieldError("bubbleMm",
             Clause::saying("%1 mm are more than %2 voxels here", edit.bubbleMm, mostBallVoxels));
-    return Bubble{.middle = *middle, .ball = ballOf(geometry, edit.bubbleMm)};
+    bubbles.ball = ballOf(geometry, edit.bubbleMm);
+    return bubbles;
 }
 
-VoxelBox boxOfBubble(const Bubble& bubble, const glm::ivec3& size)
+/// Bubbles, voxel by voxel.
+struct BlownBubbles {
+    VoxelBox box{};
+    ByteMask mask{}; ///< of the box
+
+    [[nodiscard]] bool hold(const glm::ivec3& voxel) const
+    {
+        return glm::all(glm::greaterThanEqual(voxel, box.minimum))
+            && glm::all(glm::lessThan(voxel, box.maximum)) && mask.voxels[indexOf(voxel)] != 0;
+    }
+    [[nodiscard]] std::size_t indexOf(const glm::ivec3& voxel) const
+    {
+        const glm::ivec3 in = voxel - box.minimum;
+        return (std::size_t(in.z) * std::size_t(mask.size.y) + std::size_t(in.y))
+            * std::size_t(mask.size.x)
+            + std::size_t(in.x);
+    }
+};
+
+/// However many there are, the cost is that of their box.
+Result<BlownBubbles> blownBubbles(const std::optional<Bubbles>& bubbles, const glm::ivec3& size)
 {
-    return {.minimum = glm::max(bubble.middle - bubble.ball.extent, glm::ivec3(0)),
-        .maximum = glm::min(bubble.middle + bubble.ball.extent + 1, size)};
+    BlownBubbles blown;
+    if (!bubbles)
+        return blown;
+    blown.box = bubbles->boxIn(size);
+    blown.mask.size = blown.box.maximum - blown.box.minimum;
+    if (const Result<void> fits = checkBytes(
+            filterBytes(blown.mask.size), Clause::saying("the box in which the contour evolves"));
+        !fits)
+        return tl::unexpected(fits.error());
+    const glm::dvec3 extent(blown.mask.size);
+    blown.mask.voxels.assign(std::size_t(extent.x * extent.y * extent.z), 0);
+    for (const glm::ivec3& middle : bubbles->middles)
+        blown.mask.voxels[blown.indexOf(middle)] = 1;
+    if (const Result<void> spread = dilate(blown.mask, bubbles->ball, {.progress = Progress()});
+        !spread)
+        return tl::unexpected(spread.error());
+    return blown;
 }
 
 bool erases(const EvolveContour& edit)
@@ -68,11 +131,16 @@ RowTitleCode contourTitle(const EvolveContour& edit)
     return edit.bubbleLps ? RowTitleCode::ContourFromBubble : RowTitleCode::ContourEvolved;
 }
 
+RowTitleCode titleOfSeveral(const EvolveContour& edit)
+{
+    return erases(edit) ? RowTitleCode::ContourErasedFromBubbles : RowTitleCode::ContourFromBubbles;
+}
+
 /// With what a contour begins, voxel by voxel.
 struct ContourStart {
     bool erases = false;
     const LabelTarget& target;
-    const std::optional<Bubble>& bubble;
+    const std::optional<Bubbles>& bubbles;
 
     /// The box in which it evolves; empty: it has nothing to begin with.
     /// @param own that of the segment
@@ -82,8 +150,8 @@ struct ContourStart {
         if (erases) // it does not leave the segment
             return own.empty() ? own : contourBox(own, 0, kernel, size);
         VoxelBox start = own;
-        if (bubble) {
-            const VoxelBox blown = boxOfBubble(*bubble, size);
+        if (bubbles) {
+            const VoxelBox blown = bubbles->boxIn(size);
             start = start.empty() ? blown : start.united(blown);
         }
         return start.empty() ? start : contourBox(start, generations, kernel, size);
@@ -94,16 +162,8 @@ struct ContourStart {
         if (label == target.label)
             return ContourGround::open | ContourGround::own | ContourGround::inside;
         if (erases)
-            return bubble ? ContourGround::absent : std::uint8_t(0);
+            return bubbles ? ContourGround::absent : std::uint8_t(0);
         return label == 0 || target.overwritable[label] ? ContourGround::open : std::uint8_t(0);
-    }
-    [[nodiscard]] bool isInBubble(const glm::ivec3& voxel) const
-    {
-        if (!bubble)
-            return false;
-        const glm::ivec3 step = voxel - bubble->middle;
-        return glm::all(glm::lessThanEqual(glm::abs(step), bubble->ball.extent))
-            && bubble->ball.holds(step.x, step.y, step.z);
     }
     /// @param voxel flags of a voxel that is open
     void takeBubble(std::uint8_t& voxel) const
@@ -141,7 +201,11 @@ EditEffects effects(const EvolveContour& edit)
 
 RowTitle rowTitle(const EvolveContour& edit, const RowFacts& row)
 {
-    return segmentChanged(contourTitle(edit), edit.segment, row);
+    if (!edit.bubbleLps || !edit.furtherBubblesLps)
+        return segmentChanged(contourTitle(edit), edit.segment, row);
+    RowTitle title = segmentChanged(titleOfSeveral(edit), edit.segment, row);
+    title.arguments.push_back(TitleCount{std::int64_t(edit.furtherBubblesLps->size() + 1)});
+    return title;
 }
 
 /// How far the contour would have come with other labels is unknown, so it depends on the whole
@@ -162,8 +226,8 @@ Result<ContourRule> contourRule(const EvolveContour& edit, const Document& docum
         return contourFieldError("softness", Clause::saying("is less than nothing"));
     if (edit.edge > 0 && !(edit.edgeGradient > 0.0))
         return contourFieldError("edgeGradient", Clause::saying("is no edge"));
-    if (const auto bubble = bubbleOf(edit, volume.geometry); !bubble)
-        return tl::unexpected(bubble.error());
+    if (const auto bubbles = bubblesOf(edit, volume.geometry); !bubbles)
+        return tl::unexpected(bubbles.error());
     ContourRule rule{.region = edit.region,
         .edge = edit.edge,
         .smoothness = edit.smoothness,
@@ -195,11 +259,11 @@ Result<ContourGround> contourGround(
         return tl::unexpected(rule.error());
     const VolumeGeometry& geometry = document.volumes.front().geometry;
     const glm::ivec3 size = geometry.size;
-    const Result<std::optional<Bubble>> bubble = bubbleOf(edit, geometry);
-    if (!bubble)
-        return tl::unexpected(bubble.error());
+    const Result<std::optional<Bubbles>> bubbles = bubblesOf(edit, geometry);
+    if (!bubbles)
+        return tl::unexpected(bubbles.error());
 
-    const ContourStart start{.erases = erases(edit), .target = *target, .bubble = *bubble};
+    const ContourStart start{.erases = erases(edit), .target = *target, .bubbles = *bubbles};
     ContourGround ground{.volumeSize = size};
     ground.box = start.boxOfGround(
         boxOfLabel(labels, size, target->label), edit.generations, rule->kernel, size);
@@ -207,6 +271,9 @@ Result<ContourGround> contourGround(
         return ground;
     if (const Result<void> fits = checkContourMemory(ground.box); !fits)
         return tl::unexpected(fits.error());
+    const Result<BlownBubbles> blown = blownBubbles(*bubbles, size);
+    if (!blown)
+        return tl::unexpected(blown.error());
     const glm::ivec3 extent = ground.box.maximum - ground.box.minimum;
     ground.voxels.reserve(std::size_t(extent.x) * std::size_t(extent.y) * std::size_t(extent.z));
     bool meetsBubble = false;
@@ -216,7 +283,7 @@ Result<ContourGround> contourGround(
                 (std::size_t(z) * std::size_t(size.y) + std::size_t(y)) * std::size_t(size.x);
             for (int x = ground.box.minimum.x; x < ground.box.maximum.x; ++x) {
                 std::uint8_t voxel = start.flagsOf(labels[row + std::size_t(x)]);
-                if ((voxel & ContourGround::open) && start.isInBubble({x, y, z})) {
+                if ((voxel & ContourGround::open) && blown->hold({x, y, z})) {
                     start.takeBubble(voxel);
                     meetsBubble = true;
                 }
@@ -224,7 +291,7 @@ Result<ContourGround> contourGround(
             }
         }
     }
-    if (start.erases && start.bubble && !meetsBubble)
+    if (start.erases && start.bubbles && !meetsBubble)
         return ContourGround{.volumeSize = size};
     return ground;
 }

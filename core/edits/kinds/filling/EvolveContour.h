@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <vector>
 
 namespace core {
 
@@ -18,7 +19,7 @@ struct ContourRule;
 struct RelabelListed;
 
 /// Let the contour of a segment evolve by values, edges and smoothness, from the segment as it
-/// stands or from a bubble (core/contour/ContourRule.h defines the rule). Voxels join the segment
+/// stands or from bubbles (core/contour/ContourRule.h defines the rule). Voxels join the segment
 /// and leave it. Like CleanSegment it stores no voxels: the result is computed from the labels each
 /// time it is carried out. A second such edit continues where the first one stopped.
 struct EvolveContour {
@@ -36,7 +37,10 @@ struct EvolveContour {
     int smoothness = 50;
     /// The segment first receives a ball around this place.
     std::optional<glm::dvec3> bubbleLps{};
-    double bubbleMm = 0.0; ///< radius of that ball
+    double bubbleMm = 0.0; ///< radius of that ball, and of all others
+    /// With bubbleLps: further places, around each of which it receives such a ball. None for rows
+    /// that are older than this field.
+    std::optional<std::vector<glm::dvec3>> furtherBubblesLps{};
     int generations = 10; ///< greatest number; it stops earlier if nothing changes any more
     bool overwriteUnlocked = false; ///< without meaning if it erases
     std::optional<EditableRange> editable{}; ///< which voxels may change; none: any
@@ -44,8 +48,8 @@ struct EvolveContour {
     /// false, for rows that are older than this field: it grows into an octahedron.
     std::optional<bool> round{};
     /// Whether a part of the segment evolves instead, which the segment loses: it grows where
-    /// values lie in the interval, and no other voxel changes. From a bubble it begins as the
-    /// segment's voxels in the ball and ends at the segment's border; without one it comes in from
+    /// values lie in the interval, and no other voxel changes. From bubbles it begins as the
+    /// segment's voxels in the balls and ends at the segment's border; without one it comes in from
     /// everywhere around the segment. None is the same as false, for rows that are older than this
     /// field.
     std::optional<bool> erase{};
@@ -65,11 +69,11 @@ Result<bool> apply(const EvolveContour& edit, Document& document);
 /// The rule of the edit in whole numbers. Errors: those of check().
 [[nodiscard]] Result<ContourRule> contourRule(const EvolveContour& edit, const Document& document);
 /// The ground on which the contour evolves, without codes; with an empty box if the segment is
-/// empty and there is no bubble. A bubble gives the segment those voxels that may change and whose
-/// step from the voxel nearest to the bubble's centre lies in a MillimetreBall of its radius.
+/// empty and there is no bubble. Bubbles give the segment those voxels that may change and whose
+/// step from the voxel nearest to a bubble's centre lies in a MillimetreBall of their radius.
 /// While erasing it takes them away, and the box is empty if the segment has none of them.
 /// @param labels one for each voxel of the volume in the segment's plane, x fastest
-/// Errors: those of check(), OutOfMemory.
+/// Uses all cores; any thread outside a parallelFor(). Errors: those of check(), OutOfMemory.
 [[nodiscard]] Result<ContourGround> contourGround(
     const EvolveContour& edit, const Document& document, std::span<const std::uint8_t> labels);
 /// The command that writes the result; without bricks if nothing has changed. Errors:

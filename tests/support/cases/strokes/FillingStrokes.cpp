@@ -265,11 +265,17 @@ void addFillingStrokes(std::vector<StrokeCase>& cases, const StrokeScene& scene)
     core::EvolveContour round = contour;
     round.round = true;
     cases.push_back({"a round contour from a bubble", volume, {first}, round});
+    core::EvolveContour several = round;
+    several.furtherBubblesLps = {
+        geometry.toWorld({8.0, 12.0, 16.0}), geometry.toWorld({24.0, 18.0, 10.0})};
+    cases.push_back({"a contour from three bubbles", volume, {first}, several});
     core::EvolveContour erasing = round;
     erasing.erase = true;
     erasing.bubbleMm = 2.1;
     erasing.generations = 2;
     cases.push_back({"a contour that erases from a bubble", volume, {first, contour}, erasing});
+    erasing.furtherBubblesLps = {geometry.toWorld({22.0, 16.0, 10.0})};
+    cases.push_back({"a contour that erases from two bubbles", volume, {first, several}, erasing});
     core::EvolveContour eroding = further;
     eroding.erase = true;
     eroding.generations = 2;

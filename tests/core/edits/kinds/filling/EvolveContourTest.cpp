@@ -146,6 +146,61 @@ private Q_SLOTS:
         QCOMPARE(bench.rows().size(), rows + 1);
     }
 
+    /// From bubbles that overlap, hang apart and reach over the volume's border, on a straight grid
+    /// and on a sheared one; then erasing, from two of them.
+    void severalBubbles_data()
+    {
+        QTest::addColumn<bool>("delayed");
+        QTest::addColumn<bool>("sheared");
+        for (const bool sheared : {false, true}) {
+            for (const bool delayed : {false, true})
+                QTest::addRow("sheared %d, delayed %d", int(sheared), int(delayed))
+                    << delayed << sheared;
+        }
+    }
+    void severalBubbles()
+    {
+        QFETCH(const bool, delayed);
+        QFETCH(const bool, sheared);
+        LoadedVolume study = noisyStudy(5);
+        if (sheared)
+            study.volume.geometry.indexToWorld[2] += glm::dvec4(0.0, 0.31, 0.0, 0.0);
+        Bench bench(study, delayed);
+        const auto at = [&](const glm::dvec3& index) { return bench.geometry().toWorld(index); };
+        EvolveContour edit = fromBrain();
+        edit.bubbleLps = at({16.0, 18.0, 16.0});
+        edit.furtherBubblesLps = {
+            at({18.0, 18.0, 16.0}), at({24.0, 14.0, 12.0}), at({0.0, 0.0, 0.0})};
+        const Labels before = bench.labels();
+        const QByteArray hash = bench.session->stateHash();
+        bench.run(edit);
+        const Labels after = bench.labels();
+        QVERIFY(after == bench.expectedAfter(edit, before));
+        EvolveContour first = edit;
+        first.furtherBubblesLps.reset();
+        QVERIFY(after != bench.expectedAfter(first, before));
+        QVERIFY2(bench.rows().back().name.startsWith(
+                     QStringLiteral("Evolve the contour of 'Organ' from 4 bubbles, +")),
+            qPrintable(bench.rows().back().name));
+        const QByteArray changed = bench.session->stateHash();
+        QVERIFY(bench.session->undo() && bench.session->settle());
+        QCOMPARE(bench.session->stateHash(), hash);
+        QVERIFY(bench.session->redo() && bench.session->settle());
+        QCOMPARE(bench.session->stateHash(), changed);
+
+        EvolveContour erasing = edit;
+        erasing.furtherBubblesLps = {at({24.0, 14.0, 12.0})};
+        erasing.bubbleMm = 1.7;
+        erasing.erase = true;
+        erasing.generations = 2;
+        bench.run(erasing);
+        QVERIFY(bench.labels() != after);
+        QVERIFY(bench.labels() == bench.expectedAfter(erasing, after));
+        QVERIFY2(bench.rows().back().name.startsWith(
+                     QStringLiteral("Erase 'Organ' by a contour from 2 bubbles, ")),
+            qPrintable(bench.rows().back().name));
+    }
+
     /// In noise, with segments in the way: against the oracle step by step, and from scratch.
     void noiseReplays_data()
     {
@@ -181,6 +236,9 @@ private Q_SLOTS:
                 edit.bubbleLps = bench.geometry().toWorld(
                     {double(12 + below(16)), double(12 + below(12)), double(10 + below(14))});
                 edit.bubbleMm = 2.6 + below(3); // no distance between two voxels
+                if (step % 4 == 0)
+                    edit.furtherBubblesLps = {bench.geometry().toWorld(
+                        {double(12 + below(16)), double(12 + below(12)), double(10 + below(14))})};
             }
             if (step % 4 >= 2) { // from a bubble, then from all around
                 edit.erase = true;
@@ -289,6 +347,9 @@ private Q_SLOTS:
         refused({.segment = 1, .generations = mostContourGenerations + 1}, "generations");
         refused({.segment = 1, .bubbleLps = glm::dvec3(1e4), .bubbleMm = 3.0}, "bubbleLps");
         refused({.segment = 1, .bubbleLps = test::pointsInBrain().front()}, "bubbleMm");
+        EvolveContour beyond = fromBrain();
+        beyond.furtherBubblesLps = {test::pointsInBrain().front(), glm::dvec3(1e4)};
+        refused(beyond, "furtherBubblesLps");
         QVERIFY(!bench.tried(EvolveContour{.segment = 9}).isEmpty());
         QCOMPARE(bench.rows().size(), rows);
         bench.run(test::lockSegment(1));
