@@ -291,7 +291,7 @@ private Q_SLOTS:
         QVERIFY(shrink[QStringLiteral("byPressure")].toBool());
         QCOMPARE(shrink[QStringLiteral("reachMm")].toDouble(), 4.5);
         QVERIFY((application->window().findChild<ui::ContourTool*>()->settings()
-            == ui::ContourTool::Settings{.bubbleMm = 6.5, .smoothness = 71, .generations = 33}));
+            == ui::ContourSettings{.bubbleMm = 6.5, .smoothness = 71, .generations = 33}));
         const auto& scissors = application->window().findChild<ui::ScissorsTool*>()->settings();
         QVERIFY(scissors.limited && scissors.depthMm == 33.0 && scissors.firstLayerOnly);
         QVERIFY((application->window().findChild<ui::SegmentScissorsTool*>()->settings()

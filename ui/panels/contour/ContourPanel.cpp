@@ -131,8 +131,8 @@ void ContourPanel::buildRule(QFormLayout& form)
     m_ofBubble = new QCheckBox(tr("as around the bubble"), this);
     m_ofBubble->setObjectName(QStringLiteral("contourOfBubble"));
     m_ofBubble->setToolTip(
-        tr("A bubble sets the interval to the values where it is clicked, as a sketch does for "
-           "growth; one that you set yourself stays"));
+        tr("Bubbles set the interval to the values where they are clicked, or that the seeds have, "
+           "as a sketch does for growth; one that you set yourself stays"));
     form.addRow(QString(), m_ofBubble);
     connect(m_ofBubble, &QCheckBox::clicked, this, &ContourPanel::takeSettings);
     m_softness = share(form, "contourSoftness", tr("Soft"),
@@ -145,7 +145,7 @@ void ContourPanel::buildRule(QFormLayout& form)
         form, "contourEdge", tr("Edges"), tr("How much edges hold the contour; 0: not at all"));
     m_gradient = contourField(
         this, "contourGradient", tr("The gradient of an edge that counts half, per millimetre"));
-    m_gradient->setRange(0.001, ContourTool::maximumGradient);
+    m_gradient->setRange(0.001, ContourSettings::maximumGradient);
     form.addRow(tr("Edge from"), m_gradient);
     m_generations = new WholeNumberField(this);
     m_generations->setObjectName(QStringLiteral("contourGenerations"));
@@ -163,7 +163,7 @@ void ContourPanel::buildRule(QFormLayout& form)
         takeInterval(std::min(upper, m_workspace.growSettings().lower), upper);
     });
     connect(m_gradient, &QDoubleSpinBox::valueChanged, this, [this](double gradient) {
-        ContourTool::Settings now = m_tool.settings();
+        ContourSettings now = m_tool.settings();
         now.edgeGradient = gradient;
         m_tool.setSettings(now);
     });
@@ -200,7 +200,7 @@ void ContourPanel::buildRun()
 void ContourPanel::showSettings()
 {
     const core::Volume* volume = m_workspace.volume();
-    const ContourTool::Settings& its = m_tool.settings();
+    const ContourSettings& its = m_tool.settings();
     const GrowSettings& growth = m_workspace.growSettings();
     const QString unit = volume ? QLatin1Char(' ') + volume->unit : QString();
     // A volume of fractions needs them here too.
@@ -236,7 +236,7 @@ void ContourPanel::takeInterval(double lower, double upper)
     growth.upper = upper;
     m_workspace.setGrowSettings(growth);
     // The next bubble is to keep it.
-    ContourTool::Settings now = m_tool.settings();
+    ContourSettings now = m_tool.settings();
     now.valuesOfBubble = false;
     m_tool.setSettings(now);
 }
@@ -245,7 +245,7 @@ void ContourPanel::takeSettings()
 {
     if (m_showing)
         return;
-    ContourTool::Settings now = m_tool.settings();
+    ContourSettings now = m_tool.settings();
     now.valuesOfBubble = m_ofBubble->isChecked();
     now.softness = m_softness->value();
     now.smoothness = m_smoothness->value();

@@ -28,13 +28,16 @@ ContourOptions::ContourOptions(Workspace& workspace, ContourTool& tool, QWidget*
     m_start->setFixedHeight(theme::controlHeight);
     m_start->addItem(tr("from a bubble"));
     m_start->addItem(tr("from the segment"));
-    m_start->setToolTip(tr("With what the contour begins: a ball that is clicked, or the segment "
-                           "as it stands. With Ctrl or the pen's eraser end it erases: from the "
-                           "ball, or from all around the segment"));
+    m_start->addItem(tr("from the seeds"));
+    m_start->setToolTip(
+        tr("With what the contour begins: a ball that is clicked, the segment as it "
+           "stands, or a ball around each of its sketched seeds that wait for a "
+           "growth. Shift+click adds a ball. With Ctrl or the pen's eraser end it "
+           "erases: from the balls, or from all around the segment"));
     m_bubble->setObjectName(QStringLiteral("contourBubble"));
     m_bubble->setFixedHeight(theme::controlHeight);
     m_bubble->setKeyboardTracking(false);
-    m_bubble->setRange(ContourTool::minimumBubbleMm, ContourTool::maximumBubbleMm);
+    m_bubble->setRange(ContourSettings::minimumBubbleMm, ContourSettings::maximumBubbleMm);
     m_bubble->setDecimals(1);
     m_bubble->setSingleStep(0.5);
     m_bubble->setSuffix(tr(" mm"));
@@ -62,16 +65,15 @@ void ContourOptions::showSettings()
     const QSignalBlocker start(m_start);
     const QSignalBlocker bubble(m_bubble);
     const QSignalBlocker overwrite(m_overwrite);
-    m_start->setCurrentIndex(m_tool.settings().fromSegment ? 1 : 0);
+    m_start->setCurrentIndex(int(m_tool.settings().start));
     m_bubble->setValue(m_tool.settings().bubbleMm);
-    m_bubble->setEnabled(!m_tool.settings().fromSegment);
     m_overwrite->setChecked(m_workspace.brushSettings(Workspace::Brush::Paint).overwriteUnlocked);
 }
 
 void ContourOptions::takeSettings()
 {
-    ContourTool::Settings now = m_tool.settings();
-    now.fromSegment = m_start->currentIndex() == 1;
+    ContourSettings now = m_tool.settings();
+    now.start = ContourSettings::Start(m_start->currentIndex());
     now.bubbleMm = m_bubble->value();
     // It is the same choice as for painting and outlines.
     Workspace::BrushSettings paint = m_workspace.brushSettings(Workspace::Brush::Paint);

@@ -8,6 +8,7 @@
 #include "ui/settings/SeedValues.h"
 #include "ui/tools/aim/CursorLabel.h"
 #include "ui/tools/contour/ContourOptions.h"
+#include "ui/workspace/PendingSeeds.h"
 #include "ui/workspace/SegmentActions.h"
 #include "ui/workspace/Workspace.h"
 
@@ -15,6 +16,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace ui {
 
@@ -22,25 +24,14 @@ namespace {
 
 constexpr double mm3PerMillilitre = 1000.0;
 
-/// An integer of a kept session, if it is one within bounds.
-void readWhole(const QJsonObject& json, const char* field, int least, int greatest, int& value)
-{
-    const int kept = json[QLatin1String(field)].toInt(least - 1);
-    if (kept >= least && kept <= greatest)
-        value = kept;
-}
-
-void readNumber(
-    const QJsonObject& json, const char* field, double least, double greatest, double& value)
-{
-    const double kept = json[QLatin1String(field)].toDouble(least - 1.0);
-    if (kept >= least && kept <= greatest)
-        value = kept;
-}
-
 bool isInverseContour(const PointerSample& sample)
 {
     return sample.eraserEnd || sample.modifiers.testFlag(Qt::ControlModifier);
+}
+
+bool isFurtherBubble(const PointerSample& sample)
+{
+    return sample.modifiers.testFlag(Qt::ShiftModifier);
 }
 
 } // namespace
@@ -64,8 +55,8 @@ ContourTool::ContourTool(Workspace& workspace, QObject* parent)
     connect(&m_run, &ContourRun::foundNothing, this, [this] {
         m_workspace.say(!m_erases ? tr("The segment has no voxels to begin with: click a bubble "
                                        "instead")
-                : m_bubbleLps     ? tr("The segment has no voxels in the bubble")
-                                  : tr("The segment has no voxels to erase"));
+                : m_bubblesLps.empty() ? tr("The segment has no voxels to erase")
+                                       : tr("The segment has no voxels in the bubble"));
     });
     connect(&workspace, &Workspace::growSettingsChanged, this, &ContourTool::follow);
     connect(&workspace, &Workspace::brushSettingsChanged, this, &ContourTool::follow);
@@ -89,16 +80,24 @@ QString ContourTool::iconName() const
 
 QString ContourTool::hint() const
 {
-    return m_settings.fromSegment
-        ? tr("Contour: click a slice and accept what the segment evolves to; Ctrl or the eraser "
-             "end erases from all around it")
-        : tr("Contour: click a bubble on a slice and accept what evolves; Ctrl or the eraser end "
-             "erases");
+    switch (m_settings.start) {
+    case Start::Segment:
+        return tr("Contour: click a slice and accept what the segment evolves to; Ctrl or the "
+                  "eraser end erases from all around it");
+    case Start::Seeds:
+        return tr("Contour: click a slice and accept what evolves from the sketched seeds; Ctrl or "
+                  "the eraser end erases");
+    case Start::Bubble:
+        break;
+    }
+    return tr("Contour: click a bubble on a slice, more of them with Shift, and accept what "
+              "evolves; Ctrl or the eraser end erases");
 }
 
 QString ContourTool::keys() const
 {
-    return tr("Enter accepts, Esc aborts · ← → generations · Shift+wheel bubble · Ctrl erases");
+    return tr("Enter accepts, Esc aborts · ← → generations · Shift+wheel bubble, "
+              "Shift+click one more · Ctrl erases");
 }
 
 QString ContourTool::target() const
@@ -108,9 +107,9 @@ QString ContourTool::target() const
         return {};
     const core::Segment* segment = session->document().segment(m_workspace.activeSegment());
     if (!segment)
-        return m_isInverse           ? tr("no segment to erase")
-            : m_settings.fromSegment ? tr("no segment to begin with")
-                                     : tr("fills a new segment");
+        return m_isInverse                      ? tr("no segment to erase")
+            : m_settings.start != Start::Bubble ? tr("no segment to begin with")
+                                                : tr("fills a new segment");
     return (segment->locked ? tr("%1 is locked")
             : m_isInverse   ? tr("erases %1")
                             : tr("evolves %1"))
@@ -124,32 +123,17 @@ QWidget* ContourTool::createOptions(QWidget* parent)
 
 QJsonObject ContourTool::settingsJson() const
 {
-    return {{QStringLiteral("fromSegment"), m_settings.fromSegment},
-        {QStringLiteral("bubbleMm"), m_settings.bubbleMm},
-        {QStringLiteral("valuesOfBubble"), m_settings.valuesOfBubble},
-        {QStringLiteral("softness"), m_settings.softness},
-        {QStringLiteral("smoothness"), m_settings.smoothness},
-        {QStringLiteral("edge"), m_settings.edge},
-        {QStringLiteral("edgeGradient"), m_settings.edgeGradient},
-        {QStringLiteral("generations"), m_settings.generations}};
+    return m_settings.json();
 }
 
 void ContourTool::applySettings(const QJsonObject& settings)
 {
-    constexpr int whole = 100;
-    Settings now = m_settings;
-    now.fromSegment = settings[QLatin1String("fromSegment")].toBool(now.fromSegment);
-    readNumber(settings, "bubbleMm", minimumBubbleMm, maximumBubbleMm, now.bubbleMm);
-    now.valuesOfBubble = settings[QLatin1String("valuesOfBubble")].toBool(now.valuesOfBubble);
-    readWhole(settings, "softness", 0, whole, now.softness);
-    readWhole(settings, "smoothness", 0, whole, now.smoothness);
-    readWhole(settings, "edge", 0, whole, now.edge);
-    readNumber(settings, "edgeGradient", 0.0, maximumGradient, now.edgeGradient);
-    readWhole(settings, "generations", 1, core::mostContourGenerations, now.generations);
+    ContourSettings now = m_settings;
+    now.read(settings);
     setSettings(now);
 }
 
-void ContourTool::setSettings(const Settings& settings)
+void ContourTool::setSettings(const ContourSettings& settings)
 {
     if (settings == m_settings)
         return;
@@ -180,15 +164,18 @@ core::EvolveContour ContourTool::edit() const
         .softness = m_settings.softness * perCent * half * (growth.upper - growth.lower),
         .edge = m_settings.edge,
         .smoothness = m_settings.smoothness,
-        .bubbleLps = m_bubbleLps,
         .generations = m_settings.generations,
         .overwriteUnlocked = m_workspace.brushSettings(Workspace::Brush::Paint).overwriteUnlocked,
         .editable = m_workspace.editableRange(),
         .round = true};
     if (edit.edge > 0)
         edit.edgeGradient = edgeGradient();
-    if (edit.bubbleLps)
+    if (!m_bubblesLps.empty()) {
+        edit.bubbleLps = m_bubblesLps.front();
         edit.bubbleMm = m_settings.bubbleMm;
+    }
+    if (m_bubblesLps.size() > 1)
+        edit.furtherBubblesLps.emplace(m_bubblesLps.begin() + 1, m_bubblesLps.end());
     if (m_erases) {
         edit.erase = true;
         edit.overwriteUnlocked = false;
@@ -196,24 +183,51 @@ core::EvolveContour ContourTool::edit() const
     return edit;
 }
 
+/// Whether a click in a slice may blow a bubble there; if not, it says why.
+bool ContourTool::mayBeginAt(const glm::dvec3& placeLps) const
+{
+    const core::VolumeGeometry& geometry = m_workspace.volume()->geometry;
+    if (geometry.contains(glm::ivec3(glm::floor(geometry.toIndex(placeLps) + 0.5))))
+        return true;
+    m_workspace.say(tr("Click inside the volume"));
+    return false;
+}
+
+std::vector<glm::dvec3> ContourTool::startingBubbles(const glm::dvec3& placeLps) const
+{
+    if (m_settings.start == Start::Bubble)
+        return {placeLps};
+    std::vector<glm::dvec3> places;
+    if (m_settings.start == Start::Seeds) {
+        for (const gpu::SceneSeed& seed : m_workspace.seeds().seeds()) {
+            if (int(seed.label) == m_workspace.activeSegment())
+                places.push_back(seed.lps);
+        }
+    }
+    return places;
+}
+
 void ContourTool::start(const glm::dvec3& placeLps, bool erases)
 {
     core::EditSession* session = m_workspace.session();
     if (!session)
         return;
-    const core::VolumeGeometry& geometry = m_workspace.volume()->geometry;
-    const glm::ivec3 voxel(glm::floor(geometry.toIndex(placeLps) + 0.5));
-    if (!m_settings.fromSegment && !geometry.contains(voxel))
-        return m_workspace.say(tr("Click inside the volume"));
-    if (erases && session->foreseenDocument().segments.empty())
+    if (m_settings.start == Start::Bubble && !mayBeginAt(placeLps))
+        return;
+    const bool isEmpty = session->foreseenDocument().segments.empty();
+    if (erases && isEmpty)
         return m_workspace.say(tr("There is no segment to erase"));
-    if (m_settings.fromSegment && session->foreseenDocument().segments.empty())
+    if (m_settings.start != Start::Bubble && isEmpty)
         return m_workspace.say(tr("There is no segment to begin with: click a bubble instead"));
+    const std::vector<glm::dvec3> bubblesLps = startingBubbles(placeLps);
+    if (m_settings.start == Start::Seeds && bubblesLps.empty())
+        return m_workspace.say(tr("The segment has no seeds that wait for a growth: sketch some "
+                                  "with Seed, or click a bubble instead"));
     // What it would begin with is about to change.
     if (!session->segmentWork().isPreview() && session->segmentWork().percent())
         return m_workspace.say(tr("A segment is being worked out; Esc abandons it"));
     drop();
-    if (session->foreseenDocument().segments.empty()) {
+    if (isEmpty) {
         m_segment = 0; // Esc is to leave nothing
     } else {
         const core::Result<int> label = ensureActiveSegment(m_workspace);
@@ -222,14 +236,66 @@ void ContourTool::start(const glm::dvec3& placeLps, bool erases)
         m_segment = *label;
     }
     m_erases = erases;
-    m_bubbleLps.reset();
-    if (!m_settings.fromSegment)
-        m_bubbleLps = placeLps;
-    m_awaitsValues = m_bubbleLps && m_settings.valuesOfBubble;
-    if (m_awaitsValues)
-        m_look.ask({{.voxels = {voxel}}});
-    else
-        m_run.begin(edit());
+    m_bubblesLps = bubblesLps;
+    m_added = 0;
+    evolve();
+}
+
+/// Whether a further bubble would be one of the open contour.
+bool ContourTool::takesBubbles() const
+{
+    return (m_run.isOpen() || m_awaitsValues) && !(m_erases && m_bubblesLps.empty());
+}
+
+void ContourTool::addBubble(const glm::dvec3& placeLps, bool erases)
+{
+    if (!m_workspace.session() || !takesBubbles())
+        return start(placeLps, erases);
+    if (!mayBeginAt(placeLps))
+        return;
+    m_bubblesLps.push_back(placeLps);
+    ++m_added;
+    evolve();
+    Q_EMIT stepsChanged();
+}
+
+void ContourTool::takeStepBack()
+{
+    if (m_added == 0)
+        return drop();
+    m_bubblesLps.pop_back();
+    --m_added;
+    evolve();
+    Q_EMIT stepsChanged();
+}
+
+QString ContourTool::stepText() const
+{
+    return m_added > 0 ? tr("the last bubble") : tr("the contour that is watched");
+}
+
+/// Begins with the bubbles that there are, or goes on with them, once their values are known.
+void ContourTool::evolve()
+{
+    m_awaitsValues = !m_bubblesLps.empty() && m_settings.valuesOfBubble;
+    if (!m_awaitsValues) {
+        m_look.drop();
+        begin();
+        return;
+    }
+    const core::VolumeGeometry& geometry = m_workspace.volume()->geometry;
+    core::SeedSketch sketch;
+    for (const glm::dvec3& placeLps : m_bubblesLps)
+        sketch.voxels.emplace_back(glm::floor(geometry.toIndex(placeLps) + 0.5));
+    m_look.ask({std::move(sketch)});
+}
+
+/// After a further bubble there may be more to come than what was played.
+void ContourTool::begin()
+{
+    m_run.begin(edit());
+    if (m_added > 0)
+        m_run.setPlaying(true);
 }
 
 /// As growth takes its interval from a sketch.
@@ -245,7 +311,7 @@ void ContourTool::takeValues(const core::SketchedCodes& sketched)
         growth.upper = offered->second;
         m_workspace.setGrowSettings(growth);
     }
-    m_run.begin(edit());
+    begin();
 }
 
 void ContourTool::drop()
@@ -285,12 +351,16 @@ void ContourTool::press(const PointerSample& sample, const ViewContext& view)
     if (!m_workspace.session() || !view.isSlice())
         return;
     hover(sample, view);
-    start(view.toLps(sample.position), isInverseContour(sample));
+    if (isFurtherBubble(sample))
+        addBubble(view.toLps(sample.position), isInverseContour(sample));
+    else
+        start(view.toLps(sample.position), isInverseContour(sample));
 }
 
 void ContourTool::hover(const PointerSample& sample, const ViewContext& view)
 {
-    m_isInverse = isInverseContour(sample);
+    m_adds = isFurtherBubble(sample) && takesBubbles();
+    m_isInverse = m_adds ? m_erases : isInverseContour(sample);
     CursorTool::hover(sample, view);
 }
 
@@ -330,9 +400,10 @@ bool ContourTool::pressKey(int key)
 
 void ContourTool::changeRadius(int steps)
 {
-    Settings now = m_settings;
+    ContourSettings now = m_settings;
     const double step = now.bubbleMm < 10.0 ? 0.5 : 1.0;
-    now.bubbleMm = std::clamp(now.bubbleMm + steps * step, minimumBubbleMm, maximumBubbleMm);
+    now.bubbleMm = std::clamp(now.bubbleMm + steps * step, ContourSettings::minimumBubbleMm,
+        ContourSettings::maximumBubbleMm);
     setSettings(now);
 }
 
@@ -351,8 +422,9 @@ void ContourTool::showRun()
 
 QString ContourTool::intervalText() const
 {
-    if (!m_run.isOpen() && !m_settings.fromSegment && m_settings.valuesOfBubble)
-        return tr("values as around the bubble");
+    if (!m_run.isOpen() && m_settings.start != Start::Segment && m_settings.valuesOfBubble)
+        return m_settings.start == Start::Seeds ? tr("values as around the seeds")
+                                                : tr("values as around the bubble");
     const core::Volume& volume = *m_workspace.volume();
     const GrowSettings& growth = m_workspace.growSettings();
     const double span = volume.maximum - volume.minimum;
@@ -396,15 +468,15 @@ void ContourTool::paintOverlay(QPainter& painter, const ViewContext& view) const
     }
     if (!isUnderPointer(view) || !view.isSlice())
         return;
-    if (!m_settings.fromSegment && !m_run.isOpen())
+    const bool isBubble = m_adds || (m_settings.start == Start::Bubble && !m_run.isOpen());
+    if (isBubble)
         drawCursorRing(
             painter, cursor(), m_settings.bubbleMm / view.mmPerPixel(), ringColour(), true);
-    QStringList lines{m_run.track() ? shownText() : target()};
+    QStringList lines{m_adds ? tr("one more bubble") : m_run.track() ? shownText() : target()};
     lines += intervalText();
     if (const QString editable = m_workspace.editableText(); !editable.isEmpty())
         lines += editable;
-    const double radius =
-        m_settings.fromSegment || m_run.isOpen() ? 6.0 : m_settings.bubbleMm / view.mmPerPixel();
+    const double radius = isBubble ? m_settings.bubbleMm / view.mmPerPixel() : 6.0;
     drawCursorLabel(painter, view.sizePixels, cursor(), radius, lines);
 }
 

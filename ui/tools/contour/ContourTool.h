@@ -6,39 +6,27 @@
 #include "ui/tools/contour/ContourDrawing.h"
 #include "ui/tools/contour/ContourGhost.h"
 #include "ui/tools/contour/ContourRun.h"
+#include "ui/tools/contour/ContourSettings.h"
 
-#include <optional>
+#include <vector>
 
 namespace ui {
 
 class Workspace;
 
-/// Evolves a contour live, from a ball ("bubble") at a clicked place of a slice or from the active
-/// segment. The user watches it (ContourRun), plays it forwards and backwards and changes its
-/// settings. Accepting it makes one step that ends at the shown generation; aborting it leaves
-/// nothing. With Ctrl, or the pen's eraser end, it erases: a part of the segment evolves, from the
-/// bubble or from all around the segment, which accepting takes away (core::EvolveContour::erase).
-/// The interval is that of growth, which a bubble may set as a sketch does; which voxels may change
-/// is set as for painting. ContourPanel has the controls.
+/// Evolves a contour live, from a ball ("bubble") at a clicked place of a slice, from the active
+/// segment, or from its pending seeds, each with a bubble around it. A click with Shift adds a
+/// bubble to the contour that is open. The user watches it (ContourRun), plays it forwards and
+/// backwards and changes its settings. Accepting it makes one step that ends at the shown
+/// generation; aborting it leaves nothing. With Ctrl, or the pen's eraser end, it erases: a part of
+/// the segment evolves, from the bubble or from all around the segment, which accepting takes away
+/// (core::EvolveContour::erase). The interval is that of growth, which a bubble may set as a sketch
+/// does; which voxels may change is set as for painting. ContourPanel has the controls.
 class ContourTool : public CursorTool {
     Q_OBJECT
 
 public:
-    struct Settings {
-        bool fromSegment = false; ///< start from the active segment; false: from a bubble
-        double bubbleMm = 4.0; ///< radius of the bubble
-        /// A bubble sets the interval to the one suggested for its centre.
-        bool valuesOfBubble = true;
-        int softness = 25; ///< per cent of half the interval's width, 0 … 100
-        int smoothness = 50; ///< 0 … 100; so is edge
-        int edge = 0;
-        double edgeGradient = 0.0; ///< modality units per mm; 0: not chosen, see edgeGradient()
-        int generations = 100; ///< greatest number
-        bool operator==(const Settings&) const = default;
-    };
-    static constexpr double minimumBubbleMm = 0.5;
-    static constexpr double maximumBubbleMm = 100.0;
-    static constexpr double maximumGradient = 1e6;
+    using Start = ContourSettings::Start;
 
     explicit ContourTool(Workspace& workspace, QObject* parent = nullptr);
 
@@ -66,10 +54,10 @@ public:
     void cancel() override;
     /// Ends an open contour and tells the user. An accepted contour goes on.
     void putAway() override;
-    /// Undo ends an open contour.
+    /// Undo takes back bubbles that were added to an open contour, and then ends it.
     [[nodiscard]] bool canTakeStepBack() const override { return m_run.isOpen(); }
-    void takeStepBack() override { drop(); }
-    [[nodiscard]] QString stepText() const override { return tr("the contour that is watched"); }
+    void takeStepBack() override;
+    [[nodiscard]] QString stepText() const override;
     /// While a contour is open: Enter accepts it, the left and right arrow keys go to the previous
     /// and next generation.
     bool pressKey(int key) override;
@@ -81,6 +69,10 @@ public:
     /// @param placeLps centre of a bubble, LPS mm
     /// @param erases whether what evolves is taken away from the segment
     void start(const glm::dvec3& placeLps, bool erases = false);
+    /// Adds a bubble to the open contour, which is computed anew and goes on from the generation
+    /// that is shown. Does the same as start() if there is none, or if it erases from all around
+    /// the segment.
+    void addBubble(const glm::dvec3& placeLps, bool erases = false);
     /// Makes the shown generation a step. If there is no segment, one is added before, as a step of
     /// its own.
     void accept();
@@ -89,9 +81,9 @@ public:
     [[nodiscard]] const ContourRun& run() const { return m_run; }
     [[nodiscard]] ContourRun& run() { return m_run; }
 
-    [[nodiscard]] const Settings& settings() const { return m_settings; }
+    [[nodiscard]] const ContourSettings& settings() const { return m_settings; }
     /// Changes the settings; an open contour follows them.
-    void setSettings(const Settings& settings);
+    void setSettings(const ContourSettings& settings);
     /// The chosen gradient of an edge, or else one that suits the volume; modality units per mm.
     [[nodiscard]] double edgeGradient() const;
     /// A text about the shown generation: "generation 12 · +3.2 mL, −0.1 mL", or "generation 12 ·
@@ -103,6 +95,11 @@ Q_SIGNALS:
 
 private:
     [[nodiscard]] core::EvolveContour edit() const;
+    [[nodiscard]] bool takesBubbles() const;
+    [[nodiscard]] bool mayBeginAt(const glm::dvec3& placeLps) const;
+    [[nodiscard]] std::vector<glm::dvec3> startingBubbles(const glm::dvec3& placeLps) const;
+    void evolve();
+    void begin();
     [[nodiscard]] QString intervalText() const;
     [[nodiscard]] QColor ringColour() const;
     void follow();
@@ -110,7 +107,7 @@ private:
     void showRun();
 
     Workspace& m_workspace;
-    Settings m_settings;
+    ContourSettings m_settings;
     ContourRun m_run;
     SketchLook m_look;
     bool m_awaitsValues = false; ///< the contour starts when the values around the bubble are known
@@ -118,10 +115,12 @@ private:
     mutable ContourGhost m_ghost; ///< in the 3D view
     /// Label of the open contour's segment; 0: a segment that is added when it is accepted.
     int m_segment = 0;
-    /// Centre of its bubble; none: it starts from the segment.
-    std::optional<glm::dvec3> m_bubbleLps;
+    /// Centres of its bubbles; none: it starts from the segment.
+    std::vector<glm::dvec3> m_bubblesLps;
+    int m_added = 0; ///< how many of them, at the end, were added to it while it was open
     bool m_erases = false; ///< likewise
     bool m_isInverse = false; ///< a click under the pointer would erase
+    bool m_adds = false; ///< it would add a bubble
     bool m_wasOpen = false;
 };
 

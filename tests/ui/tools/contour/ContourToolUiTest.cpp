@@ -4,6 +4,7 @@
 #include "core/brick/ThreadWithoutVoxels.h"
 #include "core/contour/ContourRule.h"
 #include "core/contour/ContourWatch.h"
+#include "core/edits/kinds/growth/SeedStroke.h"
 #include "core/edits/kinds/segments/ReshapeSegment.h"
 #include "core/session/SegmentWork.h"
 #include "core/session/questions/VoxelQuestions.h"
@@ -18,6 +19,7 @@
 #include "ui/panels/contour/ContourPanel.h"
 #include "ui/views/ViewGrid.h"
 #include "ui/widgets/StepSlider.h"
+#include "ui/workspace/PendingSeeds.h"
 #include "ui/workspace/SegmentActions.h"
 
 #include <QAction>
@@ -284,8 +286,8 @@ private Q_SLOTS:
         growth.lower = 30.0;
         growth.upper = 60.0; // the brain alone
         fixture.workspace.setGrowSettings(growth);
-        ui::ContourTool::Settings settings = fixture.tool.settings();
-        settings.fromSegment = true;
+        ui::ContourSettings settings = fixture.tool.settings();
+        settings.start = ui::ContourSettings::Start::Segment;
         fixture.tool.setSettings(settings);
         fixture.clickBy(by, {5.0, 5.0, 20.0}, test::invertingKeys(by)); // anywhere
         QTRY_VERIFY(fixture.hasPlayed());
@@ -301,6 +303,157 @@ private Q_SLOTS:
         QVERIFY(seen == fixture.expected(fixture.lastEdit(), before));
         QVERIFY(fixture.voxelsWith(test::smallHead::brainHu) * 20 < brain);
         QVERIFY(fixture.voxelsWith(test::smallHead::ventricleHu) * 10 > ventricle * 9);
+        QVERIFY(fixture.isWhatARecipeComesTo());
+    }
+
+    /// Shift+click adds bubbles to what is watched; undo takes them back, one after the other.
+    void furtherBubblesJoin()
+    {
+        Fixture fixture;
+        ui::GrowSettings growth = fixture.workspace.growSettings();
+        growth.upper = 60.0; // the brain as well
+        fixture.workspace.setGrowSettings(growth);
+        ui::ContourSettings settings = fixture.tool.settings();
+        settings.generations = 2;
+        fixture.tool.setSettings(settings);
+        const Labels before = fixture.labels();
+        // Without a contour it is the first one.
+        fixture.clickBy(test::DrawnBy::Mouse, {15.0, 20.0, 20.0}, Qt::ShiftModifier);
+        QTRY_VERIFY(fixture.hasPlayed());
+        const std::vector<bool> alone = fixture.shownVoxels();
+        QCOMPARE(fixture.tool.stepText(), QStringLiteral("the contour that is watched"));
+        fixture.hoverWith(Qt::ShiftModifier);
+        fixture.clickBy(test::DrawnBy::Mouse, {25.0, 20.0, 20.0}, Qt::ShiftModifier);
+        QTRY_VERIFY(fixture.hasPlayed());
+        QCOMPARE(fixture.shown(), 2); // where it was
+        const std::vector<bool> two = fixture.shownVoxels();
+        QVERIFY(std::count(two.begin(), two.end(), true)
+            > std::count(alone.begin(), alone.end(), true));
+        fixture.clickBy(test::DrawnBy::Mouse, {20.0, 26.0, 20.0}, Qt::ShiftModifier);
+        QTRY_VERIFY(fixture.hasPlayed());
+        QVERIFY(fixture.shownVoxels() != two);
+        QCOMPARE(fixture.tool.stepText(), QStringLiteral("the last bubble"));
+        QVERIFY(fixture.tool.canTakeStepBack());
+        fixture.tool.takeStepBack();
+        QTRY_VERIFY(!fixture.tool.run().isWorking());
+        QVERIFY(fixture.shownVoxels() == two);
+        QCOMPARE(fixture.rows(), std::size_t(0));
+        // All have the radius that is set.
+        fixture.tool.changeRadius(1);
+        QTRY_VERIFY(!fixture.tool.run().isWorking());
+        const std::vector<bool> seen = fixture.shownVoxels();
+        QVERIFY(seen != two);
+        QTest::keyClick(&fixture.view, Qt::Key_Return);
+        QVERIFY(fixture.session().settle());
+        const core::EvolveContour edit = fixture.lastEdit();
+        QCOMPARE(edit.bubbleMm, 2.5);
+        QVERIFY(edit.furtherBubblesLps && edit.furtherBubblesLps->size() == 1);
+        QVERIFY(fixture.writtenVoxels() == seen);
+        QVERIFY(seen == fixture.expected(edit, before));
+        const QString name = fixture.session().history().rows().back().name;
+        QVERIFY2(
+            name.startsWith(QStringLiteral("Evolve the contour of 'Segment 1' from 2 bubbles, +")),
+            qPrintable(name));
+        QVERIFY(fixture.isWhatARecipeComesTo());
+        // A click without Shift begins anew, and there is nothing to take back but it.
+        fixture.clickBy(test::DrawnBy::Mouse, {20.0, 20.0, 20.0});
+        QTRY_VERIFY(fixture.hasPlayed());
+        QCOMPARE(fixture.tool.stepText(), QStringLiteral("the contour that is watched"));
+        fixture.tool.takeStepBack();
+        QVERIFY(!fixture.tool.run().isOpen());
+    }
+
+    /// The values at all bubbles count as those of one sketch, if those of a bubble do.
+    void furtherBubblesTellTheirValues()
+    {
+        Fixture fixture;
+        ui::ContourSettings settings = fixture.tool.settings();
+        settings.valuesOfBubble = true;
+        fixture.tool.setSettings(settings);
+        fixture.click({20.0, 20.0, 20.0});
+        QTRY_VERIFY(fixture.hasPlayed());
+        QVERIFY(fixture.workspace.growSettings().upper < test::smallHead::brainHu);
+        // Most of them are in the brain then.
+        for (const glm::dvec3& brain :
+            {glm::dvec3(27.0, 20.0, 20.0), glm::dvec3(13.0, 20.0, 20.0)}) {
+            fixture.clickBy(test::DrawnBy::Mouse, brain, Qt::ShiftModifier);
+            QTRY_VERIFY(fixture.hasPlayed());
+        }
+        QTRY_VERIFY(fixture.workspace.growSettings().upper >= test::smallHead::brainHu);
+        QTRY_VERIFY(fixture.hasPlayed());
+        QTest::keyClick(&fixture.view, Qt::Key_Return);
+        QVERIFY(fixture.session().settle());
+        QVERIFY(fixture.lastEdit().furtherBubblesLps
+            && fixture.lastEdit().furtherBubblesLps->size() == 2);
+        QVERIFY(*fixture.lastEdit().upper >= test::smallHead::brainHu);
+    }
+
+    /// With a bubble added to the segment as it stands; one that erases from all around has none.
+    void aBubbleJoinsTheSegment()
+    {
+        Fixture fixture;
+        fixture.apply(test::newSegment(QStringLiteral("Organ")));
+        fixture.workspace.setActiveSegment(1);
+        fixture.apply(test::paintAt(1, {fixture.place({16.0, 20.0, 20.0})}, 2.5));
+        ui::ContourSettings settings = fixture.tool.settings();
+        settings.start = ui::ContourSettings::Start::Segment;
+        settings.generations = 2;
+        fixture.tool.setSettings(settings);
+        const Labels before = fixture.labels();
+        fixture.click({20.0, 20.0, 20.0});
+        QTRY_VERIFY(fixture.hasPlayed());
+        const std::vector<bool> alone = fixture.shownVoxels();
+        fixture.clickBy(test::DrawnBy::Mouse, {22.0, 20.0, 20.0}, Qt::ShiftModifier);
+        QTRY_VERIFY(fixture.hasPlayed());
+        const std::vector<bool> seen = fixture.shownVoxels();
+        QVERIFY(seen != alone);
+        QTest::keyClick(&fixture.view, Qt::Key_Return);
+        QVERIFY(fixture.session().settle());
+        QVERIFY(fixture.lastEdit().bubbleLps && !fixture.lastEdit().furtherBubblesLps);
+        QVERIFY(fixture.writtenVoxels() == seen);
+        QVERIFY(seen == fixture.expected(fixture.lastEdit(), before));
+        fixture.clickBy(test::DrawnBy::Mouse, {20.0, 20.0, 20.0}, Qt::ControlModifier);
+        QVERIFY(fixture.tool.run().isOpen());
+        fixture.tool.addBubble(fixture.place({20.0, 20.0, 20.0})); // begins anew
+        QTRY_VERIFY(fixture.hasPlayed());
+        QVERIFY(fixture.tool.run().shownEdit());
+        QVERIFY(!fixture.tool.run().shownEdit()->bubbleLps);
+    }
+
+    /// From a bubble around each seed of the active segment that no growth has come to.
+    void seedsEvolve()
+    {
+        Fixture fixture;
+        QSignalSpy said(&fixture.workspace, &ui::Workspace::said);
+        for (const char* name : {"Organ", "Other"})
+            fixture.apply(test::newSegment(QLatin1String(name)));
+        fixture.workspace.setActiveSegment(1);
+        ui::ContourSettings settings = fixture.tool.settings();
+        settings.start = ui::ContourSettings::Start::Seeds;
+        fixture.tool.setSettings(settings);
+        fixture.click({20.0, 20.0, 20.0});
+        QCOMPARE(said.size(), 1);
+        QVERIFY(said.back().front().toString().contains(QStringLiteral("no seeds that wait")));
+        QVERIFY(!fixture.tool.run().isOpen());
+        fixture.apply(core::SeedStroke{.segment = 1,
+            .pointsLps = {fixture.place({18.0, 20.0, 20.0}), fixture.place({22.0, 20.0, 20.0})}});
+        fixture.apply(
+            core::SeedStroke{.segment = 2, .pointsLps = {fixture.place({20.0, 24.0, 20.0})}});
+        QTRY_COMPARE(fixture.workspace.seeds().seeds().size(), std::size_t(3));
+        const Labels before = fixture.labels();
+        fixture.click({5.0, 5.0, 20.0}); // anywhere
+        QTRY_VERIFY(fixture.hasPlayed());
+        const std::vector<bool> seen = fixture.shownVoxels();
+        QVERIFY(std::count(seen.begin(), seen.end(), true) > 50);
+        QTest::keyClick(&fixture.view, Qt::Key_Return);
+        QVERIFY(fixture.session().settle());
+        const core::EvolveContour edit = fixture.lastEdit();
+        QCOMPARE(edit.segment, 1);
+        QVERIFY(edit.bubbleLps == fixture.place({18.0, 20.0, 20.0}));
+        QVERIFY(
+            edit.furtherBubblesLps == (std::vector<glm::dvec3>{fixture.place({22.0, 20.0, 20.0})}));
+        QVERIFY(fixture.writtenVoxels() == seen);
+        QVERIFY(seen == fixture.expected(edit, before));
         QVERIFY(fixture.isWhatARecipeComesTo());
     }
 
@@ -455,7 +608,7 @@ private Q_SLOTS:
         QVERIFY(fixture.session().undo() && fixture.session().settle());
         QTRY_VERIFY(fixture.session().idle());
         if (waits) { // for the values of the bubble
-            ui::ContourTool::Settings settings = fixture.tool.settings();
+            ui::ContourSettings settings = fixture.tool.settings();
             settings.valuesOfBubble = true;
             fixture.tool.setSettings(settings);
         }
@@ -492,7 +645,7 @@ private Q_SLOTS:
         Fixture fixture;
         fixture.hoverWith({});
         const auto shown = [&fixture](double lower, bool ofBubble) {
-            ui::ContourTool::Settings settings = fixture.tool.settings();
+            ui::ContourSettings settings = fixture.tool.settings();
             settings.valuesOfBubble = ofBubble;
             fixture.tool.setSettings(settings);
             ui::GrowSettings growth = fixture.workspace.growSettings();
@@ -583,8 +736,8 @@ private Q_SLOTS:
         fixture.workspace.setActiveSegment(1);
         fixture.apply(test::paintAt(1, {fixture.place({21.0, 20.0, 20.0})}, 2.5));
         const Labels before = fixture.labels();
-        ui::ContourTool::Settings settings = fixture.tool.settings();
-        settings.fromSegment = true;
+        ui::ContourSettings settings = fixture.tool.settings();
+        settings.start = ui::ContourSettings::Start::Segment;
         settings.generations = 3;
         fixture.tool.setSettings(settings);
         fixture.click({5.0, 5.0, 20.0}); // anywhere
@@ -774,8 +927,8 @@ private Q_SLOTS:
         fixture.click({20.0, 60.0, 20.0});
         QCOMPARE(said.size(), 1);
         QCOMPARE(said.back().front().toString(), QStringLiteral("Click inside the volume"));
-        ui::ContourTool::Settings settings = fixture.tool.settings();
-        settings.fromSegment = true;
+        ui::ContourSettings settings = fixture.tool.settings();
+        settings.start = ui::ContourSettings::Start::Segment;
         fixture.tool.setSettings(settings);
         QCOMPARE(fixture.tool.target(), QStringLiteral("no segment to begin with"));
         fixture.click({20.0, 20.0, 20.0});
@@ -790,7 +943,7 @@ private Q_SLOTS:
         fixture.apply(test::lockSegment(1));
         QCOMPARE(fixture.tool.target(), QStringLiteral("Organ is locked"));
         QCOMPARE(failed.size(), 0);
-        settings.fromSegment = false;
+        settings.start = ui::ContourSettings::Start::Bubble;
         fixture.tool.setSettings(settings);
         fixture.click({20.0, 20.0, 20.0});
         QTRY_COMPARE(failed.size(), 1);
@@ -809,7 +962,7 @@ private Q_SLOTS:
         QTRY_VERIFY(!fixture.panel.isVisible());
         fixture.workspace.setActiveTool(&fixture.tool);
         QTRY_VERIFY(fixture.panel.isVisible());
-        const ui::ContourTool::Settings settings{.fromSegment = true,
+        const ui::ContourSettings settings{.start = ui::ContourSettings::Start::Segment,
             .bubbleMm = 7.5,
             .valuesOfBubble = false,
             .softness = 60,
@@ -837,6 +990,19 @@ private Q_SLOTS:
         const QJsonObject kept = fixture.tool.settingsJson();
         fixture.tool.setSettings({});
         fixture.tool.applySettings(kept);
+        QVERIFY(fixture.tool.settings() == settings);
+        ui::ContourSettings seeds = settings;
+        seeds.start = ui::ContourSettings::Start::Seeds;
+        fixture.tool.setSettings(seeds);
+        QCOMPARE(start->currentText(), QStringLiteral("from the seeds"));
+        const QJsonObject ofSeeds = fixture.tool.settingsJson();
+        fixture.tool.setSettings({});
+        fixture.tool.applySettings(ofSeeds);
+        QVERIFY(fixture.tool.settings() == seeds);
+        // Sessions that know of no seeds say one of two.
+        fixture.tool.applySettings({{QStringLiteral("fromSegment"), false}});
+        QVERIFY(fixture.tool.settings().start == ui::ContourSettings::Start::Bubble);
+        fixture.tool.applySettings({{QStringLiteral("fromSegment"), true}});
         QVERIFY(fixture.tool.settings() == settings);
         fixture.tool.applySettings({{QStringLiteral("bubbleMm"), -1.0},
             {QStringLiteral("smoothness"), 101}, {QStringLiteral("generations"), 0}});
