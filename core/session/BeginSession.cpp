@@ -83,12 +83,21 @@ Result<std::unique_ptr<EditSession>> EditSession::continued(EditEngine& engine, 
         engine, std::move(volume.volume), std::move(file), std::move(wakeUp));
     if (const Result<void> restored = restoreSession(queue->state()); !restored)
         return tl::unexpected(restored.error());
-    for (std::unique_ptr<Operation>& operation : unfinishedRows(queue->state()))
-        queue->submit(std::move(operation));
     // What a full disk does not take now waits in memory like any later step would.
-    const Result<void> settled = queue->settle();
-    if (!settled && settled.error().code != ErrorCode::FileUnwritable)
+    const auto settle = [&queue]() -> Result<void> {
+        const Result<void> settled = queue->settle();
+        return settled || settled.error().code == ErrorCode::FileUnwritable ? Result<void>()
+                                                                            : settled;
+    };
+    if (const Result<void> settled = settle(); !settled)
         return tl::unexpected(settled.error());
+    // One after the other: a row that cannot be carried out again must not be left out by the next
+    // ones, whose second halves are written.
+    for (std::unique_ptr<Operation>& operation : unfinishedRows(queue->state())) {
+        queue->submit(std::move(operation));
+        if (const Result<void> settled = settle(); !settled)
+            return tl::unexpected(settled.error());
+    }
     std::unique_ptr<EditSession> session(new EditSession(std::move(queue)));
     session->m_sources = std::move(sources);
     return session;

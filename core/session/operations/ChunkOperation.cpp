@@ -82,7 +82,7 @@ void DivideOperation::commit(SessionState& state)
 
 bool DivideOperation::abandon(SessionState& state, const Error& error)
 {
-    if (m_done)
+    if (m_done || m_again != 0)
         return false;
     state.fail(error);
     m_aside.giveUp([this] { m_done = true; });
@@ -161,7 +161,7 @@ void ToggleChunks::relabel(SessionState& state, std::vector<BrickChange> labels)
 bool ToggleChunks::abandon(SessionState& state, const Error& error)
 {
     m_awaited.reset();
-    if (!m_aside.isAway())
+    if (!m_aside.isAway() || m_relabelling.isAgain())
         return m_relabelling.abandon(state, error);
     state.fail(error);
     m_aside.giveUp([this] { m_relabelling.drop(); });

@@ -42,10 +42,11 @@ void ContourOperation::readLabels(SessionState& state)
 void ContourOperation::findGround(SessionState& state)
 {
     workAside(state,
-        [this, edit = contour(), work = m_work, document = state.document,
+        [this, edit = contour(), work = m_work, watch = watch(), document = state.document,
             reader = std::make_shared<LabelReader>(std::move(m_reading->reader()))] {
             std::optional<Error> failed;
-            if (Result<ContourGround> ground = contourGround(edit, document, reader->takeLabels()))
+            if (Result<ContourGround> ground =
+                    contourGround(edit, document, reader->takeLabels(), watch->progress))
                 work->ground = *std::move(ground);
             else
                 failed = ground.error();

@@ -33,7 +33,7 @@ void DocumentOperation::start(SessionState& state)
 
 bool DocumentOperation::abandon(SessionState& state, const Error& error)
 {
-    if (m_isCommitting)
+    if (m_isCommitting || m_again != 0)
         return false;
     state.fail(error);
     m_done = true;

@@ -394,8 +394,11 @@ void OperationQueue::notifyListeners()
                 m_errorListener(error);
         }
         for (const std::function<void()>& answer : std::exchange(m_state.answers, {})) {
-            if (!m_closing)
-                answer();
+            // Whoever cannot take his answer in keeps the others from none of theirs.
+            if (m_closing)
+                continue;
+            if (const Result<void> taken = guarded(answer); !taken)
+                m_state.errors.push_back(taken.error());
         }
     }
 }

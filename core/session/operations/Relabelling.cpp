@@ -98,7 +98,7 @@ void Relabelling::giveUp(SessionState& state, const Error& error)
 
 bool Relabelling::abandon(SessionState& state, const Error& error)
 {
-    if (m_done || m_ended)
+    if (m_done || m_ended || isAgain())
         return false;
     state.fail(error);
     if (!m_begun) {

@@ -42,6 +42,9 @@ public:
     void takeResult(SessionState& state, EngineResult&& result);
 
     [[nodiscard]] bool done() const { return m_done; }
+    /// Whether a row is carried out again. The rows after it build on it, so that it must not be
+    /// left out.
+    [[nodiscard]] bool isAgain() const { return m_again != 0; }
 
 private:
     template <class Listed> void submit(SessionState& state, Edit&& edit, Listed&& listed);

@@ -25,6 +25,8 @@ SplitIslandsOperation::SplitIslandsOperation(const SplitIslands& edit, Kind kind
 
 bool SplitIslandsOperation::foresee(Document& document) const
 {
+    if (isRolledBack())
+        return true; // it changes nothing
     return isCommitted() && split().into && applyToDocument(edit(), document);
 }
 

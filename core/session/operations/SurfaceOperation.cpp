@@ -165,18 +165,16 @@ void SurfaceOperation::end(SessionState& state, Ending ending)
                 [this, outcome](SessionState& known) { finish(known, std::move(*outcome)); });
         },
         [this](SessionState& known, const Error& error) { finish(known, tl::unexpected(error)); });
-    m_isEnding = true;
 }
 
+/// What the side thread has of it may be half done: nothing leads back from there.
 bool SurfaceOperation::abandon(SessionState& state, const Error& error)
 {
-    if (m_done || m_written || (m_work && m_isEnding))
+    if (m_done || m_work || m_written || m_again != 0)
         return false;
     reportFailure(state, error);
     if (m_begun)
         m_written = state.engine.submit(EndEdit{Ending::Rollback});
-    else if (m_work)
-        end(state, Ending::Rollback);
     else
         m_done = true;
     return true;

@@ -69,7 +69,6 @@ private:
     SurfaceWork::Read m_read;
     std::shared_ptr<SurfaceWork> m_work; ///< from when it continues on the side thread
     std::optional<Ending> m_ending;
-    bool m_isEnding = false; ///< what ends the work is with the side thread, or was
     std::optional<Ticket> m_begun; ///< the transaction that writes voxels
     std::optional<Ticket> m_written; ///< the end of the transaction that writes voxels
     bool m_isAborted = false;

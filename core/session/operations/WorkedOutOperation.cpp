@@ -107,7 +107,7 @@ void WorkedOutOperation::end(SessionState& state, Ending ending)
 
 bool WorkedOutOperation::abandon(SessionState& state, const Error& error)
 {
-    if (done())
+    if (done() || m_relabelling.isAgain())
         return false;
     m_ending = Ending::Rollback;
     if (m_isWriting)

@@ -84,10 +84,9 @@ protected:
     [[nodiscard]] const std::shared_ptr<Watch>& watch() const { return m_watch; }
     /// Whether it becomes a row if it changes anything; a preview does not unless it is committed.
     [[nodiscard]] bool isCommitted() const { return m_ending == Ending::Commit; }
-
-private:
     [[nodiscard]] bool isRolledBack() const { return m_ending == Ending::Rollback; }
 
+private:
     Edit m_edit;
     OpenManner m_manner;
     std::optional<Ending> m_ending; ///< none: it stands open

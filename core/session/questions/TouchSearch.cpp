@@ -83,8 +83,10 @@ void TouchSearch::loadNext(SessionState& state)
 {
     // Rows before the first that may be the answer are not looked at.
     while (!m_rows.empty() && !m_standing.empty() && m_rows.back() >= m_standing.front()) {
-        if (!changesDocumentOnly(state.history.row(m_rows.back()).edit))
+        if (!changesDocumentOnly(state.history.row(m_rows.back()).edit)) {
+            m_isLoading = true;
             return state.worker->load(m_rows.back());
+        }
         m_rows.pop_back();
     }
     answer(state, 0);
@@ -92,6 +94,7 @@ void TouchSearch::loadNext(SessionState& state)
 
 void TouchSearch::takeDifferences(SessionState& state, Result<RowDifferences>&& differences)
 {
+    m_isLoading = false;
     if (!differences) {
         state.fail(differences.error());
         return answer(state, 0);
@@ -174,7 +177,7 @@ void TouchSearch::Looking::goBack()
 
 bool TouchSearch::abandon(SessionState& state, const Error& error)
 {
-    if (m_done)
+    if (m_done || m_isLoading)
         return false;
     state.fail(error);
     m_aside.giveUp([this, &state] { answer(state, 0); });

@@ -50,6 +50,8 @@ struct Bubbles {
 /// None: there is no bubble.
 Result<std::optional<Bubbles>> bubblesOf(const EvolveContour& edit, const VolumeGeometry& geometry)
 {
+    if (!edit.bubbleLps && edit.furtherBubblesLps)
+        return contourFieldError("furtherBubblesLps", Clause::saying("there is no first bubble"));
     if (!edit.bubbleLps)
         return std::nullopt;
     Bubbles bubbles;
@@ -97,8 +99,9 @@ struct BlownBubbles {
     }
 };
 
-/// However many there are, the cost is that of their box.
-Result<BlownBubbles> blownBubbles(const std::optional<Bubbles>& bubbles, const glm::ivec3& size)
+/// However many there are, the cost is that of their box, on a grid that is not sheared.
+Result<BlownBubbles> blownBubbles(
+    const std::optional<Bubbles>& bubbles, const glm::ivec3& size, const Progress& progress)
 {
     BlownBubbles blown;
     if (!bubbles)
@@ -113,7 +116,7 @@ Result<BlownBubbles> blownBubbles(const std::optional<Bubbles>& bubbles, const g
     blown.mask.voxels.assign(std::size_t(extent.x * extent.y * extent.z), 0);
     for (const glm::ivec3& middle : bubbles->middles)
         blown.mask.voxels[blown.indexOf(middle)] = 1;
-    if (const Result<void> spread = dilate(blown.mask, bubbles->ball, {.progress = Progress()});
+    if (const Result<void> spread = dilate(blown.mask, bubbles->ball, {.progress = progress});
         !spread)
         return tl::unexpected(spread.error());
     return blown;
@@ -247,8 +250,8 @@ Result<ContourRule> contourRule(const EvolveContour& edit, const Document& docum
     return rule;
 }
 
-Result<ContourGround> contourGround(
-    const EvolveContour& edit, const Document& document, std::span<const std::uint8_t> labels)
+Result<ContourGround> contourGround(const EvolveContour& edit, const Document& document,
+    std::span<const std::uint8_t> labels, const Progress& progress)
 {
     const Result<LabelTarget> target =
         segmentTarget(edit.segment, edit.overwriteUnlocked, document);
@@ -271,7 +274,7 @@ Result<ContourGround> contourGround(
         return ground;
     if (const Result<void> fits = checkContourMemory(ground.box); !fits)
         return tl::unexpected(fits.error());
-    const Result<BlownBubbles> blown = blownBubbles(*bubbles, size);
+    const Result<BlownBubbles> blown = blownBubbles(*bubbles, size, progress);
     if (!blown)
         return tl::unexpected(blown.error());
     const glm::ivec3 extent = ground.box.maximum - ground.box.minimum;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/base/Progress.h"
 #include "core/edits/answers/EditAnswers.h"
 #include "core/edits/kinds/parts/EditableRange.h"
 
@@ -73,9 +74,11 @@ Result<bool> apply(const EvolveContour& edit, Document& document);
 /// step from the voxel nearest to a bubble's centre lies in a MillimetreBall of their radius.
 /// While erasing it takes them away, and the box is empty if the segment has none of them.
 /// @param labels one for each voxel of the volume in the segment's plane, x fastest
-/// Uses all cores; any thread outside a parallelFor(). Errors: those of check(), OutOfMemory.
-[[nodiscard]] Result<ContourGround> contourGround(
-    const EvolveContour& edit, const Document& document, std::span<const std::uint8_t> labels);
+/// Uses all cores; any thread outside a parallelFor(). Errors: those of check(), OutOfMemory,
+/// Cancelled.
+[[nodiscard]] Result<ContourGround> contourGround(const EvolveContour& edit,
+    const Document& document, std::span<const std::uint8_t> labels,
+    const Progress& progress = Progress());
 /// The command that writes the result; without bricks if nothing has changed. Errors:
 /// UnknownSegment, SegmentLocked.
 [[nodiscard]] Result<RelabelListed> relabelListed(

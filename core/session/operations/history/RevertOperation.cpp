@@ -248,6 +248,7 @@ Result<void> RevertOperation::checkRows(const SessionState& state) const
 void RevertOperation::loadNext(SessionState& state)
 {
     if (!m_toLoad.empty()) {
+        m_isLoading = true;
         state.worker->load(m_toLoad.back(), true);
         return;
     }
@@ -258,6 +259,7 @@ void RevertOperation::loadNext(SessionState& state)
 
 void RevertOperation::takeDifferences(SessionState& state, Result<RowDifferences>&& differences)
 {
+    m_isLoading = false;
     if (!differences)
         return giveUp(state, differences.error());
     const RowId row = m_toLoad.back();
@@ -367,7 +369,7 @@ void RevertOperation::finish(SessionState& state, EngineResult&& result)
 
 bool RevertOperation::abandon(SessionState& state, const Error& error)
 {
-    if (m_done || m_swapping)
+    if (m_done || m_swapping || m_isLoading || m_again != 0)
         return false;
     giveUp(state, error);
     return true;

@@ -42,6 +42,7 @@ private:
     std::vector<RowId> m_toLoad; ///< the last one is loaded next
     std::map<RowId, std::vector<BrickImage>> m_differences;
     GrowthTrace m_growth;
+    bool m_isLoading = false; ///< differences are on their way, which are nobody else's
     std::optional<Ticket> m_swapping;
     bool m_done = false;
 };

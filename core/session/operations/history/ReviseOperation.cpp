@@ -151,8 +151,10 @@ Result<void> ReviseOperation::checkLayers(const SessionState& state, RowId first
 
 void ReviseOperation::loadNext(SessionState& state)
 {
-    if (!m_toLoad.empty())
+    if (!m_toLoad.empty()) {
+        m_isLoading = true;
         return state.worker->load(m_toLoad.back());
+    }
     await(state.engine.submit(ReadBricks{m_fold->past.keys()}),
         [this](SessionState& now, EngineResult&& read) {
             m_fold->past.addImages(read.changes);
@@ -162,6 +164,7 @@ void ReviseOperation::loadNext(SessionState& state)
 
 void ReviseOperation::takeDifferences(SessionState& state, Result<RowDifferences>&& differences)
 {
+    m_isLoading = false;
     if (!differences)
         return giveUp(state, differences.error());
     m_fold->past.addDifferences(m_toLoad.back(), std::move(differences->images));
@@ -172,12 +175,14 @@ void ReviseOperation::takeDifferences(SessionState& state, Result<RowDifferences
 void ReviseOperation::await(Ticket ticket, Then then)
 {
     m_awaited = ticket;
+    m_first = m_first.value_or(ticket);
     m_then = std::move(then);
 }
 
 void ReviseOperation::takeResult(SessionState& state, EngineResult&& result)
 {
-    if (!m_then && !m_isAside)
+    // Before the first there may be late answers to operations that have given up.
+    if ((!m_then && !m_isAside) || !m_first || result.ticket < *m_first)
         return;
     if (result.error && !m_refused)
         m_refused = result.error;
@@ -375,7 +380,7 @@ void ReviseOperation::finish(SessionState& state, EngineResult&& result)
 /// Until something is folded it has only read.
 bool ReviseOperation::abandon(SessionState& state, const Error& error)
 {
-    if (m_done || m_hasFolded)
+    if (m_done || m_hasFolded || m_isLoading || m_again != 0)
         return false;
     state.fail(error);
     m_done = true;

@@ -78,10 +78,12 @@ private:
     std::vector<RowId> m_path; ///< from the first of them to the position
     std::vector<RowId> m_toLoad; ///< the last one is loaded next
     std::shared_ptr<StrokeFold> m_fold; ///< from when the strokes are known
+    bool m_isLoading = false; ///< differences are on their way, which are nobody else's
     bool m_hasFolded = false; ///< the side thread has had the fold
     bool m_isAside = false; ///< the side thread works on the fold
     std::vector<RowId> m_begunInside;
     Ticket m_awaited = 0;
+    std::optional<Ticket> m_first; ///< that it has awaited
     std::optional<Error> m_refused; ///< why something before the awaited result failed
     Then m_then;
     bool m_done = false;

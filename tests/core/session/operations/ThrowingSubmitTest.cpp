@@ -22,7 +22,10 @@
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/PlainEdits.h"
 #include "tests/support/scenes/SmallStudy.h"
+#include "tests/support/series/SessionFiles.h"
 
+#include <QFile>
+#include <QTemporaryDir>
 #include <QTest>
 
 #include <algorithm>
@@ -208,6 +211,49 @@ private Q_SLOTS:
         QVERIFY(!labels && labels.error().code == ErrorCode::OutOfMemory);
         QVERIFY(bench.isAsBefore());
         QVERIFY(bench.carryOut(test::paintAt(1, {test::smallGrid().toWorld({14.0, 18.0, 9.0})})));
+    }
+
+    /// Rows without a second half, as a program leaves them that was killed, are carried out again
+    /// when the session is opened. If one of them cannot be, nothing is written for those after it.
+    void whatIsCarriedOutAgainBuildsOnWhatWas()
+    {
+        const QTemporaryDir folder;
+        const QString killed = folder.filePath(QStringLiteral("killed.burin"));
+        const QString file = folder.filePath(QStringLiteral("again.burin"));
+        QByteArray expected;
+        {
+            ThrowingEngine engine;
+            const auto session = *EditSession::create(engine, test::smallStudy(), {.file = killed});
+            const glm::dvec3 place = test::smallGrid().toWorld({20.0, 18.0, 9.0});
+            for (const Edit& edit : {test::addSegment("Organ"), test::paintAt(1, {place}, 4.0),
+                     Edit(ReshapeSegment{
+                         .segment = 1, .operation = ShapeOperation::Grow, .mm = 2.0}),
+                     test::drillAt(0.0),
+                     Edit(ReshapeSegment{
+                         .segment = 1, .operation = ShapeOperation::Hollow, .mm = 1.6})})
+                QVERIFY(session->apply(edit) && session->settle());
+            expected = session->stateHash();
+        }
+        QVERIFY(test::runSql(killed,
+            QStringLiteral("UPDATE row SET stateHash = NULL, deltaSha256 = NULL, seal = NULL "
+                           "WHERE id > 2")));
+        QVERIFY(test::runSql(killed, QStringLiteral("DELETE FROM delta WHERE row > 2")));
+        int thrown = 0;
+        for (bool isThrown = true; isThrown; thrown += isThrown ? 1 : 0) {
+            QFile::remove(file);
+            QVERIFY(QFile::copy(killed, file));
+            ThrowingEngine engine;
+            engine.throwAt(thrown);
+            const bool isOpen = EditSession::open(engine, test::smallStudy(), file).has_value();
+            isThrown = engine.hasThrown();
+            QCOMPARE(isOpen, !isThrown);
+            reference::ReferenceEngine sound;
+            const auto opened = EditSession::open(sound, test::smallStudy(), file);
+            QVERIFY2(opened, qPrintable(QString::number(thrown)));
+            QCOMPARE((*opened)->stateHash(), expected);
+            QCOMPARE((*opened)->history().rows().size(), std::size_t(5));
+        }
+        QVERIFY2(thrown > 5, qPrintable(QString::number(thrown)));
     }
 
     void stepsBackAreTakenAgain()
