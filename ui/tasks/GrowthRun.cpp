@@ -133,7 +133,8 @@ void GrowthRun::poll()
     if (progress.open && progress.alarm) {
         finish();
         Q_EMIT alarmed(*progress.alarm);
-        return m_workspace.say(tr("The growth has stopped: it may have begun to leak"));
+        return m_workspace.say(tr("The growth has stopped. Is this a leak? Plug, reject or accept "
+                                  "it in the panel Growth"));
     }
     if (!progress.open || !progress.atClosure) {
         Q_EMIT changed();

@@ -9,6 +9,8 @@ namespace ui {
 
 void bringIntoView(QWidget& part, QWidget& head)
 {
+    if (!part.isVisible())
+        return;
     for (QWidget* widget = part.parentWidget(); widget; widget = widget->parentWidget()) {
         auto* area = qobject_cast<QScrollArea*>(widget);
         if (!area)

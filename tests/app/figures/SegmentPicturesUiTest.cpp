@@ -23,6 +23,7 @@
 #include "ui/views/VolumeView.h"
 
 #include <QApplication>
+#include <QCheckBox>
 #include <QDoubleSpinBox>
 #include <QEnterEvent>
 #include <QLabel>
@@ -131,6 +132,7 @@ private:
         auto* button =
             window().findChild<QPushButton*>(QStringLiteral("cleanUp.segments.removeSmall"));
         const auto* now = window().findChild<QLabel*>(QStringLiteral("cleanUpNow"));
+        window().findChild<QCheckBox*>(QStringLiteral("cleanUpPreview"))->setChecked(true);
         const QPointF middle = button->rect().center();
         QEnterEvent enter(middle, middle, button->mapToGlobal(middle));
         QCoreApplication::sendEvent(button, &enter);

@@ -189,6 +189,8 @@ void EditTrial::rollBack()
 
 void EditTrial::drop()
 {
+    if (!m_wanted && !m_shown)
+        return;
     m_soon.stop();
     m_wanted.reset();
     rollBack();

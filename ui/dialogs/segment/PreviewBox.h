@@ -12,7 +12,8 @@ class PreviewBox : public QCheckBox {
 
 public:
     /// @param name of the dialog: "reshape" gives the object name "reshapePreview"
-    explicit PreviewBox(const QString& name, QWidget* parent = nullptr);
+    /// @param isOn until the user has chosen
+    explicit PreviewBox(const QString& name, QWidget* parent = nullptr, bool isOn = true);
 };
 
 } // namespace ui

@@ -39,7 +39,7 @@ PreviewRow::PreviewRow(Workspace& workspace, const QString& name, QWidget* owner
     , m_trial(new EditTrial(workspace,
           place == In::Dialog ? EditTrial::Pace::AtRest : EditTrial::Pace::InPassing, owner))
     , m_now(new QLabel(this))
-    , m_box(new PreviewBox(name, this))
+    , m_box(new PreviewBox(name, this, place == In::Dialog))
 {
     m_now->setObjectName(name + QStringLiteral("Now"));
     m_now->setFont(theme::smallFont());

@@ -186,10 +186,8 @@ void LeakSection::showAlarm(const std::optional<core::LeakAlarm>& alarm)
                         .arg(countText(alarm->generation), widthText(*alarm),
                             QStringLiteral("<a href=\"show\" style=\"color: %1\">%2</a>")
                                 .arg(theme::accent.name(), tr("Show\u00a0it"))));
-    // Where the panel is scrolled, folded or hidden, growth would seem to have ended by itself.
+    // In a panel that is scrolled away growth would seem to have ended by itself.
     QTimer::singleShot(0, m_offer, [this] { bringIntoView(*m_offer, *m_text); });
-    m_workspace.say(
-        tr("Growth stopped: is this a leak? Plug, reject or accept it in the panel Growth"));
 }
 
 void LeakSection::showBesideGrowth()

@@ -237,7 +237,7 @@ void ContourTool::start(const glm::dvec3& placeLps, bool erases)
     }
     m_erases = erases;
     m_bubblesLps = bubblesLps;
-    m_added = 0;
+    m_added.clear();
     evolve();
 }
 
@@ -254,24 +254,34 @@ void ContourTool::addBubble(const glm::dvec3& placeLps, bool erases)
     if (!mayBeginAt(placeLps))
         return;
     m_bubblesLps.push_back(placeLps);
-    ++m_added;
+    m_added.push_back(
+        {.lower = m_workspace.growSettings().lower, .upper = m_workspace.growSettings().upper});
+    // After it there may be more to come than what was played. Whoever looks at a generation before
+    // stays there.
+    const core::ContourTrack* track = m_run.track();
+    m_playsOn = m_run.isPlaying() || !track || track->shown() == track->known();
     evolve();
     Q_EMIT stepsChanged();
 }
 
 void ContourTool::takeStepBack()
 {
-    if (m_added == 0)
+    if (m_added.empty())
         return drop();
     m_bubblesLps.pop_back();
-    --m_added;
+    GrowSettings growth = m_workspace.growSettings();
+    growth.lower = m_added.back().lower;
+    growth.upper = m_added.back().upper;
+    m_added.pop_back();
+    m_playsOn = false;
+    m_workspace.setGrowSettings(growth);
     evolve();
     Q_EMIT stepsChanged();
 }
 
 QString ContourTool::stepText() const
 {
-    return m_added > 0 ? tr("the last bubble") : tr("the contour that is watched");
+    return !m_added.empty() ? tr("the last bubble") : tr("the contour that is watched");
 }
 
 /// Begins with the bubbles that there are, or goes on with them, once their values are known.
@@ -290,11 +300,10 @@ void ContourTool::evolve()
     m_look.ask({std::move(sketch)});
 }
 
-/// After a further bubble there may be more to come than what was played.
 void ContourTool::begin()
 {
     m_run.begin(edit());
-    if (m_added > 0)
+    if (std::exchange(m_playsOn, false))
         m_run.setPlaying(true);
 }
 

@@ -102,6 +102,12 @@ private:
     void begin();
     [[nodiscard]] QString intervalText() const;
     [[nodiscard]] QColor ringColour() const;
+    /// The interval of growth before a bubble took its values.
+    struct ValuesBefore {
+        double lower = 0.0;
+        double upper = 0.0;
+    };
+
     void follow();
     void takeValues(const core::SketchedCodes& sketched);
     void showRun();
@@ -117,7 +123,9 @@ private:
     int m_segment = 0;
     /// Centres of its bubbles; none: it starts from the segment.
     std::vector<glm::dvec3> m_bubblesLps;
-    int m_added = 0; ///< how many of them, at the end, were added to it while it was open
+    /// Those of them, at the end, that were added while it was open: the interval of before.
+    std::vector<ValuesBefore> m_added;
+    bool m_playsOn = false; ///< once the contour is worked out from another bubble, too
     bool m_erases = false; ///< likewise
     bool m_isInverse = false; ///< a click under the pointer would erase
     bool m_adds = false; ///< it would add a bubble

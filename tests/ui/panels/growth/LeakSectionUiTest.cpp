@@ -133,7 +133,7 @@ private Q_SLOTS:
         leaky.click("growPlay");
         QVERIFY(leaky.offered());
         QTRY_VERIFY(isSeen("leakText") && isSeen("leakPlug"));
-        QVERIFY2(said.contains(QLatin1String("leak")), qPrintable(said));
+        QVERIFY2(said.endsWith(QLatin1String("in the panel Growth")), qPrintable(said));
     }
 
     /// How much wider a leak is stands with what stops at leaks, not with the barriers.

@@ -407,6 +407,19 @@ private Q_SLOTS:
         QTRY_VERIFY(fixture.hasPlayed());
         const std::vector<bool> seen = fixture.shownVoxels();
         QVERIFY(seen != alone);
+        // Taken back, it is as if it had not been added; and at the generation that one looks at.
+        const double lower = fixture.workspace.growSettings().lower;
+        fixture.tool.takeStepBack();
+        QTRY_VERIFY(fixture.hasPlayed());
+        QVERIFY(fixture.shownVoxels() == alone);
+        fixture.tool.run().goTo(1);
+        QTRY_VERIFY(fixture.hasPlayed());
+        fixture.clickBy(test::DrawnBy::Mouse, {22.0, 20.0, 20.0}, Qt::ShiftModifier);
+        QTRY_VERIFY(fixture.hasPlayed());
+        QTRY_COMPARE(fixture.tool.run().track()->shown(), 1);
+        QCOMPARE(fixture.workspace.growSettings().lower, lower);
+        fixture.tool.run().goTo(2);
+        QTRY_VERIFY(fixture.hasPlayed() && fixture.shownVoxels() == seen);
         QTest::keyClick(&fixture.view, Qt::Key_Return);
         QVERIFY(fixture.session().settle());
         QVERIFY(fixture.lastEdit().bubbleLps && !fixture.lastEdit().furtherBubblesLps);
