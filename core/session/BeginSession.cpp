@@ -83,6 +83,7 @@ Result<std::unique_ptr<EditSession>> EditSession::continued(EditEngine& engine, 
         engine, std::move(volume.volume), std::move(file), std::move(wakeUp));
     if (const Result<void> restored = restoreSession(queue->state()); !restored)
         return tl::unexpected(restored.error());
+    const RowId position = queue->state().file->contents().position;
     // What a full disk does not take now waits in memory like any later step would.
     const auto settle = [&queue]() -> Result<void> {
         const Result<void> settled = queue->settle();
@@ -95,8 +96,11 @@ Result<std::unique_ptr<EditSession>> EditSession::continued(EditEngine& engine, 
     // ones, whose second halves are written.
     for (std::unique_ptr<Operation>& operation : unfinishedRows(queue->state())) {
         queue->submit(std::move(operation));
-        if (const Result<void> settled = settle(); !settled)
-            return tl::unexpected(settled.error());
+        const Result<void> settled = settle();
+        if (settled)
+            continue;
+        queue->state().file->setPosition(position); // where the next opening goes on
+        return tl::unexpected(settled.error());
     }
     std::unique_ptr<EditSession> session(new EditSession(std::move(queue)));
     session->m_sources = std::move(sources);

@@ -3,6 +3,8 @@
 #include "core/study/Decoders.h"
 #include "tests/support/program/TestProgram.h"
 
+namespace decodeWorker {
+
 namespace {
 
 constexpr const char* decodes = "DecodeWorker";
@@ -29,3 +31,5 @@ int decode(int, char**)
 } // namespace
 
 BURIN_TEST_RUN(DecodeWorker, decode)
+
+} // namespace decodeWorker
