@@ -86,17 +86,14 @@ void addEditActions(MainWindow& window)
         .icon = QStringLiteral("redo"),
         .run =
             [&workspace] {
-                // What is being drawn would be lost for a step that is not meant.
-                if (drawsStepwise(workspace))
-                    workspace.say(Actions::tr("Nothing of what is being drawn can be redone"));
-                else if (workspace.viewSteps().redoable())
+                if (workspace.viewSteps().redoable())
                     workspace.viewSteps().redo();
                 else
                     carryOut(workspace, &core::EditSession::redo);
             },
         .possible =
             [&workspace] {
-                return drawsStepwise(workspace) || workspace.viewSteps().redoable()
+                return workspace.viewSteps().redoable()
                     || (workspace.session() && workspace.session()->history().canRedo());
             },
         .currentText =
