@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "core/brick/BrickGrid.h"
 #include "core/edits/kinds/filling/FillBetweenSlices.h"
 #include "core/edits/kinds/filling/MirrorSegment.h"
 #include "core/edits/kinds/pieces/ChangePiece.h"
@@ -191,12 +192,16 @@ void WorkOfPartsGlTest::growsWithTheVolumeOnlyWhereItHasTo()
         return std::int64_t(std::pow(test::largeWorkSide, dimensions))
             - std::int64_t(std::pow(test::smallWorkSide, dimensions));
     };
+    // Of each brick that a portion asks for, in lists that are gone with its answer.
+    constexpr std::int64_t portionBytes = 32;
+    const std::int64_t bricks = BrickGrid{glm::ivec3(test::largeWorkSide)}.brickCount();
     const QStringList wrong =
         test::grownWork(m_gpu, QStringLiteral("parts"), small, large, [&](const QByteArray& name) {
             test::MoreWork more{.tables = listing.contains(name) || onAll.contains(name)};
             if (onAll.contains(name)) {
                 more.dispatches = 3;
-                more.bytesAllocated = (name == "between slices" ? 2 : 1) * grown(3)
+                more.bytesAllocated = portionBytes * bricks
+                    + (name == "between slices" ? 2 : 1) * grown(3)
                     + (pictured.contains(name) ? pictureBytes * grown(2) : 0);
             }
             return more;
