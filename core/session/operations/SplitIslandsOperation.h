@@ -25,7 +25,7 @@ public:
     void start(SessionState& state) override;
     void takeResult(SessionState& state, EngineResult&& result) override;
     /// As Operation::foresee(). Returns false for an edit that does not list its segments, because
-    /// its islands must be counted first, and for a preview that is not committed.
+    /// its islands must be counted first, and for a preview that stands open.
     [[nodiscard]] bool foresee(Document& document) const override;
 
 private:
