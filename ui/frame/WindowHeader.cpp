@@ -99,7 +99,7 @@ void WindowHeader::fillViewMenu(
     Actions& actions, const QStringList& plane, const QStringList& stage)
 {
     QMenu* view = m_menuBar->addMenu(QStringLiteral("&View"));
-    actions.fill(*view, layoutIds());
+    actions.fill(*view->addMenu(tr("Layout")), layoutIds());
     auto* layouts = new QMenu(m_layouts);
     actions.fill(*layouts, layoutIds());
     m_layouts->setMenu(layouts);
@@ -138,9 +138,9 @@ void WindowHeader::fillViewMenu(
     actions.fill(*view->addMenu(tr("Segments in 3D")),
         ids({"segments.smoothBodies", "segments.voxelTrueBodies"}));
     view->addSeparator();
-    actions.fill(*view,
+    actions.fill(*view->addMenu(tr("Show")),
         ids({"view.crosshair", "view.referenceLines", "view.patient", "view.segments",
-            "view.carved", "view.hole", "view.barriers", ""}));
+            "view.carved", "view.hole", "view.barriers"}));
     m_panelsMenu = view->addMenu(tr("Panels"));
     actions.fill(*m_panelsMenu, ids({"view.panels", "view.resetPanels", ""}));
     actions.fill(*view, ids({"view.fullScreen"}));
