@@ -25,7 +25,8 @@ void LabelFetch::start(
     m_assembling.cancel();
     session.closeOpen();
     const glm::ivec3 size = session.document().volumes.front().geometry.size;
-    m_work = std::make_shared<Work>(Work{session, {}});
+    m_work = std::make_shared<Work>(
+        Work{.session = session, .reading = session.questions().beginReading(), .readers = {}});
     for (const std::uint8_t plane : planes)
         m_work->readers.push_back(std::make_shared<core::LabelReader>(size, plane, field));
     askNext();
@@ -45,6 +46,7 @@ void LabelFetch::askNext()
             return;
         ++work.current;
     }
+    work.reading.reset();
     // Putting bricks together is work of its own.
     m_assembling.replace(
         this,

@@ -53,6 +53,7 @@ Q_SIGNALS:
 private:
     struct Work {
         core::EditSession& session;
+        std::shared_ptr<const void> reading; ///< until all portions are there
         std::vector<std::shared_ptr<core::LabelReader>> readers; ///< one per plane, in turn
         std::size_t current = 0;
         std::optional<core::RowId> position{}; ///< of the history, at the first answer

@@ -35,6 +35,7 @@ void ignore(EngineResult&&) { }
 VoxelQuestions::VoxelQuestions(QuestionLine& line, const glm::ivec3& volumeSize)
     : m_line(line)
     , m_volumeSize(volumeSize)
+    , m_readings(std::make_shared<int>())
 {
 }
 

@@ -62,6 +62,12 @@ public:
     /// comes.
     /// @return false: everything was read, and nothing is asked
     [[nodiscard]] bool readOn(const std::shared_ptr<LabelReader>& reader, Answer<void> answer);
+    /// Whoever reads whole planes in portions keeps this while it does, so that others can ask
+    /// isBeingRead().
+    [[nodiscard]] std::shared_ptr<const void> beginReading() const { return m_readings; }
+    /// Whether somebody reads planes who would have to begin again after an edit. What is begun
+    /// only in passing (a preview of what is pointed at) waits for that.
+    [[nodiscard]] bool isBeingRead() const { return m_readings.use_count() > 1; }
 
     /// Statistics around the seeds of each label of a plane, of codes in the interval: first for
     /// each stroke, in their order, then for the seeds in no stroke; only those that have voxels.
@@ -107,6 +113,7 @@ private:
 
     QuestionLine& m_line;
     glm::ivec3 m_volumeSize;
+    std::shared_ptr<const void> m_readings; ///< one owner more for each that reads
 };
 
 } // namespace core

@@ -4,6 +4,7 @@
 #include "core/edits/kinds/segments/ReshapeSegment.h"
 #include "core/engine/EngineCommands.h"
 #include "core/engine/EngineResult.h"
+#include "core/session/questions/VoxelQuestions.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/fixtures/WorkspaceFixture.h"
 #include "tests/support/program/TestProgram.h"
@@ -167,6 +168,28 @@ private Q_SLOTS:
         fetch.start(session, {0});
         QTRY_COMPARE(finished.size(), 1);
         QCOMPARE(failed.size(), 1);
+    }
+
+    /// Until all is read, or nobody wants it any more.
+    void othersKnowThatSomebodyReads()
+    {
+        Fixture fixture;
+        const core::VoxelQuestions& questions = fixture.workspace.session()->questions();
+        ui::LabelFetch fetch;
+        QSignalSpy finished(&fetch, &ui::LabelFetch::finished);
+        QSignalSpy failed(&fetch, &ui::LabelFetch::failed);
+        QVERIFY(!questions.isBeingRead());
+        fetch.start(*fixture.workspace.session(), {0});
+        QVERIFY(questions.isBeingRead());
+        QTRY_COMPARE(finished.size(), 1);
+        QVERIFY(!questions.isBeingRead());
+        fetch.start(*fixture.workspace.session(), {0});
+        fetch.cancel();
+        QVERIFY(!questions.isBeingRead());
+        fixture.engine.mayFail = 1;
+        fetch.start(*fixture.workspace.session(), {0});
+        QTRY_COMPARE(failed.size(), 1);
+        QVERIFY(!questions.isBeingRead());
     }
 
     /// A contour is dropped, with the reason, once.

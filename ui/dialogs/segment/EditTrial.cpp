@@ -91,6 +91,8 @@ void EditTrial::begin()
         return;
     // A growth or a stroke that stands open is left to its user.
     const bool givesWay = m_pace == Pace::InPassing && !isOpen();
+    if (givesWay && session->questions().isBeingRead())
+        return m_soon.start(laterMilliseconds);
     if (const core::Edit* open = session->openEdit(); open && (givesWay || !isTrial(*open)))
         return m_soon.start(laterMilliseconds);
     const core::Edit wanted = *std::exchange(m_wanted, std::nullopt);

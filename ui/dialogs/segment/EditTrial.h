@@ -38,7 +38,8 @@ public:
         /// takes its time. A request stops what is being worked out for another one.
         AtRest,
         /// As AtRest, for what is only pointed at: it waits until the preview of a dialog has
-        /// ended, which the others replace.
+        /// ended, which the others replace, and until those have read who read label planes (an
+        /// export, an audit): an open edit would make them begin again.
         InPassing,
     };
     /// @param owner the dialog or panel that shows it; becomes its parent

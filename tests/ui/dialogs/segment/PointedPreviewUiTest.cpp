@@ -3,6 +3,7 @@
 
 #include "core/edits/kinds/segments/CleanSegment.h"
 #include "core/edits/kinds/segments/ReshapeSegment.h"
+#include "core/session/questions/VoxelQuestions.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/fixtures/Pen.h"
 #include "tests/support/fixtures/WindowFixture.h"
@@ -363,6 +364,20 @@ private Q_SLOTS:
         QVERIFY(fixture.previews(core::IslandRule::KeepLargest));
         pointAway(button);
         QVERIFY(!fixture.session().openEdit());
+    }
+
+    /// Whoever reads whole label planes (an audit, an export) would have to begin again.
+    void whoReadsGoesFirst()
+    {
+        Fixture fixture;
+        QVERIFY(fixture.addDabs());
+        auto reading = fixture.session().questions().beginReading();
+        pointAt(fixture.button("keepLargest"));
+        QTest::qWait(600);
+        QVERIFY(!fixture.session().openEdit());
+        reading.reset();
+        QTRY_COMPARE(fixture.now(), fixture.more(-fixture.one));
+        QVERIFY(fixture.previews(core::IslandRule::KeepLargest));
     }
 
     void theBoxIsRemembered()
