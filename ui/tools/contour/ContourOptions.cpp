@@ -27,13 +27,14 @@ ContourOptions::ContourOptions(Workspace& workspace, ContourTool& tool, QWidget*
     m_start->setObjectName(QStringLiteral("contourStart"));
     m_start->setFixedHeight(theme::controlHeight);
     m_start->addItem(tr("from a bubble"));
+    m_start->addItem(tr("from bubbles"));
     m_start->addItem(tr("from the segment"));
     m_start->addItem(tr("from the seeds"));
     m_start->setToolTip(
-        tr("With what the contour begins: a ball that is clicked, the segment as it "
-           "stands, or a ball around each of its sketched seeds that wait for a "
-           "growth. Shift+click adds a ball. With Ctrl or the pen's eraser end it "
-           "erases: from the balls, or from all around the segment"));
+        tr("With what the contour begins: a ball that is clicked, several of them (each click "
+           "adds one; otherwise Shift+click does), the segment as it stands, or a ball around "
+           "each of its sketched seeds that wait for a growth. With Ctrl or the pen's eraser "
+           "end it erases: from the balls, or from all around the segment"));
     m_bubble->setObjectName(QStringLiteral("contourBubble"));
     m_bubble->setFixedHeight(theme::controlHeight);
     m_bubble->setKeyboardTracking(false);

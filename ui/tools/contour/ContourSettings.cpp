@@ -29,6 +29,7 @@ QJsonObject ContourSettings::json() const
 {
     return {{QStringLiteral("fromSegment"), start == Start::Segment},
         {QStringLiteral("fromSeeds"), start == Start::Seeds},
+        {QStringLiteral("fromBubbles"), start == Start::Bubbles},
         {QStringLiteral("bubbleMm"), bubbleMm}, {QStringLiteral("valuesOfBubble"), valuesOfBubble},
         {QStringLiteral("softness"), softness}, {QStringLiteral("smoothness"), smoothness},
         {QStringLiteral("edge"), edge}, {QStringLiteral("edgeGradient"), edgeGradient},
@@ -44,6 +45,8 @@ void ContourSettings::read(const QJsonObject& json)
         start = Start::Segment;
     else if (json[QLatin1String("fromSeeds")].toBool())
         start = Start::Seeds;
+    else if (json[QLatin1String("fromBubbles")].toBool())
+        start = Start::Bubbles;
     else if (fromSegment.isBool())
         start = Start::Bubble;
     readNumber(json, "bubbleMm", minimumBubbleMm, maximumBubbleMm, bubbleMm);

@@ -7,7 +7,8 @@ namespace ui {
 
 /// What the user chooses for contours that evolve (ContourTool), kept with a session.
 struct ContourSettings {
-    enum class Start { Bubble, Segment, Seeds };
+    /// Bubbles: as Bubble, and a click adds one more to the contour that is open.
+    enum class Start { Bubble, Bubbles, Segment, Seeds };
 
     Start start = Start::Bubble; ///< with what the contour begins
     double bubbleMm = 4.0; ///< radius of all bubbles
@@ -24,6 +25,11 @@ struct ContourSettings {
     static constexpr double maximumBubbleMm = 100.0;
     static constexpr double maximumGradient = 1e6;
 
+    /// Whether it begins where one clicks.
+    [[nodiscard]] bool startsFromBubbles() const
+    {
+        return start == Start::Bubble || start == Start::Bubbles;
+    }
     [[nodiscard]] QJsonObject json() const;
     /// Takes what is there and within its bounds; the rest stays.
     void read(const QJsonObject& json);

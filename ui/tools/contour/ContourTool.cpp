@@ -29,11 +29,6 @@ bool isInverseContour(const PointerSample& sample)
     return sample.eraserEnd || sample.modifiers.testFlag(Qt::ControlModifier);
 }
 
-bool isFurtherBubble(const PointerSample& sample)
-{
-    return sample.modifiers.testFlag(Qt::ShiftModifier);
-}
-
 } // namespace
 
 ContourTool::ContourTool(Workspace& workspace, QObject* parent)
@@ -87,6 +82,9 @@ QString ContourTool::hint() const
     case Start::Seeds:
         return tr("Contour: click a slice and accept what evolves from the sketched seeds; Ctrl or "
                   "the eraser end erases");
+    case Start::Bubbles:
+        return tr("Contour: each click on a slice adds a bubble; accept what evolves from them. "
+                  "Ctrl or the eraser end erases");
     case Start::Bubble:
         break;
     }
@@ -107,9 +105,9 @@ QString ContourTool::target() const
         return {};
     const core::Segment* segment = session->document().segment(m_workspace.activeSegment());
     if (!segment)
-        return m_isInverse                      ? tr("no segment to erase")
-            : m_settings.start != Start::Bubble ? tr("no segment to begin with")
-                                                : tr("fills a new segment");
+        return m_isInverse                    ? tr("no segment to erase")
+            : !m_settings.startsFromBubbles() ? tr("no segment to begin with")
+                                              : tr("fills a new segment");
     return (segment->locked ? tr("%1 is locked")
             : m_isInverse   ? tr("erases %1")
                             : tr("evolves %1"))
@@ -195,7 +193,7 @@ bool ContourTool::mayBeginAt(const glm::dvec3& placeLps) const
 
 std::vector<glm::dvec3> ContourTool::startingBubbles(const glm::dvec3& placeLps) const
 {
-    if (m_settings.start == Start::Bubble)
+    if (m_settings.startsFromBubbles())
         return {placeLps};
     std::vector<glm::dvec3> places;
     if (m_settings.start == Start::Seeds) {
@@ -212,12 +210,12 @@ void ContourTool::start(const glm::dvec3& placeLps, bool erases)
     core::EditSession* session = m_workspace.session();
     if (!session)
         return;
-    if (m_settings.start == Start::Bubble && !mayBeginAt(placeLps))
+    if (m_settings.startsFromBubbles() && !mayBeginAt(placeLps))
         return;
     const bool isEmpty = session->foreseenDocument().segments.empty();
     if (erases && isEmpty)
         return m_workspace.say(tr("There is no segment to erase"));
-    if (m_settings.start != Start::Bubble && isEmpty)
+    if (!m_settings.startsFromBubbles() && isEmpty)
         return m_workspace.say(tr("There is no segment to begin with: click a bubble instead"));
     const std::vector<glm::dvec3> bubblesLps = startingBubbles(placeLps);
     if (m_settings.start == Start::Seeds && bubblesLps.empty())
@@ -245,6 +243,11 @@ void ContourTool::start(const glm::dvec3& placeLps, bool erases)
 bool ContourTool::takesBubbles() const
 {
     return (m_run.isOpen() || m_awaitsValues) && !(m_erases && m_bubblesLps.empty());
+}
+
+bool ContourTool::wantsFurtherBubble(const PointerSample& sample) const
+{
+    return m_settings.start == Start::Bubbles || sample.modifiers.testFlag(Qt::ShiftModifier);
 }
 
 void ContourTool::addBubble(const glm::dvec3& placeLps, bool erases)
@@ -360,7 +363,7 @@ void ContourTool::press(const PointerSample& sample, const ViewContext& view)
     if (!m_workspace.session() || !view.isSlice())
         return;
     hover(sample, view);
-    if (isFurtherBubble(sample))
+    if (wantsFurtherBubble(sample))
         addBubble(view.toLps(sample.position), isInverseContour(sample));
     else
         start(view.toLps(sample.position), isInverseContour(sample));
@@ -368,7 +371,7 @@ void ContourTool::press(const PointerSample& sample, const ViewContext& view)
 
 void ContourTool::hover(const PointerSample& sample, const ViewContext& view)
 {
-    m_adds = isFurtherBubble(sample) && takesBubbles();
+    m_adds = wantsFurtherBubble(sample) && takesBubbles();
     m_isInverse = m_adds ? m_erases : isInverseContour(sample);
     CursorTool::hover(sample, view);
 }
@@ -477,7 +480,7 @@ void ContourTool::paintOverlay(QPainter& painter, const ViewContext& view) const
     }
     if (!isUnderPointer(view) || !view.isSlice())
         return;
-    const bool isBubble = m_adds || (m_settings.start == Start::Bubble && !m_run.isOpen());
+    const bool isBubble = m_adds || (m_settings.startsFromBubbles() && !m_run.isOpen());
     if (isBubble)
         drawCursorRing(
             painter, cursor(), m_settings.bubbleMm / view.mmPerPixel(), ringColour(), true);

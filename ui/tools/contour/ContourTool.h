@@ -15,13 +15,14 @@ namespace ui {
 class Workspace;
 
 /// Evolves a contour live, from a ball ("bubble") at a clicked place of a slice, from the active
-/// segment, or from its pending seeds, each with a bubble around it. A click with Shift adds a
-/// bubble to the contour that is open. The user watches it (ContourRun), plays it forwards and
-/// backwards and changes its settings. Accepting it makes one step that ends at the shown
-/// generation; aborting it leaves nothing. With Ctrl, or the pen's eraser end, it erases: a part of
-/// the segment evolves, from the bubble or from all around the segment, which accepting takes away
-/// (core::EvolveContour::erase). The interval is that of growth, which a bubble may set as a sketch
-/// does; which voxels may change is set as for painting. ContourPanel has the controls.
+/// segment, or from its pending seeds, each with a bubble around it. A click with Shift, or any
+/// click where several bubbles are chosen, adds a bubble to the contour that is open. The user
+/// watches it (ContourRun), plays it forwards and backwards and changes its settings. Accepting it
+/// makes one step that ends at the shown generation; aborting it leaves nothing. With Ctrl, or the
+/// pen's eraser end, it erases: a part of the segment evolves, from the bubble or from all around
+/// the segment, which accepting takes away (core::EvolveContour::erase). The interval is that of
+/// growth, which a bubble may set as a sketch does; which voxels may change is set as for painting.
+/// ContourPanel has the controls.
 class ContourTool : public CursorTool {
     Q_OBJECT
 
@@ -96,6 +97,7 @@ Q_SIGNALS:
 private:
     [[nodiscard]] core::EvolveContour edit() const;
     [[nodiscard]] bool takesBubbles() const;
+    [[nodiscard]] bool wantsFurtherBubble(const PointerSample& sample) const;
     [[nodiscard]] bool mayBeginAt(const glm::dvec3& placeLps) const;
     [[nodiscard]] std::vector<glm::dvec3> startingBubbles(const glm::dvec3& placeLps) const;
     void evolve();

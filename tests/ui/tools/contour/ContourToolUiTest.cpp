@@ -363,6 +363,39 @@ private Q_SLOTS:
         QVERIFY(!fixture.tool.run().isOpen());
     }
 
+    /// Where several bubbles are chosen, each click adds one: a pen needs no keyboard.
+    void clicksAddBubbles_data() { test::addMouseAndPen(); }
+    void clicksAddBubbles()
+    {
+        QFETCH(const test::DrawnBy, by);
+        Fixture fixture;
+        ui::ContourSettings settings = fixture.tool.settings();
+        settings.start = ui::ContourSettings::Start::Bubbles;
+        settings.generations = 2;
+        fixture.tool.setSettings(settings);
+        QCOMPARE(fixture.tool.target(), QStringLiteral("fills a new segment"));
+        const Labels before = fixture.labels();
+        for (const glm::dvec3& place : {glm::dvec3(15.0, 20.0, 20.0), glm::dvec3(25.0, 20.0, 20.0),
+                 glm::dvec3(20.0, 26.0, 20.0)}) {
+            fixture.clickBy(by, place);
+            QTRY_VERIFY(fixture.hasPlayed());
+        }
+        const std::vector<bool> seen = fixture.shownVoxels();
+        QTest::keyClick(&fixture.view, Qt::Key_Return);
+        QVERIFY(fixture.session().settle());
+        const core::EvolveContour edit = fixture.lastEdit();
+        QVERIFY(edit.furtherBubblesLps && edit.furtherBubblesLps->size() == 2);
+        QVERIFY(fixture.writtenVoxels() == seen);
+        QVERIFY(seen == fixture.expected(edit, before));
+        // After Esc it begins anew.
+        fixture.clickBy(by, {20.0, 20.0, 20.0});
+        QTRY_VERIFY(fixture.hasPlayed());
+        QTest::keyClick(&fixture.view, Qt::Key_Escape);
+        fixture.clickBy(by, {15.0, 20.0, 20.0});
+        QTRY_VERIFY(fixture.hasPlayed());
+        QCOMPARE(fixture.tool.stepText(), QStringLiteral("the contour that is watched"));
+    }
+
     /// The values at all bubbles count as those of one sketch, if those of a bubble do.
     void furtherBubblesTellTheirValues()
     {
@@ -1020,6 +1053,14 @@ private Q_SLOTS:
         fixture.tool.setSettings({});
         fixture.tool.applySettings(ofSeeds);
         QVERIFY(fixture.tool.settings() == seeds);
+        ui::ContourSettings bubbles = settings;
+        bubbles.start = ui::ContourSettings::Start::Bubbles;
+        fixture.tool.setSettings(bubbles);
+        QCOMPARE(start->currentText(), QStringLiteral("from bubbles"));
+        const QJsonObject ofBubbles = fixture.tool.settingsJson();
+        fixture.tool.setSettings({});
+        fixture.tool.applySettings(ofBubbles);
+        QVERIFY(fixture.tool.settings() == bubbles);
         // Sessions that know of no seeds say one of two.
         fixture.tool.applySettings({{QStringLiteral("fromSegment"), false}});
         QVERIFY(fixture.tool.settings().start == ui::ContourSettings::Start::Bubble);
