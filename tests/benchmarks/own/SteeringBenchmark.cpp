@@ -324,7 +324,8 @@ QString measureSliderPicture(PeerReport& report, Ball& ball)
         edits.finish();
         request.interacting = false;
         views.show(request);
-        views.rest();
+        // So much has changed that the textures of the picture follow only after a while.
+        views.rest(std::chrono::seconds(3));
         const gpu::Frame frame = views.latest(view);
         return frame.rgba ? *frame.rgba : std::vector<std::uint8_t>();
     };

@@ -63,10 +63,8 @@ void WatchedViews::pollIfWoken(std::unique_lock<std::mutex>& lock)
     lock.lock();
 }
 
-void WatchedViews::rest()
+void WatchedViews::rest(std::chrono::milliseconds quiet)
 {
-    // The first picture after a change is there sooner.
-    constexpr std::chrono::milliseconds quiet(300);
     std::unique_lock lock(m_guard);
     for (bool still = false; !still;) {
         still =

@@ -31,7 +31,8 @@ public:
     /// What a view shows from now on.
     void show(const gpu::FrameRequest& request);
     /// Waits until the pictures of all views are as they stay.
-    void rest();
+    /// @param quiet the first picture after a change is there sooner
+    void rest(std::chrono::milliseconds quiet = std::chrono::milliseconds(300));
     /// Milliseconds from the beginning of what is done until each of these views has a new picture;
     /// none if that takes longer than @p patience, since nothing that they show has changed. Call
     /// it at rest.
