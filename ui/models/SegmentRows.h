@@ -33,8 +33,8 @@ protected:
         m_labels.clear();
         Model::endResetModel();
     }
-    /// Follows added and removed segments. All rows from the first difference on are removed and
-    /// inserted again; those before it stay.
+    /// Follows segments that were added, removed or moved. The rows of all others stay what they
+    /// are, so that views keep which of them is the current one.
     /// @param document null: none is open
     void followSegments(const core::Document* document)
     {
@@ -43,22 +43,39 @@ protected:
             for (const core::Segment& segment : document->segments)
                 present.push_back(segment.label);
         }
-        const auto apart =
-            std::mismatch(m_labels.begin(), m_labels.end(), present.begin(), present.end());
-        const int same = int(apart.first - m_labels.begin());
-        if (same < int(m_labels.size())) {
-            Model::beginRemoveRows({}, same, int(m_labels.size()) - 1);
-            m_labels.resize(std::size_t(same));
-            Model::endRemoveRows();
-        }
-        if (same < int(present.size())) {
-            Model::beginInsertRows({}, same, int(present.size()) - 1);
-            m_labels = std::move(present);
-            Model::endInsertRows();
-        }
+        removeOthers(present);
+        for (std::size_t place = 0; place < present.size(); ++place)
+            putAt(place, present[place]);
     }
 
 private:
+    void removeOthers(const std::vector<int>& present)
+    {
+        for (std::size_t place = m_labels.size(); place-- > 0;) {
+            if (std::find(present.begin(), present.end(), m_labels[place]) != present.end())
+                continue;
+            Model::beginRemoveRows({}, int(place), int(place));
+            m_labels.erase(m_labels.begin() + std::ptrdiff_t(place));
+            Model::endRemoveRows();
+        }
+    }
+    /// The rows before are right already.
+    void putAt(std::size_t place, int label)
+    {
+        const auto wanted = m_labels.begin() + std::ptrdiff_t(place);
+        const auto found = std::find(wanted, m_labels.end(), label);
+        if (found == m_labels.end()) {
+            Model::beginInsertRows({}, int(place), int(place));
+            m_labels.insert(wanted, label);
+            Model::endInsertRows();
+        } else if (found != wanted) {
+            const int from = int(found - m_labels.begin());
+            Model::beginMoveRows({}, from, from, {}, int(place));
+            std::rotate(wanted, found, found + 1);
+            Model::endMoveRows();
+        }
+    }
+
     std::vector<int> m_labels;
 };
 

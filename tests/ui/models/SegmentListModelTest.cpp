@@ -3,9 +3,11 @@
 
 #include "core/edits/kinds/segments/InvertSegment.h"
 #include "core/edits/kinds/segments/MoveSegment.h"
+#include "core/edits/kinds/segments/RemoveSegment.h"
 #include "tests/support/fixtures/WorkspaceFixture.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/PlainEdits.h"
+#include "tests/support/scenes/TestVolumes.h"
 #include "ui/base/NumberText.h"
 #include "ui/workspace/SegmentActions.h"
 
@@ -48,6 +50,42 @@ private Q_SLOTS:
         fixture.settle();
         QCOMPARE(model.rowCount(), 1);
         QCOMPARE(model.rowOf(*second), -1);
+    }
+
+    /// However segments come, go and move, a row that stays is the same row.
+    void rowsThatStayAreTheSame()
+    {
+        WorkspaceFixture fixture;
+        SegmentListModel model(fixture.workspace);
+        QAbstractItemModelTester tester(
+            &model, QAbstractItemModelTester::FailureReportingMode::QtTest);
+        test::Random random(23);
+        for (int step = 0; step < 120; ++step) {
+            std::vector<std::pair<int, QPersistentModelIndex>> kept;
+            for (int row = 0; row < model.rowCount(); ++row)
+                kept.emplace_back(
+                    model.index(row).data(SegmentListModel::LabelRole).toInt(), model.index(row));
+            const auto& segments = fixture.session().document().segments;
+            const int count = int(segments.size());
+            const int what = test::randomInt(random, 0, 4);
+            const int place = count > 0 ? test::randomInt(random, 1, count) : 0;
+            const int label = count > 0 ? segments[std::size_t(place - 1)].label : 0;
+            if (count < 2 || (what == 0 && count < 8))
+                QVERIFY(ui::addSegment(fixture.workspace));
+            else if (what == 1)
+                QVERIFY(fixture.session().apply(core::RemoveSegment{.segment = label}));
+            else if (what < 4)
+                QVERIFY(fixture.session().apply(core::MoveSegment{
+                    .segment = label, .place = test::randomInt(random, 1, count)}));
+            else
+                QVERIFY(fixture.session().undo());
+            fixture.settle();
+            for (const auto& [before, index] : kept) {
+                QCOMPARE(index.isValid(), fixture.session().document().segment(before) != nullptr);
+                if (index.isValid())
+                    QCOMPARE(index.data(SegmentListModel::LabelRole).toInt(), before);
+            }
+        }
     }
 
     void changesAreStepsOfUndoButVisibilityIsNone()

@@ -185,6 +185,9 @@ void LayersPanel::showMenu(const QPoint& position)
     if (!index.isValid())
         return;
     QMenu menu(this);
+    // Its entries are about this session; another point in time may be played meanwhile.
+    connect(&m_workspace, &Workspace::sessionClosing, &menu, &QMenu::close);
+    connect(&m_workspace, &Workspace::sessionChanged, &menu, &QMenu::close);
     const bool muted = index.data(LayerListModel::MutedRole).toBool();
     menu.addAction(tr("Rename"), this, [this, index] { m_view->edit(index); });
     menu.addAction(muted ? tr("Unmute") : tr("Mute"), this,

@@ -336,6 +336,9 @@ void PiecesPanel::showMenu(const QPoint& position)
     const int piece = index.data(PieceListModel::IdRole).toInt();
     const bool visible = index.data(PieceListModel::VisibleRole).toBool();
     QMenu menu(this);
+    // Its entries are about this session; another point in time may be played meanwhile.
+    connect(&m_workspace, &Workspace::sessionClosing, &menu, &QMenu::close);
+    connect(&m_workspace, &Workspace::sessionChanged, &menu, &QMenu::close);
     menu.addAction(tr("Rename"), this, [this, index] { m_list->edit(index); });
     menu.addAction(visible ? tr("Hide") : tr("Show"), this,
         [this, index, visible] { m_model->setData(index, !visible, PieceListModel::VisibleRole); });

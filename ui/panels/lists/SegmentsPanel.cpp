@@ -166,6 +166,9 @@ void SegmentsPanel::showMenu(const QPoint& position)
     if (!index.isValid())
         return;
     QMenu menu(this);
+    // Its entries are about this session; another point in time may be played meanwhile.
+    connect(&m_workspace, &Workspace::sessionClosing, &menu, &QMenu::close);
+    connect(&m_workspace, &Workspace::sessionChanged, &menu, &QMenu::close);
     const bool visible = index.data(SegmentListModel::VisibleRole).toBool();
     menu.addAction(tr("Rename"), this, [this, index] { m_view->edit(index); });
     menu.addAction(tr("Colour …"), this, [this, index] { chooseColour(index); });

@@ -5,6 +5,8 @@
 
 #include "core/edits/kinds/filling/MirrorSegment.h"
 #include "core/edits/kinds/layers/SegmentToLayer.h"
+#include "core/edits/kinds/segments/MoveSegment.h"
+#include "core/edits/kinds/segments/RemoveSegment.h"
 #include "core/edits/kinds/values/ThresholdSegment.h"
 #include "core/session/questions/VoxelQuestions.h"
 #include "tests/support/faults/FailingLog.h"
@@ -100,6 +102,53 @@ private Q_SLOTS:
         QVERIFY(fixture.session().settle());
         QCOMPARE(fixture.listed().front(), QStringLiteral("Brain"));
         QCOMPARE(fixture.session().document().segment(1)->voxels, voxels);
+    }
+
+    /// Rows that go, come back or move leave the active segment alone: the next stroke is for it.
+    void theActiveOneStays()
+    {
+        Fixture fixture;
+        const auto is = [&fixture](int label) {
+            return fixture.workspace.activeSegment() == label
+                && fixture.list->currentIndex().data(ui::SegmentListModel::LabelRole).toInt()
+                == label;
+        };
+        fixture.workspace.setActiveSegment(3);
+        QSignalSpy changed(&fixture.workspace, &ui::Workspace::activeSegmentChanged);
+        fixture.apply(core::RemoveSegment{.segment = 2});
+        QVERIFY(is(3));
+        QVERIFY(fixture.session().undo() && fixture.session().settle());
+        QVERIFY(is(3));
+        QCOMPARE(fixture.listed().at(1), QStringLiteral("Bone"));
+        for (const int place : {1, 2, 3}) {
+            fixture.apply(core::MoveSegment{.segment = 3, .place = place});
+            QVERIFY(is(3));
+            QCOMPARE(fixture.listed().indexOf(QStringLiteral("Skin")), place - 1);
+        }
+        fixture.apply(core::MoveSegment{.segment = 1, .place = 3});
+        QVERIFY(is(3));
+        QCOMPARE(fixture.listed(),
+            (QStringList{QStringLiteral("Bone"), QStringLiteral("Skin"), QStringLiteral("Brain")}));
+        QCOMPARE(changed.size(), 0);
+    }
+
+    /// Its entries are about a segment of the session in which it was opened.
+    void theMenuClosesWithItsSession()
+    {
+        Fixture fixture;
+        bool wasOpen = false;
+        bool isOpen = true;
+        QTimer::singleShot(0, &fixture.window, [&] {
+            wasOpen = QApplication::activePopupWidget() != nullptr;
+            fixture.workspace.setSession(nullptr);
+            isOpen = QApplication::activePopupWidget() != nullptr;
+            if (isOpen)
+                QApplication::activePopupWidget()->close();
+        });
+        const QRect row = fixture.list->visualRect(fixture.list->model()->index(0, 0));
+        Q_EMIT fixture.list->customContextMenuRequested(row.center());
+        QVERIFY(wasOpen);
+        QVERIFY(!isOpen);
     }
 
     void theLastLeavesTheOneAbove()
