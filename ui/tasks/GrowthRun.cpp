@@ -54,10 +54,17 @@ void GrowthRun::goOn(std::uint8_t plane)
         m_workspace.growSettings().generationsPerSecond);
 }
 
+/// Whether what stands open is a burst. Somebody else's stroke or preview has closed it by itself.
+bool GrowthRun::isOpen() const
+{
+    const core::EditSession* session = m_workspace.session();
+    return session && (session->isOpen<core::GrowSteps>() || session->isOpen<core::ResumeGrowth>());
+}
+
 void GrowthRun::pause()
 {
-    if (core::EditSession* session = m_workspace.session())
-        session->extend(core::PauseGrowth{});
+    if (isOpen())
+        m_workspace.session()->extend(core::PauseGrowth{});
     m_turns.clear();
     finish();
 }
@@ -94,10 +101,8 @@ void GrowthRun::finish()
     m_watch.stop();
     m_running = false;
     m_nextTurn = false;
-    // What is open may be a preview by now, which its dialog shows.
-    if (core::EditSession* session = m_workspace.session();
-        session && session->transactionOpen() && !session->openIsPreview())
-        session->end(core::Ending::Commit);
+    if (isOpen())
+        m_workspace.session()->end(core::Ending::Commit);
     Q_EMIT changed();
 }
 
@@ -125,7 +130,7 @@ void GrowthRun::poll()
     if (session && m_nextTurn)
         return goToNextTurn();
     // Another edit, undo or export closes a running burst by itself.
-    if (!session || !session->transactionOpen() || session->openIsPreview()) {
+    if (!isOpen()) {
         m_turns.clear();
         return finish();
     }

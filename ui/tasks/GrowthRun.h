@@ -56,6 +56,7 @@ private:
     void poll();
     void goToNextTurn();
     void finish();
+    [[nodiscard]] bool isOpen() const;
 
     Workspace& m_workspace;
     QTimer m_watch; ///< reads the progress; has no influence on voxels

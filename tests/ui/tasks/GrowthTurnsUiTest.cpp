@@ -180,6 +180,33 @@ private Q_SLOTS:
         QCOMPARE(two.voxels(2), test::smallHead::voxelsOf(test::smallHead::brainHu));
     }
 
+    /// Somebody's stroke closes the growth; who pauses that afterwards does not end the stroke.
+    void aStrokeIsNotEndedWithTheGrowth()
+    {
+        TwoSegments two;
+        ui::GrowSettings settings = two.workspace.growSettings();
+        settings.generationsPerSecond = 1.0;
+        two.workspace.setGrowSettings(settings);
+        two.click("growPlay");
+        QVERIFY(two.panel.running());
+        const core::Edit stroke = test::paintAt(1, {glm::dvec3(0.0)}, 1.0);
+        QVERIFY(two.session().begin(stroke));
+        QVERIFY(two.panel.running()); // nobody has looked yet
+        two.click("growPlay");
+        QVERIFY(!two.panel.running());
+        QVERIFY(two.session().isOpen<core::PaintStroke>());
+        two.session().end(core::Ending::Rollback);
+        // Nor does one that looks by itself.
+        two.settle();
+        two.click("growPlay");
+        QVERIFY(two.panel.running());
+        QVERIFY(two.session().begin(stroke));
+        QTRY_VERIFY(!two.panel.running());
+        QVERIFY(two.session().isOpen<core::PaintStroke>());
+        two.session().end(core::Ending::Rollback);
+        two.settle();
+    }
+
     /// One that begins while a turn grows ends the growth, and stays.
     void aPreviewEndsTheGrowth()
     {
