@@ -6,6 +6,7 @@
 #include "ui/base/NumberText.h"
 #include "ui/tools/aim/CursorLabel.h"
 #include "ui/tools/aim/SeenSurface.h"
+#include "ui/tools/aim/WaitingStroke.h"
 #include "ui/tools/common/PenPressure.h"
 
 #include <QPainter>
@@ -122,8 +123,10 @@ bool BrushTool::isInverse(const PointerSample& sample) const
 void BrushTool::press(const PointerSample& sample, const ViewContext& view)
 {
     core::EditSession* session = m_workspace.session();
-    if (!session || !worksIn(view) || m_stroke)
+    if (!session || !worksIn(view))
         return;
+    if (m_stroke)
+        return sayStrokeWaits(m_workspace);
     m_stroke = std::make_shared<Stroke>();
     m_stroke->view = view;
     m_stroke->path = pathIn(view);
@@ -163,10 +166,28 @@ void BrushTool::release(const PointerSample& sample, const ViewContext& view)
     m_stroke->released = true;
     if (m_stroke->questions == 0)
         finish(m_stroke);
+    else
+        Q_EMIT stepsChanged();
     showCursor(sample, view.view);
 }
 
 void BrushTool::cancel()
+{
+    if (m_stroke && !m_stroke->released)
+        drop();
+}
+
+bool BrushTool::canTakeStepBack() const
+{
+    return m_stroke && m_stroke->released;
+}
+
+QString BrushTool::stepText() const
+{
+    return waitingStrokeText();
+}
+
+void BrushTool::drop()
 {
     if (!m_stroke)
         return;
@@ -177,6 +198,7 @@ void BrushTool::cancel()
         session->end(core::Ending::Rollback);
     m_workspace.say(tr("The stroke was taken back"));
     Q_EMIT overlayChanged();
+    Q_EMIT stepsChanged();
 }
 
 void BrushTool::finish(const std::shared_ptr<Stroke>& stroke)
@@ -187,6 +209,7 @@ void BrushTool::finish(const std::shared_ptr<Stroke>& stroke)
         m_workspace.say(tr("Nothing is seen there"));
     if (m_stroke == stroke)
         m_stroke.reset();
+    Q_EMIT stepsChanged();
 }
 
 void BrushTool::goTo(Stroke& stroke, const glm::dvec3& pointLps, bool lifted, double pressure)
@@ -205,6 +228,10 @@ void BrushTool::goTo(Stroke& stroke, const glm::dvec3& pointLps, bool lifted, do
     }
     if (stroke.failed)
         return;
+    if (stroke.released && isStrokeOpen(session)) {
+        stroke.failed = true;
+        return sayStrokeCameTooLate(m_workspace);
+    }
     core::BrushPath path = stroke.path;
     path.pointsLps = {pointLps};
     if (stroke.isPressed)

@@ -36,7 +36,13 @@ public:
     void press(const PointerSample& sample, const ViewContext& view) override;
     void drag(const PointerSample& sample, const ViewContext& view) override;
     void release(const PointerSample& sample, const ViewContext& view) override;
+    /// Takes back a stroke under the pen. One that was let go of stays, though where it lies may
+    /// not be known yet.
     void cancel() override;
+    /// Undo drops a stroke that was let go of while its place is not known yet.
+    [[nodiscard]] bool canTakeStepBack() const override;
+    void takeStepBack() override { drop(); }
+    [[nodiscard]] QString stepText() const override;
     void hover(const PointerSample& sample, const ViewContext& view) override;
     void changeRadius(int steps) override;
 
@@ -81,6 +87,7 @@ private:
     void follow(Stroke& stroke, const Aim& from, const Aim& to);
     void goTo(Stroke& stroke, const glm::dvec3& pointLps, bool lifted, double pressure);
     void finish(const std::shared_ptr<Stroke>& stroke);
+    void drop();
     void showCursor(const PointerSample& sample, gpu::ViewId view);
 
     Workspace& m_workspace;

@@ -7,6 +7,7 @@
 #include "ui/base/NumberText.h"
 #include "ui/base/Theme.h"
 #include "ui/tools/aim/CursorLabel.h"
+#include "ui/tools/aim/WaitingStroke.h"
 #include "ui/tools/common/BrushTool.h"
 #include "ui/tools/common/PaintLimits.h"
 #include "ui/tools/common/PenPressure.h"
@@ -178,8 +179,10 @@ core::PaintStroke NudgeTool::strokeAt(
 void NudgeTool::press(const PointerSample& sample, const ViewContext& view)
 {
     core::EditSession* session = m_workspace.session();
-    if (!session || !worksIn(view) || m_stroke)
+    if (!session || !worksIn(view))
         return;
+    if (m_stroke)
+        return sayStrokeWaits(m_workspace);
     showCursor(sample, view);
     if (!nudged())
         return m_workspace.say(tr("There is no segment to nudge"));
@@ -212,7 +215,12 @@ void NudgeTool::begin(const core::Result<core::NudgeStart>& start)
         m_stroke.reset();
         if (!start)
             m_workspace.fail(start.error());
-        return;
+        return Q_EMIT stepsChanged();
+    }
+    if (m_stroke->isReleased && isStrokeOpen(*session)) {
+        m_stroke.reset();
+        sayStrokeCameTooLate(m_workspace);
+        return Q_EMIT stepsChanged();
     }
     m_start = *start;
     core::PaintStroke edit = m_stroke->edit;
@@ -228,6 +236,7 @@ void NudgeTool::begin(const core::Result<core::NudgeStart>& start)
     if (const core::Result<void> begun = session->begin(core::Edit(edit)); !begun) {
         m_stroke.reset();
         m_workspace.fail(begun.error());
+        Q_EMIT stepsChanged();
         return Q_EMIT overlayChanged();
     }
     m_stroke->isBegun = true;
@@ -262,6 +271,8 @@ void NudgeTool::release(const PointerSample& sample, const ViewContext& view)
     m_stroke->isReleased = true;
     if (m_stroke->isBegun)
         finish();
+    else
+        Q_EMIT stepsChanged();
     showCursor(sample, view);
 }
 
@@ -269,10 +280,27 @@ void NudgeTool::finish()
 {
     m_workspace.session()->end(core::Ending::Commit);
     m_stroke.reset();
+    Q_EMIT stepsChanged();
     lookAhead();
 }
 
+bool NudgeTool::canTakeStepBack() const
+{
+    return m_stroke && m_stroke->isReleased;
+}
+
+QString NudgeTool::stepText() const
+{
+    return waitingStrokeText();
+}
+
 void NudgeTool::cancel()
+{
+    if (!m_stroke || !m_stroke->isReleased)
+        drop();
+}
+
+void NudgeTool::drop()
 {
     m_aim.drop();
     m_looksAgain = false;
@@ -284,6 +312,7 @@ void NudgeTool::cancel()
         session->end(core::Ending::Rollback);
     m_workspace.say(tr("The stroke was taken back"));
     Q_EMIT overlayChanged();
+    Q_EMIT stepsChanged();
 }
 
 void NudgeTool::lookAhead()

@@ -57,7 +57,13 @@ public:
     void press(const PointerSample& sample, const ViewContext& view) override;
     void drag(const PointerSample& sample, const ViewContext& view) override;
     void release(const PointerSample& sample, const ViewContext& view) override;
+    /// Takes back a stroke under the pen. One that was let go of stays, though it is not known yet
+    /// how it begins.
     void cancel() override;
+    /// Undo drops a stroke that was let go of while it is not known yet how it begins.
+    [[nodiscard]] bool canTakeStepBack() const override;
+    void takeStepBack() override { drop(); }
+    [[nodiscard]] QString stepText() const override;
     void hover(const PointerSample& sample, const ViewContext& view) override;
     void leave() override;
     void changeRadius(int steps) override;
@@ -90,6 +96,7 @@ private:
         const QPointF& pixel, const ViewContext& view, int segment) const;
     void begin(const core::Result<core::NudgeStart>& start);
     void finish();
+    void drop();
     /// Works out how a stroke under the pointer would begin.
     void lookAhead();
     /// Whether it pushes outwards; none: that is not known yet.

@@ -10,6 +10,7 @@
 #include "ui/tools/aim/DrillMask.h"
 #include "ui/tools/aim/DrillSurface.h"
 #include "ui/tools/aim/PickQuestion.h"
+#include "ui/tools/aim/WaitingStroke.h"
 #include "ui/tools/sculpt/DrillOptions.h"
 #include "ui/workspace/LayerActions.h"
 
@@ -174,8 +175,10 @@ core::PenSample DrillTool::penSample(const PointerSample& sample) const
 void DrillTool::press(const PointerSample& sample, const ViewContext& view)
 {
     core::EditSession* session = m_workspace.session();
-    if (!session || !worksIn(view) || m_strokeView || m_drawing.drawing())
+    if (!session || !worksIn(view) || m_drawing.drawing())
         return;
+    if (m_strokeView)
+        return sayStrokeWaits(m_workspace);
     if (m_drawing.isWanted()) {
         m_drawing.press(sample, view);
         showCursor(sample, view.view);
@@ -235,6 +238,11 @@ void DrillTool::aim(const PointerSample& sample, const ViewContext& view)
 void DrillTool::takeAim(const SurfacePatch& surface)
 {
     const std::shared_ptr<Aiming> waited = std::exchange(m_aiming, nullptr);
+    Q_EMIT stepsChanged();
+    if (waited->released && isStrokeOpen(*m_workspace.session())) {
+        m_strokeView.reset();
+        return sayStrokeCameTooLate(m_workspace);
+    }
     const std::optional<glm::dvec3> place = surface.middleLps();
     if (!place) {
         m_strokeView.reset();
@@ -320,7 +328,7 @@ void DrillTool::release(const PointerSample& sample, const ViewContext& view)
         return;
     if (m_aiming) {
         m_aiming->released = true;
-        return;
+        return Q_EMIT stepsChanged();
     }
     m_strokeView.reset();
     m_resting.stop();
@@ -335,8 +343,22 @@ void DrillTool::cancel()
         return;
     }
     // What was drawn and let go of is a stroke, though its place is not known yet.
-    if (!m_strokeView || (m_aiming && m_aiming->released))
-        return;
+    if (m_strokeView && !canTakeStepBack())
+        drop();
+}
+
+void DrillTool::takeStepBack()
+{
+    drop();
+}
+
+QString DrillTool::stepText() const
+{
+    return waitingStrokeText();
+}
+
+void DrillTool::drop()
+{
     m_strokeView.reset();
     m_resting.stop();
     const bool begun = !m_aiming;
@@ -345,6 +367,7 @@ void DrillTool::cancel()
         session->end(core::Ending::Rollback);
     m_workspace.say(tr("The stroke was taken back"));
     Q_EMIT overlayChanged();
+    Q_EMIT stepsChanged();
 }
 
 void DrillTool::hover(const PointerSample& sample, const ViewContext& view)

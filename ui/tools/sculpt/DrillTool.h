@@ -42,6 +42,10 @@ public:
     void drag(const PointerSample& sample, const ViewContext& view) override;
     void release(const PointerSample& sample, const ViewContext& view) override;
     void cancel() override;
+    /// Undo drops a stroke that was let go of while its place is not known yet.
+    [[nodiscard]] bool canTakeStepBack() const override { return m_aiming && m_aiming->released; }
+    void takeStepBack() override;
+    [[nodiscard]] QString stepText() const override;
     void hover(const PointerSample& sample, const ViewContext& view) override;
     void leave() override;
     void changeRadius(int steps) override;
@@ -80,6 +84,7 @@ private:
         const PointerSample& sample, const ViewContext& view) const;
     void aim(const PointerSample& sample, const ViewContext& view);
     void takeAim(const SurfacePatch& surface);
+    void drop();
     [[nodiscard]] bool begin(const core::Edit& edit);
     [[nodiscard]] bool paintFootprint(QPainter& painter, const ViewContext& view) const;
     [[nodiscard]] core::PenSample penSample(const PointerSample& sample) const;

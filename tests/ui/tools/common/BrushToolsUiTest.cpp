@@ -867,6 +867,52 @@ private Q_SLOTS:
         }
     }
 
+    /// What was drawn and let go of is a stroke, however long the question of its place waits.
+    void whatWasLetGoOfIsAStroke()
+    {
+        BrushFixture fixture(Brush::Paint);
+        QSignalSpy said(&fixture.workspace, &ui::Workspace::said);
+        test::Pen pen(fixture.view);
+        const QPointF middle = BrushFixture::middleOf(fixture.view);
+        const auto drawUnanswered = [&](quint64 ms) {
+            pen.press(middle, 1.0, ms);
+            pen.move(middle + QPointF(6, 0), 1.0, ms + 10);
+            pen.release(middle + QPointF(6, 0), ms + 20);
+        };
+        drawUnanswered(10);
+        QVERIFY(fixture.paint.canTakeStepBack());
+        // Another stroke does not begin meanwhile, and that is told.
+        const qsizetype before = said.size();
+        drawUnanswered(100);
+        QCOMPARE(said.size(), before + 1);
+        QVERIFY(
+            said.back().front().toString().startsWith(QStringLiteral("The stroke before waits")));
+        // Nor does another tool take it back.
+        fixture.paint.cancel();
+        QVERIFY(fixture.session().settle());
+        QVERIFY(fixture.lastEdit().is<core::PaintStroke>());
+        QVERIFY(!fixture.paint.canTakeStepBack());
+        const std::size_t rows = fixture.session().history().rows().size();
+        // Undo does, and it takes back nothing else.
+        drawUnanswered(200);
+        QVERIFY(fixture.paint.canTakeStepBack());
+        fixture.paint.takeStepBack();
+        QVERIFY(!fixture.paint.canTakeStepBack());
+        QVERIFY(fixture.session().settle());
+        QCOMPARE(fixture.session().history().rows().size(), rows);
+        QCOMPARE(std::size_t(fixture.session().history().position()), rows);
+        // A stroke that somebody else began since is not ended by it.
+        drawUnanswered(300);
+        QVERIFY(fixture.session().begin(test::paintAt(1, {glm::dvec3(0.0)}, 1.0)));
+        QTRY_VERIFY((fixture.session().poll(), !fixture.paint.canTakeStepBack()));
+        QVERIFY(fixture.session().isOpen<core::PaintStroke>());
+        QVERIFY(said.back().front().toString().startsWith(
+            QStringLiteral("The stroke before was dropped")));
+        fixture.session().end(core::Ending::Rollback);
+        QVERIFY(fixture.session().settle());
+        QCOMPARE(fixture.session().history().rows().size(), rows);
+    }
+
     void optionsAndKeysSetTheBrush()
     {
         BrushFixture fixture(Brush::Paint);

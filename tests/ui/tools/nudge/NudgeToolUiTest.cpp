@@ -467,6 +467,20 @@ private Q_SLOTS:
         QVERIFY(!fixture.session().transactionOpen());
         QCOMPARE(fixture.rows(), rows);
         QVERIFY(fixture.labels() == before);
+        // Let go of before that is known, only undo drops it.
+        for (const bool undone : {true, false}) {
+            fixture.mouse(axial, QEvent::MouseButtonPress, {22, 20, 20});
+            fixture.mouse(axial, QEvent::MouseMove, {30, 20, 20});
+            fixture.mouse(axial, QEvent::MouseButtonRelease, {30, 20, 20});
+            QVERIFY(fixture.tool.canTakeStepBack());
+            if (undone)
+                fixture.tool.takeStepBack();
+            else
+                fixture.tool.cancel();
+            QVERIFY(fixture.comes([&] { return !fixture.tool.isPushing(); }));
+            QVERIFY(fixture.session().settle());
+            QCOMPARE(fixture.rows(), rows + (undone ? 0 : 1));
+        }
     }
 
     void itKeepsToTheLimits()
