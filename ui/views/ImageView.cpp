@@ -323,6 +323,10 @@ bool ImageView::event(QEvent* event)
     case QEvent::WindowDeactivate:
         // Another window takes the pointer; whether the release will ever come is not known.
         m_pointer.loseStroke();
+        m_pointer.forgetKeys();
+        break;
+    case QEvent::FocusOut:
+        m_pointer.forgetKeys();
         break;
     default:
         break;

@@ -131,12 +131,8 @@ void ViewPointer::released(const PointerReading& reading)
 {
     if (m_gesture == Gesture::None || reading.button != m_gestureButton)
         return;
-    const Gesture gesture = m_gesture;
     const bool click = !m_dragging;
-    m_gesture = Gesture::None;
-    m_gestureButton = Qt::NoButton;
-    m_dragging = false;
-    m_everyEvent.reset();
+    const Gesture gesture = endGesture();
     if (gesture == Gesture::Tool) {
         if (m_tool)
             m_tool->release(reading.sample, m_view.context());
@@ -162,27 +158,38 @@ void ViewPointer::loseStroke()
 {
     if (m_gesture == Gesture::Box)
         return abandonBox();
-    if (m_gesture != Gesture::Tool)
+    if (m_gesture == Gesture::None)
         return;
-    m_gesture = Gesture::None;
-    m_everyEvent.reset();
+    const Gesture gesture = endGesture();
     m_glue.forget();
-    if (m_tool)
+    if (gesture != Gesture::Tool)
+        m_view.dragEnded(gesture);
+    else if (m_tool)
         m_tool->cancel();
     m_view.refresh();
 }
 
 void ViewPointer::endStrokeWithoutPen()
 {
-    if (m_gesture != Gesture::Tool || !m_glue.penDown())
+    if (m_gesture == Gesture::None || !m_glue.penDown())
         return;
     // Lifted so fast that the tablet told of no release: what was drawn was meant.
-    m_gesture = Gesture::None;
-    m_everyEvent.reset();
+    const Gesture gesture = endGesture();
     m_glue.forget();
-    if (m_tool)
+    if (gesture != Gesture::Tool)
+        m_view.dragEnded(gesture);
+    else if (m_tool)
         m_tool->release(m_lastSample, m_view.context());
     m_view.refresh();
+}
+
+/// @return what was going on
+ViewPointer::Gesture ViewPointer::endGesture()
+{
+    m_gestureButton = Qt::NoButton;
+    m_dragging = false;
+    m_everyEvent.reset();
+    return std::exchange(m_gesture, Gesture::None);
 }
 
 void ViewPointer::followTool()
@@ -233,9 +240,10 @@ void ViewPointer::takeToolAway()
 
 bool ViewPointer::pressKey(const QKeyEvent& event)
 {
-    if (event.key() == Qt::Key_Space && !event.isAutoRepeat()) {
-        m_navigateKey = true;
-        m_widget.setCursor(Qt::OpenHandCursor);
+    if (event.key() == Qt::Key_Space) {
+        // It repeats by itself in a view that one comes to while it is held.
+        if (!std::exchange(m_navigateKey, true))
+            m_widget.setCursor(Qt::OpenHandCursor);
     } else if (event.key() == Qt::Key_Escape && m_gesture == Gesture::Box) {
         abandonBox();
     } else if (event.key() == Qt::Key_Escape && m_gesture == Gesture::Tool) {
@@ -253,9 +261,14 @@ bool ViewPointer::releaseKey(const QKeyEvent& event)
 {
     if (event.key() != Qt::Key_Space || event.isAutoRepeat())
         return false;
-    m_navigateKey = false;
-    m_widget.setCursor(toolWorksHere() ? Qt::CrossCursor : Qt::ArrowCursor);
+    forgetKeys();
     return true;
+}
+
+void ViewPointer::forgetKeys()
+{
+    if (std::exchange(m_navigateKey, false))
+        m_widget.setCursor(toolWorksHere() ? Qt::CrossCursor : Qt::ArrowCursor);
 }
 
 } // namespace ui

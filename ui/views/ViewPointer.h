@@ -61,12 +61,15 @@ public:
     /// @return whether the pointer uses the key
     bool pressKey(const QKeyEvent& event);
     bool releaseKey(const QKeyEvent& event);
+    /// To be called when keys may be let go elsewhere.
+    void forgetKeys();
     void leave();
 
     void followTool();
-    /// The pointer was taken away while a tool was at work.
+    /// The pointer was taken away while a tool was at work, or a drag went on.
     void loseStroke();
     void takeToolAway();
+    /// The pen has gone away without having told that it was lifted.
     void endStrokeWithoutPen();
     /// To be called when the view is hidden.
     void forget();
@@ -84,6 +87,7 @@ private:
     void released(const PointerReading& reading);
     [[nodiscard]] bool toolWorksHere() const;
     void abandonBox();
+    Gesture endGesture();
 
     Workspace& m_workspace;
     PointedView& m_view;

@@ -423,6 +423,18 @@ void ViewsUiTest::aStrokeThatLosesItsPointer()
     QCoreApplication::sendEvent(qApp, &left);
     pen.release({44, 40}, 30);
     QCOMPARE(tool.heard, QByteArray("pdr"));
+    // A drag that moves the picture ends with it, too: the mouse is heard again.
+    fixture.workspace.setActiveTool(nullptr);
+    const glm::dvec3 crosshair = fixture.workspace.crosshairLps();
+    pen.press({40, 40}, 0.5, 40);
+    pen.move({60, 60}, 0.5, 50);
+    QCoreApplication::sendEvent(qApp, &left);
+    fixture.workspace.setActiveTool(&tool);
+    tool.heard.clear();
+    QTest::mousePress(&view, Qt::LeftButton, {}, {40, 40});
+    QTest::mouseRelease(&view, Qt::LeftButton, {}, {40, 40});
+    QCOMPARE(tool.heard, QByteArray("pr"));
+    QVERIFY(fixture.workspace.crosshairLps() == crosshair);
     // A mouse knows no proximity.
     tool.heard.clear();
     QTest::mousePress(&view, Qt::LeftButton, {}, {40, 40});
@@ -567,6 +579,22 @@ void ViewsUiTest::spaceNavigatesWithAToolInHand()
     QVERIFY(tool.heard.isEmpty());
     QVERIFY(sliceScene(fixture, axial).centreLps != centre);
     QCOMPARE(fixture.workspace.windowLevel(), window);
+    // Let go over another view, which has the keys by then: here the tool draws again.
+    SliceView& coronal = fixture.window.views().coronal();
+    QTest::keyPress(&axial, Qt::Key_Space);
+    drag(axial, Qt::LeftButton, axial.rect().center(), {30, 0});
+    coronal.setFocus();
+    QTest::keyRelease(&coronal, Qt::Key_Space);
+    drag(axial, Qt::LeftButton, axial.rect().center(), {30, 0});
+    QVERIFY(tool.heard.contains('p'));
+    // A view that one comes to while it is held hears only that it repeats.
+    tool.heard.clear();
+    coronal.setFocus();
+    QKeyEvent repeated(QEvent::KeyPress, Qt::Key_Space, {}, QStringLiteral(" "), true);
+    QApplication::sendEvent(&coronal, &repeated);
+    drag(coronal, Qt::LeftButton, coronal.rect().center(), {30, 0});
+    QTest::keyRelease(&coronal, Qt::Key_Space);
+    QVERIFY(tool.heard.isEmpty());
     fixture.workspace.setActiveTool(nullptr);
 }
 
