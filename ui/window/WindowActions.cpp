@@ -28,6 +28,20 @@ namespace ui {
 
 namespace {
 
+/// Takes a row back, unless something else was done since or stands open: undo would take that.
+void undoIfLast(Workspace& workspace, core::RowId row)
+{
+    core::EditSession* session = workspace.session();
+    if (!session)
+        return;
+    const bool isOther = session->transactionOpen() && !session->openIsPreview();
+    if (isOther || !session->idle() || session->history().position() != row)
+        workspace.say(
+            Actions::tr("The history has gone on since; Ctrl+Z takes back its last step"));
+    else if (const auto undone = session->undo(); !undone)
+        workspace.fail(undone.error());
+}
+
 void addFileActions(MainWindow& window)
 {
     Actions& actions = window.actionTable();
@@ -65,12 +79,10 @@ void addFileActions(MainWindow& window)
                 static_cast<void>(ensureActiveSegment(workspace)); // it can be cleaned up at once
             const auto kind =
                 notes.isEmpty() ? MessageBar::Kind::Notice : MessageBar::Kind::Caution;
+            const auto row = core::RowId(workspace.session()->history().rows().size());
             window.messages().show(kind,
                 (QStringList{rowName + QLatin1Char('.')} + notes).join(QLatin1Char(' ')),
-                Actions::tr("Undo"), [&workspace] {
-                    if (core::EditSession* session = workspace.session())
-                        static_cast<void>(session->undo());
-                });
+                Actions::tr("Undo"), [&workspace, row] { undoIfLast(workspace, row); });
         });
     QObject::connect(
         &importer, &MaskImporter::nothingTaken, &window, [&window](const QString& path) {

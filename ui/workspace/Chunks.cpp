@@ -457,6 +457,9 @@ void Chunks::takeBack()
     const core::RowId row = session->history().position();
     if (row <= m_dividedAfter || !session->history().row(row).edit.is<core::DivideSegment>())
         return;
+    // Undo would end what stands open, and take that back instead.
+    if (session->transactionOpen() && !session->openIsPreview())
+        return;
     if (const auto undone = session->undo(); !undone)
         m_workspace.fail(undone.error());
 }

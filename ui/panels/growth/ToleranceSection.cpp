@@ -240,9 +240,15 @@ void ToleranceSection::refuse(const core::Error& error)
     showText();
 }
 
+/// Whether the bar shows what was traced for the segment that is active by now.
+bool ToleranceSection::isOfActiveSegment() const
+{
+    return m_traced && int(m_traced->label) == m_workspace.activeSegment();
+}
+
 void ToleranceSection::preview(int tolerance)
 {
-    if (!m_traced)
+    if (!isOfActiveSegment())
         return;
     m_workspace.setAtTolerance(
         gpu::ToleranceDisplay{.label = m_traced->label, .tolerance = tolerance});
@@ -251,7 +257,7 @@ void ToleranceSection::preview(int tolerance)
 
 void ToleranceSection::settle(bool kept)
 {
-    if (kept && m_traced && m_bar->tolerance() >= 0)
+    if (kept && isOfActiveSegment() && m_bar->tolerance() >= 0)
         makeReal(m_bar->tolerance());
     else
         m_workspace.setAtTolerance({});
