@@ -96,7 +96,8 @@ public:
         Seen now;
         if (m_session->settle())
             now.hash = m_session->stateHash();
-        m_views.rest();
+        // After much has changed the textures of the picture follow only after a while.
+        m_views.rest(std::chrono::seconds(3));
         if (const gpu::Frame frame = m_views.latest(stage); frame.rgba)
             now.stage = *frame.rgba;
         return now;
