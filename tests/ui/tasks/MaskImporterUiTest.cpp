@@ -6,6 +6,7 @@
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/fixtures/WindowFixture.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/PlainEdits.h"
 #include "ui/dialogs/MaskOrderDialog.h"
 #include "ui/frame/MessageBar.h"
 
@@ -15,6 +16,7 @@
 #include <QFile>
 #include <QMenu>
 #include <QMimeData>
+#include <QPushButton>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
@@ -99,6 +101,33 @@ private Q_SLOTS:
         QVERIFY(fixture.session().undo());
         QVERIFY(fixture.session().settle());
         QCOMPARE(fixture.session().stateHash(), before);
+    }
+
+    /// The button of the message is about the import, whatever was done since.
+    void theMessageUndoesTheImportAlone()
+    {
+        ImportFixture fixture;
+        const auto press = [&fixture] {
+            for (auto* button : fixture.window.messages().findChildren<QPushButton*>()) {
+                if (button->text() == QLatin1String("Undo"))
+                    button->click();
+            }
+        };
+        fixture.window.importer().import(fixture.mask("some.nii"));
+        fixture.finish();
+        press();
+        QVERIFY(fixture.session().settle());
+        QCOMPARE(int(fixture.session().history().position()), 0);
+        fixture.window.importer().import(fixture.mask("some.nii"));
+        fixture.finish();
+        fixture.apply(test::newSegment(QStringLiteral("Later")));
+        const core::RowId position = fixture.session().history().position();
+        QSignalSpy said(&fixture.workspace, &ui::Workspace::said);
+        press();
+        QVERIFY(fixture.session().settle());
+        QCOMPARE(fixture.session().history().position(), position);
+        QCOMPARE(said.size(), 1);
+        QVERIFY(said.front().front().toString().startsWith(QStringLiteral("The history has gone")));
     }
 
     void aMaskThatIsDroppedIsTakenIn()
