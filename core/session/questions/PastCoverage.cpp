@@ -13,6 +13,11 @@ namespace {
 
 constexpr std::uint8_t scratchLayer = 255;
 
+bool isOfCuts(const BrickKey& key)
+{
+    return key.field == Field::Coverage && key.plane == scratchLayer;
+}
+
 } // namespace
 
 PastCoverage::PastCoverage(std::vector<RowId> path, bool labels)
@@ -44,8 +49,10 @@ std::vector<BrickKey> PastCoverage::keys() const
 
 void PastCoverage::addImages(const std::vector<BrickChange>& read)
 {
-    for (const BrickChange& brick : read)
+    for (const BrickChange& brick : read) {
         m_images[brick.key] = {brick.key, brick.after};
+        m_atPosition[brick.key] = brick.after;
+    }
 }
 
 void PastCoverage::walk(std::size_t place)
@@ -94,11 +101,6 @@ void PastCoverage::walkBefore(RowId row)
     walk(std::size_t(std::find(m_path.begin(), m_path.end(), row) - m_path.begin()));
 }
 
-void PastCoverage::walkBack()
-{
-    walk(m_path.size());
-}
-
 void PastCoverage::putBefore(SessionState& state, RowId row)
 {
     put(state);
@@ -122,31 +124,35 @@ Result<Ticket> PastCoverage::cut(SessionState& state, const SculptEdit& edit)
     return submitWhole(state.engine, std::move(cut->edit), std::move(cut->extensions));
 }
 
-StrokeCut PastCoverage::cutOf(const EngineResult& result)
+StrokeCut PastCoverage::cutOf(EngineResult&& result)
 {
+    m_lastCut = std::move(result.changes);
     StrokeCut cut;
-    for (const BrickChange& change : result.changes) {
+    for (const BrickChange& change : m_lastCut) {
         cut[change.key.brick] = change.after;
         m_toPut[change.key] = {change.key, {}};
     }
+    m_lastCut.clear();
     return cut;
 }
 
 void PastCoverage::discard(const EngineResult& result)
 {
     for (const BrickChange& change : result.changes) {
-        if (change.key.field == Field::Coverage && change.key.plane == scratchLayer)
+        if (isOfCuts(change.key))
             m_toPut[change.key] = {change.key, {}};
     }
 }
 
 void PastCoverage::restore(SessionState& state)
 {
+    // What was worked out and not put has never reached the engine; cuts have.
+    std::erase_if(m_toPut, [](const auto& brick) { return !isOfCuts(brick.first); });
+    for (const BrickChange& change : m_lastCut)
+        m_toPut[change.key] = {change.key, {}};
     // All that was ever put, since on the way some of it may have been refused.
-    for (const BrickKey& key : m_touched) {
-        const bool ofCuts = key.field == Field::Coverage && key.plane == scratchLayer;
-        m_toPut[key] = ofCuts ? BrickImage{key, {}} : m_images.at(key);
-    }
+    for (const BrickKey& key : m_touched)
+        m_toPut[key] = {key, isOfCuts(key) ? BrickBytes() : m_atPosition.at(key)};
     if (!m_toPut.empty())
         state.require(takeToPut());
     state.require(mutedAt(state, state.history.position()));

@@ -21,8 +21,7 @@ using StrokeCut = std::map<std::uint32_t, BrickBytes>;
 /// segments. Part of ReviseOperation.
 ///
 /// This makes no row. The caller ends it by restore(). Tickets are consecutive, so of several
-/// commands only the last one is awaited. Only the two walks read voxels; they run on the side
-/// thread.
+/// commands only the last one is awaited. Only the walk reads voxels; it runs on the side thread.
 class PastCoverage {
 public:
     /// @param path rows from the earliest one that is needed to the position of the history
@@ -39,8 +38,6 @@ public:
 
     /// Works out the bricks before a row of the path.
     void walkBefore(RowId row);
-    /// Works out the bricks at the position.
-    void walkBack();
 
     /// A brick at the place of the last walk.
     [[nodiscard]] const BrickImage& image(const BrickKey& key) const { return m_images.at(key); }
@@ -52,11 +49,12 @@ public:
     /// Cuts a stroke. What a restoring stroke would refill is cut too.
     /// @return the ticket whose result cutOf() reads, or why it cannot be cut
     [[nodiscard]] Result<Ticket> cut(SessionState& state, const SculptEdit& edit);
-    [[nodiscard]] StrokeCut cutOf(const EngineResult& result);
+    [[nodiscard]] StrokeCut cutOf(EngineResult&& result);
     /// For a result that is not needed: what it may have left in the layer of the cuts is removed
     /// by restore().
     void discard(const EngineResult& result);
-    /// Returns to the position, after walkBack(); finished when SessionState owes nothing any more.
+    /// Returns to the position, also after a walk or a put that has thrown; finished when
+    /// SessionState owes nothing any more.
     void restore(SessionState& state);
 
 private:
@@ -71,7 +69,9 @@ private:
     bool m_labels = false;
     std::map<RowId, std::vector<BrickImage>> m_differences; ///< of coverage and labels
     std::map<BrickKey, BrickImage> m_images; ///< at m_place
+    std::map<BrickKey, BrickBytes> m_atPosition; ///< the same bricks, as they were read
     std::map<BrickKey, BrickImage> m_toPut;
+    std::vector<BrickChange> m_lastCut; ///< until all of it is in m_toPut
     std::set<BrickKey> m_touched; ///< all bricks that were put, whether carried out or refused
     std::size_t m_place; ///< number of rows of the path that are in effect there
 };

@@ -152,8 +152,9 @@ Result<void> ReviseOperation::checkLayers(const SessionState& state, RowId first
 void ReviseOperation::loadNext(SessionState& state)
 {
     if (!m_toLoad.empty()) {
+        state.worker->load(m_toLoad.back());
         m_isLoading = true;
-        return state.worker->load(m_toLoad.back());
+        return;
     }
     await(state.engine.submit(ReadBricks{m_fold->past.keys()}),
         [this](SessionState& now, EngineResult&& read) {
@@ -165,6 +166,10 @@ void ReviseOperation::loadNext(SessionState& state)
 void ReviseOperation::takeDifferences(SessionState& state, Result<RowDifferences>&& differences)
 {
     m_isLoading = false;
+    if (m_isAbandoned) {
+        m_done = true; // it has only read
+        return;
+    }
     if (!differences)
         return giveUp(state, differences.error());
     m_fold->past.addDifferences(m_toLoad.back(), std::move(differences->images));
@@ -181,8 +186,10 @@ void ReviseOperation::await(Ticket ticket, Then then)
 
 void ReviseOperation::takeResult(SessionState& state, EngineResult&& result)
 {
+    if (m_isAbandoned)
+        return takeBack(state, result);
     // Before the first there may be late answers to operations that have given up.
-    if ((!m_then && !m_isAside) || !m_first || result.ticket < *m_first)
+    if ((!m_then && !m_aside.isAway()) || !m_first || result.ticket < *m_first)
         return;
     if (result.error && !m_refused)
         m_refused = result.error;
@@ -197,19 +204,11 @@ void ReviseOperation::takeResult(SessionState& state, EngineResult&& result)
     std::exchange(m_then, nullptr)(state, std::move(result));
 }
 
-/// What is thrown on the way leaves the fold between two rows, from where nothing leads back.
 void ReviseOperation::workAside(SessionState& state, std::function<Sequel(StrokeFold&)> work)
 {
-    m_isAside = true;
-    m_hasFolded = true;
-    state.side->post(
-        [this, fold = m_fold, work = std::move(work)] {
-            return Sequel([this, then = work(*fold)](SessionState& now) {
-                m_isAside = false;
-                then(now);
-            });
-        },
-        [](SessionState& now, const Error& error) { now.lose(error); });
+    m_aside.post(
+        *state.side, [fold = m_fold, work = std::move(work)] { return work(*fold); },
+        [this](SessionState& now, const Error& error) { giveUp(now, error); });
 }
 
 void ReviseOperation::goBefore(SessionState& state, RowId row, Sequel then)
@@ -232,7 +231,7 @@ void ReviseOperation::cut(SessionState& state, const StandingStroke& stroke,
     if (!ticket)
         return giveUp(state, ticket.error());
     await(*ticket, [this, then = std::move(then)](SessionState& now, EngineResult&& result) {
-        then(now, m_fold->past.cutOf(result));
+        then(now, m_fold->past.cutOf(std::move(result)));
     });
 }
 
@@ -345,24 +344,23 @@ void ReviseOperation::lay(SessionState& state, const StandingStroke& stroke, Str
 
 void ReviseOperation::put(SessionState& state)
 {
-    workAside(state, [this](StrokeFold& fold) {
-        fold.past.walkBack();
-        return Sequel([this](SessionState& now) {
-            m_refused.reset(); // what was refused on the way here is put again
-            m_fold->past.restore(now);
-            now.afterRequired([this](SessionState& then) { putFolded(then); });
-        });
-    });
+    m_refused.reset(); // what was refused on the way here is put again
+    m_fold->past.restore(state);
+    state.afterRequired([this](SessionState& then) { putFolded(then); });
 }
 
 void ReviseOperation::putFolded(SessionState& state)
 {
+    if (m_isAbandoned)
+        return;
     std::vector<BrickImage> bricks;
     for (auto& [key, image] : m_fold->bricks)
         bricks.push_back(std::move(image));
     SwapBricks swap{.bricks = std::move(bricks), .guard = carvingGuard(state.document)};
-    await(state.engine.submit(std::move(swap)),
-        [this](SessionState& now, EngineResult&& result) { finish(now, std::move(result)); });
+    const Ticket put = state.engine.submit(std::move(swap));
+    m_isPut = true;
+    await(
+        put, [this](SessionState& now, EngineResult&& result) { finish(now, std::move(result)); });
 }
 
 void ReviseOperation::finish(SessionState& state, EngineResult&& result)
@@ -377,27 +375,51 @@ void ReviseOperation::finish(SessionState& state, EngineResult&& result)
     state.lastRevision = {state.history.position(), std::move(m_begunInside)};
 }
 
-/// Until something is folded it has only read.
+/// The engine may be in the midst of a cut, or hold coverage of before.
 bool ReviseOperation::abandon(SessionState& state, const Error& error)
 {
-    if (m_done || m_hasFolded || m_isLoading || m_again != 0)
+    if (m_done || m_isPut || m_isAbandoned || m_again != 0)
         return false;
-    state.fail(error);
-    m_done = true;
+    report(state, error);
+    m_isAbandoned = true;
+    m_awaited = 0;
+    if (m_isLoading)
+        return true; // until the differences are there, which are nobody else's
+    if (!m_fold) {
+        m_done = true;
+        return true;
+    }
+    m_aside.giveUp([this, &state] {
+        // It is answered after everything that was asked before, whether or not a cut is open.
+        m_awaited = state.engine.submit(EndEdit{Ending::Rollback});
+    });
     return true;
+}
+
+void ReviseOperation::takeBack(SessionState& state, const EngineResult& result)
+{
+    if (!m_fold || m_aside.isAway() || state.lost())
+        return;
+    m_fold->past.discard(result);
+    if (result.ticket != m_awaited)
+        return;
+    m_fold->past.restore(state);
+    state.afterRequired([this](SessionState&) { m_done = true; });
 }
 
 void ReviseOperation::giveUp(SessionState& state, const Error& error)
 {
     m_then = nullptr;
-    workAside(state, [this, error](StrokeFold& fold) {
-        fold.past.walkBack();
-        return Sequel([this, error](SessionState& now) {
-            m_fold->past.restore(now);
-            now.fail(error);
-            m_done = true;
-        });
-    });
+    report(state, error);
+    m_fold->past.restore(state);
+    m_done = true;
+}
+
+void ReviseOperation::report(SessionState& state, const Error& error)
+{
+    if (!m_isReported)
+        state.fail(error);
+    m_isReported = true;
 }
 
 } // namespace core

@@ -5,7 +5,7 @@
 #include "core/history/StandingStrokes.h"
 #include "core/session/operations/history/StrokeFold.h"
 #include "core/session/state/Operation.h"
-#include "core/session/surface/SideThread.h"
+#include "core/session/surface/SideTask.h"
 
 #include <functional>
 #include <memory>
@@ -67,7 +67,11 @@ private:
     void put(SessionState& state);
     void putFolded(SessionState& state);
     void finish(SessionState& state, EngineResult&& result);
+    /// @pre no cut is under way
     void giveUp(SessionState& state, const Error& error);
+    void report(SessionState& state, const Error& error);
+    /// Returns to the position once everything that was asked before abandon() is answered.
+    void takeBack(SessionState& state, const EngineResult& result);
 
     ReviseStroke m_edit;
     RowId m_again = 0;
@@ -79,13 +83,15 @@ private:
     std::vector<RowId> m_toLoad; ///< the last one is loaded next
     std::shared_ptr<StrokeFold> m_fold; ///< from when the strokes are known
     bool m_isLoading = false; ///< differences are on their way, which are nobody else's
-    bool m_hasFolded = false; ///< the side thread has had the fold
-    bool m_isAside = false; ///< the side thread works on the fold
+    SideTask m_aside; ///< which has the fold
+    bool m_isPut = false; ///< the engine has what was folded
     std::vector<RowId> m_begunInside;
     Ticket m_awaited = 0;
     std::optional<Ticket> m_first; ///< that it has awaited
     std::optional<Error> m_refused; ///< why something before the awaited result failed
     Then m_then;
+    bool m_isReported = false; ///< why it failed
+    bool m_isAbandoned = false;
     bool m_done = false;
 };
 
