@@ -158,25 +158,42 @@ void SurfaceOperation::end(SessionState& state, Ending ending)
     // What is taken back need not be waited for.
     if (ending == Ending::Rollback)
         m_work->cancel();
+    endWork(state, ending);
+}
+
+void SurfaceOperation::endWork(
+    SessionState& state, Ending ending, const std::optional<Error>& failed)
+{
     state.side->post(
-        [this, work = m_work, ending] {
+        [this, work = m_work, ending, failed] {
+            if (failed)
+                work->fail(*failed);
             auto outcome = std::make_shared<Result<SurfaceWork::Outcome>>(work->end(ending));
             return SideThread::Sequel(
                 [this, outcome](SessionState& known) { finish(known, std::move(*outcome)); });
         },
         [this](SessionState& known, const Error& error) { finish(known, tl::unexpected(error)); });
+    m_isEnding = true;
 }
 
-/// What the side thread has of it may be half done: nothing leads back from there.
+/// What the side thread has of it may be half done: it is taken back there, and what was a whole
+/// step by then when it comes.
 bool SurfaceOperation::abandon(SessionState& state, const Error& error)
 {
-    if (m_done || m_work || m_written || m_again != 0)
+    if (m_done || m_written || m_isAbandoned || m_again != 0)
         return false;
     reportFailure(state, error);
-    if (m_begun)
+    m_isAbandoned = true;
+    m_ending = Ending::Rollback;
+    if (m_work) {
+        m_work->cancel();
+        if (!m_isEnding)
+            endWork(state, Ending::Rollback, error);
+    } else if (m_begun) {
         m_written = state.engine.submit(EndEdit{Ending::Rollback});
-    else
+    } else {
         m_done = true;
+    }
     return true;
 }
 
@@ -202,6 +219,14 @@ void SurfaceOperation::finish(SessionState& state, Result<SurfaceWork::Outcome>&
         state.lose(outcome.error());
     if (!outcome)
         return giveUp(state, outcome.error());
+    if (m_isAbandoned) {
+        if (outcome->step) {
+            state.surface.takeBack(*outcome->step);
+            state.surface.showAll(state.document.surface.has_value());
+        }
+        m_done = true;
+        return;
+    }
     // What was rolled back may end as if nothing had been aborted; whoever aborts is told.
     if (m_isAborted && m_ending == Ending::Rollback)
         return giveUp(state, {ErrorCode::Cancelled, {}});

@@ -55,6 +55,8 @@ private:
     void work(SessionState& state);
     void finish(SessionState& state, Result<SurfaceWork::Outcome>&& outcome);
     void write(SessionState& state, EngineEdit&& edit);
+    /// @param failed why nothing is to come of it; none: it may become a row
+    void endWork(SessionState& state, Ending ending, const std::optional<Error>& failed = {});
     void post(SessionState& state, std::function<SideThread::Sequel()> work);
     void giveUp(SessionState& state, const Error& error);
     [[nodiscard]] bool isTakenBack(const Error& error) const;
@@ -71,6 +73,8 @@ private:
     std::optional<Ending> m_ending;
     std::optional<Ticket> m_begun; ///< the transaction that writes voxels
     std::optional<Ticket> m_written; ///< the end of the transaction that writes voxels
+    bool m_isEnding = false; ///< the side thread was told how it ends
+    bool m_isAbandoned = false; ///< what the side thread makes of it is taken back
     bool m_isAborted = false;
     bool m_hasBegun = false; ///< SurfaceWork::begin() is through; a preview can be seen
     bool m_reported = false; ///< the reason for the failure was reported

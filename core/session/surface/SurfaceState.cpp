@@ -41,10 +41,12 @@ void SurfaceState::keep(RowId row, std::shared_ptr<const SurfaceStep> step)
 
 void SurfaceState::moveOver(RowId row, bool back)
 {
-    const auto known = m_steps.find(row);
-    if (known == m_steps.end())
-        return;
-    const SurfaceStep& step = *known->second;
+    if (const auto known = m_steps.find(row); known != m_steps.end())
+        move(*known->second, back);
+}
+
+void SurfaceState::move(const SurfaceStep& step, bool back)
+{
     // A forged session: the hash of the state will not agree.
     if (back ? !canUndo(step.mesh, mesh) : !canRedo(step.mesh, mesh))
         return;

@@ -36,6 +36,8 @@ public:
     void keep(RowId row, std::shared_ptr<const SurfaceStep> step);
     /// Applies a row, or takes it back, if it changed the surface.
     void moveOver(RowId row, bool back);
+    /// Takes back what was carried out last and is to be no row.
+    void takeBack(const SurfaceStep& step) { move(step, true); }
 
     /// Whether the mesh has the hash. It has not if an exception interrupted a change.
     [[nodiscard]] bool isIntact() const;
@@ -48,6 +50,8 @@ public:
     void showAll(bool isThere) const;
 
 private:
+    void move(const SurfaceStep& step, bool back);
+
     VolumeGeometry m_geometry;
     std::map<RowId, std::shared_ptr<const SurfaceStep>> m_steps;
     Listener m_listener;
