@@ -6,12 +6,14 @@
 
 #include <QFile>
 #include <QFileInfo>
-#include <QSet>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstdint>
+#include <map>
 #include <mutex>
+#include <optional>
 #include <utility>
 
 #include <fcntl.h>
@@ -24,7 +26,8 @@ namespace {
 
 // Held while a session file is open as a plain file.
 std::mutex plainFiles;
-QSet<QString> used; ///< under plainFiles
+/// By keyOf(); under plainFiles.
+std::map<QString, std::optional<FileIdentity>> used;
 
 /// The database itself, and what SQLite may leave beside it.
 constexpr std::array<const char*, 3> parts{"", "-wal", "-journal"};
@@ -34,6 +37,21 @@ QString keyOf(const QString& path)
     const QFileInfo info(path);
     const QString canonical = info.canonicalFilePath();
     return canonical.isEmpty() ? info.absoluteFilePath() : canonical;
+}
+
+/// Whether this process uses the file, under whatever name; or one that had this name, whose log
+/// may still lie there.
+/// @pre plainFiles is held
+bool isUsed(const QString& path)
+{
+    if (used.empty())
+        return false;
+    if (used.count(keyOf(path)) != 0)
+        return true;
+    const std::optional<FileIdentity> file = FileIdentity::of(path);
+    return file && std::any_of(used.begin(), used.end(), [&file](const auto& use) {
+        return use.second == file;
+    });
 }
 
 QString part(const QString& path, const char* suffix)
@@ -97,11 +115,11 @@ Result<SessionUse> SessionUse::begin(const QString& path)
 {
     SessionUse use;
     const std::lock_guard lock(plainFiles);
-    const QString key = keyOf(path);
-    if (used.contains(key))
+    if (isUsed(path))
         return failure(
             ErrorCode::FileUnreadable, path, Clause::saying("it is open already, in this window"));
-    used.insert(key);
+    const QString key = keyOf(path);
+    used.emplace(key, FileIdentity::of(path));
     use.m_key = key;
     use.m_file = FileInUse({path}, FileInUse::As::Session);
     return use;
@@ -110,7 +128,7 @@ Result<SessionUse> SessionUse::begin(const QString& path)
 bool isSessionFile(const QString& path)
 {
     const std::lock_guard lock(plainFiles);
-    if (used.contains(keyOf(path)))
+    if (isUsed(path))
         return true;
     QFile file(path);
     if (!QFileInfo(path).isFile() || !file.open(QIODevice::ReadOnly))
@@ -166,13 +184,13 @@ SessionUse::~SessionUse()
     if (m_key.isEmpty())
         return;
     const std::lock_guard lock(plainFiles);
-    used.remove(m_key);
+    used.erase(m_key);
 }
 
 bool isSessionInUse(const QString& path)
 {
     const std::lock_guard lock(plainFiles);
-    return used.contains(keyOf(path)) || isLocked(path);
+    return isUsed(path) || isLocked(path);
 }
 
 bool isSessionUnfinished(const QString& path)
@@ -189,7 +207,7 @@ SessionLoss sessionLoss(const QString& path)
     if (path.isEmpty() || isSessionUnfinished(path))
         return {};
     const std::lock_guard lock(plainFiles);
-    if (used.contains(keyOf(path)))
+    if (isUsed(path))
         return {};
     QFile file(path);
     if (!file.open(QIODevice::ReadOnly))
@@ -244,7 +262,7 @@ Result<void> copySession(const QString& from, const QString& to)
 {
     constexpr int attempts = 20;
     const std::lock_guard lock(plainFiles);
-    if (used.contains(keyOf(from)))
+    if (isUsed(from))
         return failure(
             ErrorCode::FileUnreadable, from, Clause::saying("it is open already, in this window"));
     for (int i = 0; i < attempts; ++i) {

@@ -14,8 +14,9 @@ class FollowedFile;
 /// Registers within this process that it has a session file open for writing.
 ///
 /// SQLite uses POSIX locks, and closing *any* descriptor of a file releases all locks that the
-/// process holds on it. So a session file in use must never be opened as a plain file;
-/// copySession() reads its bytes. Any thread.
+/// process holds on it. So a session file in use must never be opened as a plain file, under any of
+/// its names (links, or what another program renamed it to); copySession() reads its bytes. Any
+/// thread.
 class SessionUse {
 public:
     SessionUse() = default;
@@ -42,7 +43,8 @@ private:
 /// none.
 [[nodiscard]] QString strayPartOf(const QString& path);
 
-/// Whether a session file is open for writing, in this process or another. Changes nothing.
+/// Whether a session file is open for writing, in this process or another, whichever of its names
+/// leads to it; also where this process has opened the file that had this name. Changes nothing.
 [[nodiscard]] bool isSessionInUse(const QString& path);
 
 /// Whether a program ended without closing it, so that its last writes are in a file beside it.
