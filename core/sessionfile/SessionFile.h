@@ -93,17 +93,21 @@ public:
     /// waiting.
     [[nodiscard]] Result<void> flush();
 
-    /// Copies everything, including writes that wait in memory, to @p target and continues there.
-    /// The target appears under its name only when it is complete and on disk. The copy takes its
-    /// turn among the writes. The previous file remains, closed, unless it is the one replaced. If
-    /// it fails, nothing changes.
+    /// Copies everything, including writes that wait in memory, into a new file and gives that the
+    /// name @p target once it is complete and on disk; the session goes on there. It comes after
+    /// all writes that were asked for before. The file of before is closed and stays, unless it is
+    /// the one that is replaced. If it fails, the session goes on in the file of before, and what
+    /// had the name @p target has it; if the disk lets neither file have its name, the error says
+    /// where they are.
+    /// @param replaceExisting whether a session that has the name may be replaced
     /// @param done called on the writer's thread
-    /// Errors: FileExists (unless @p replaceExisting), FileUnwritable.
+    /// Errors: FileExists, FileUnwritable.
     void saveAs(const QString& target, bool replaceExisting,
         std::function<void(const Result<void>&)> done, SavedImages images = {});
 
-    /// Renames the file within its folder, replacing a session of that name. Blocks. If it fails,
-    /// nothing changes. Errors: FileUnwritable.
+    /// Gives the file another name in its folder; a closed session that has the name is replaced.
+    /// Blocks. If it fails, both files have the names of before, or the error says where they are.
+    /// Errors: FileUnwritable.
     [[nodiscard]] Result<void> rename(const QString& target);
 
     /// Copies everything but the study's images to @p path, which must not exist, and continues in
