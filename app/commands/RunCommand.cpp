@@ -156,7 +156,8 @@ Result<Continued> goOn(core::EditEngine& engine, core::LoadedVolume loaded,
         auto session = openPlanned(engine, std::move(loaded), *plan);
         if (session)
             return Continued{*plan, *std::move(session)};
-        withdraw(*plan, file);
+        if (const Result<void> withdrawn = withdraw(*plan, file); !withdrawn)
+            return tl::unexpected(withdrawn.error());
         if (plan->redo.empty() || session.error().code == core::ErrorCode::ContextLost)
             return tl::unexpected(session.error());
     }
@@ -349,8 +350,10 @@ int run(core::Recipe recipe, const Arguments& arguments, CommandTermination& ter
             core::removeSession(place);
         } else if (replaces) {
             keepUnfinished(place, file);
-        } else if (!plan.damaged.isEmpty() && !promised)
-            withdraw(plan, file);
+        } else if (!plan.damaged.isEmpty() && !promised) {
+            if (const Result<void> withdrawn = withdraw(plan, file); !withdrawn)
+                reportFailure(withdrawn.error());
+        }
         return status;
     }
     if (replaces) {

@@ -202,11 +202,10 @@ core::Result<std::unique_ptr<core::EditSession>> openPlanned(core::EditEngine& e
     return session;
 }
 
-void withdraw(const SessionPlan& plan, const QString& file)
+core::Result<void> withdraw(const SessionPlan& plan, const QString& file)
 {
     core::removeSession(plan.file);
-    if (plan.damaged != file)
-        static_cast<void>(rename(plan.damaged, file));
+    return plan.damaged == file ? core::Result<void>() : rename(plan.damaged, file);
 }
 
 } // namespace app

@@ -46,6 +46,7 @@ struct SessionPlan {
 
 /// Undoes what planFor() has done about a damaged file.
 /// @pre the plan's file is not in use
-void withdraw(const SessionPlan& plan, const QString& file);
+/// Errors: FileUnwritable, naming the damaged file where it is if it could not get its name back.
+[[nodiscard]] core::Result<void> withdraw(const SessionPlan& plan, const QString& file);
 
 } // namespace app

@@ -166,7 +166,8 @@ core::Result<void> Application::makeRoom()
 core::Result<void> Application::take(SessionOpening& opening, const QString& file)
 {
     if (!opening.session && opening.plan && !opening.plan->redo.empty()) {
-        withdraw(*opening.plan, file);
+        if (const core::Result<void> withdrawn = withdraw(*opening.plan, file); !withdrawn)
+            return withdrawn;
         if (opening.session.error().code == core::ErrorCode::ContextLost)
             return tl::unexpected(opening.session.error());
         m_notRedone.insert(file);
