@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <set>
 
 namespace core {
@@ -40,19 +41,40 @@ public:
     [[nodiscard]] int count() const { return int(m_origins.size()); }
     [[nodiscard]] double heightOf(int k) const { return m_heights[std::size_t(k)]; }
     [[nodiscard]] double heightOf(const glm::dvec3& lps) const { return glm::dot(m_normal, lps); }
+    /// Of a contour: the mean over its points, since each is rounded for itself. Heights may be so
+    /// great that their sum is no number, but not their differences.
+    [[nodiscard]] double heightOf(const RtContour& contour) const
+    {
+        const double first = heightOf(contour.points.front());
+        double off = 0.0;
+        for (const glm::dvec3& point : contour.points)
+            off += heightOf(point) - first;
+        return first + off / double(contour.points.size());
+    }
     /// Lies in a plane along the slices.
     [[nodiscard]] bool isFlat(const RtContour& contour) const
     {
-        const double first = heightOf(contour.points.front());
+        const double height = heightOf(contour);
         return std::all_of(contour.points.begin(), contour.points.end(), [&](const auto& point) {
-            return std::abs(heightOf(point) - first) <= std::max(0.01, 0.1 * m_stepMm);
+            return std::abs(heightOf(point) - height) <= std::max(0.01, 0.1 * m_stepMm);
         });
     }
-    [[nodiscard]] bool isOnSlice(double height) const
+    /// How far the heights of contours of one plane may lie apart: as far as coordinates with one
+    /// decimal scatter, but well below the step of the slices.
+    [[nodiscard]] double sameMm() const
     {
-        return std::any_of(m_heights.begin(), m_heights.end(), [&](double slice) {
-            return std::abs(slice - height) <= std::max(0.01, 0.01 * m_stepMm);
-        });
+        return std::min(std::clamp(0.1 * m_stepMm, 0.02, 0.1), 0.3 * m_stepMm);
+    }
+    /// None: it lies on no slice.
+    [[nodiscard]] std::optional<int> sliceAt(double height) const
+    {
+        const auto nearest =
+            std::min_element(m_heights.begin(), m_heights.end(), [&](double one, double other) {
+                return std::abs(one - height) < std::abs(other - height);
+            });
+        if (std::abs(*nearest - height) > std::max({0.01, 0.01 * m_stepMm, sameMm()}))
+            return std::nullopt;
+        return int(nearest - m_heights.begin());
     }
     /// On a slice, seen along its normal.
     [[nodiscard]] SlicePolygon polygonOn(int k, const RtContour& contour) const
@@ -74,7 +96,7 @@ private:
     double m_stepMm = 0.0;
 };
 
-/// Contours of one height, in mm along the normal; steps of a thousandth are none.
+/// Contours of one plane, by its height in thousandths of a mm along the normal.
 using Planes = std::map<std::int64_t, std::vector<const RtContour*>>;
 
 /// Files may state heights so great that no whole number holds them or their differences.
@@ -89,42 +111,82 @@ double mmOf(std::int64_t height)
     return double(height) / 1000.0;
 }
 
-Planes planesOf(const RtRoi& roi, const Slices& slices)
-{
-    Planes planes;
-    for (const RtContour& contour : roi.contours)
-        planes[thousandthsOf(slices.heightOf(contour.points.front()))].push_back(&contour);
-    return planes;
-}
-
-/// How far a plane of contours reaches: half of it to each side. Where all lie on slices, each is
-/// its slice's and no other's.
-struct Reach {
-    double mm = 0.0;
-    bool onSlices = true;
-};
-
-Reach reachOf(const RtStructFile& set, const Slices& slices)
-{
-    Reach reach{.mm = slices.stepMm()};
-    std::set<std::int64_t> heights;
-    for (const RtRoi& roi : set.rois) {
-        for (const auto& [height, contours] : planesOf(roi, slices)) {
-            heights.insert(height);
-            reach.onSlices = reach.onSlices && slices.isOnSlice(mmOf(height));
+/// The planes in which the contours of a file lie, of all its regions together: a region with one
+/// contour in a plane must not have another plane than its neighbour. Coordinates are rounded in
+/// files, to one or two decimals in many, so that on oblique slices contours of one plane have
+/// different heights.
+class DrawnPlanes {
+public:
+    DrawnPlanes(const RtStructFile& set, const Slices& slices)
+        : m_slices(slices)
+    {
+        std::vector<double> heights;
+        for (const RtRoi& roi : set.rois) {
+            for (const RtContour& contour : roi.contours) {
+                heights.push_back(slices.heightOf(contour));
+                m_onSlices = m_onSlices && slices.sliceAt(heights.back()).has_value();
+            }
+        }
+        if (m_onSlices)
+            return;
+        // Each is reckoned from the lowest of its contours, so that no chain of them joins planes.
+        std::sort(heights.begin(), heights.end());
+        for (auto first = heights.begin(); first != heights.end();) {
+            const auto end = std::find_if(first, heights.end(),
+                [&](double height) { return height - *first > slices.sameMm(); });
+            m_planes.push_back({.from = *first, .height = *first + (*(end - 1) - *first) / 2.0});
+            first = end;
         }
     }
-    if (reach.onSlices || heights.size() < 2)
-        return reach;
-    reach.mm = 0.0;
-    constexpr double sameMm = 0.01;
-    for (auto height = std::next(heights.begin()); height != heights.end(); ++height) {
-        const double step = mmOf(*height - *std::prev(height));
-        if (step > sameMm && (reach.mm == 0.0 || step < reach.mm))
-            reach.mm = step;
+
+    /// Whether all lie on slices of the study; each is its slice's then, and no other's.
+    [[nodiscard]] bool onSlices() const { return m_onSlices; }
+    [[nodiscard]] Planes of(const RtRoi& roi) const
+    {
+        Planes planes;
+        for (const RtContour& contour : roi.contours)
+            planes[thousandthsOf(planeOf(m_slices.heightOf(contour)))].push_back(&contour);
+        return planes;
     }
-    return reach;
-}
+    /// How far a plane reaches: half of it to each side.
+    [[nodiscard]] double reachMm() const
+    {
+        if (m_onSlices || m_planes.size() < 2)
+            return m_slices.stepMm();
+        std::vector<double> steps;
+        for (std::size_t i = 1; i < m_planes.size(); ++i)
+            steps.push_back(
+                mmOf(thousandthsOf(m_planes[i].height) - thousandthsOf(m_planes[i - 1].height)));
+        std::erase_if(steps, [](double step) { return !(step > 0.0); });
+        if (steps.empty())
+            return m_slices.stepMm();
+        const double least = *std::min_element(steps.begin(), steps.end());
+        // Steps that rounding alone makes different must leave no slice between them out.
+        double reach = least;
+        for (const double step : steps)
+            reach = step <= least + m_slices.sameMm() ? std::max(reach, step) : reach;
+        return reach;
+    }
+
+private:
+    struct Plane {
+        double from; ///< height of its lowest contour
+        double height;
+    };
+
+    [[nodiscard]] double planeOf(double height) const
+    {
+        if (m_onSlices)
+            return m_slices.heightOf(*m_slices.sliceAt(height));
+        const auto next = std::upper_bound(m_planes.begin(), m_planes.end(), height,
+            [](double value, const Plane& plane) { return value < plane.from; });
+        return std::prev(next)->height;
+    }
+
+    const Slices& m_slices;
+    bool m_onSlices = true;
+    std::vector<Plane> m_planes; ///< ascending; none if all lie on slices
+};
 
 /// The plane nearest to a slice; null: none reaches it. Midway the upper one does.
 const std::vector<const RtContour*>* planeAt(const Planes& planes, double height, double reachMm)
@@ -217,9 +279,10 @@ Result<MaskOnVolume> readContourMask(
             ErrorCode::UnsupportedFormat, path, Clause::saying("it has no closed contour"));
     MaskOnVolume mask;
     mask.notes = notesOnOrigin(set->patient.id, frameOfReference, volume);
-    const Reach reach = reachOf(*set, slices);
-    if (!reach.onSlices)
-        mask.notes.push_back({.code = MaskNote::Code::BetweenSlices, .mm = reach.mm / 2.0});
+    const DrawnPlanes drawn(*set, slices);
+    const double reachMm = drawn.reachMm();
+    if (!drawn.onSlices())
+        mask.notes.push_back({.code = MaskNote::Code::BetweenSlices, .mm = reachMm / 2.0});
     QStringList without;
     for (const RtRoi& roi : set->rois) {
         if (progress.cancelled())
@@ -227,7 +290,7 @@ Result<MaskOnVolume> readContourMask(
         const QString name = roi.name.simplified().isEmpty()
             ? QStringLiteral("ROI %1").arg(roi.number)
             : roi.name.simplified();
-        VoxelRuns voxels = voxelsOf(planesOf(roi, slices), slices, reach.mm);
+        VoxelRuns voxels = voxelsOf(drawn.of(roi), slices, reachMm);
         if (voxels.empty()) {
             without += name;
             continue;
