@@ -2,6 +2,7 @@
 #include "core/dicom/objects/SegReader.h"
 
 #include "core/dicom/base/DicomFile.h"
+#include "core/dicom/base/TextsToUtf8.h"
 #include "core/dicom/objects/SegPixels.h"
 #include "core/dicom/source/PatientAndPlane.h"
 
@@ -110,7 +111,7 @@ Result<SegFile> readSeg(const QString& path)
         return tl::unexpected<Error>(typed.error());
 
     seg.patient = readHeaderPatient(dataset);
-    dataset.convertToUTF8();
+    textsToUtf8(dataset);
     seg.studyUid = reader.text(DCM_StudyInstanceUID);
     seg.seriesUid = reader.text(DCM_SeriesInstanceUID);
     seg.sopInstanceUid = reader.text(DCM_SOPInstanceUID);

@@ -375,6 +375,21 @@ private Q_SLOTS:
             qPrintable(mask.error().arguments.value(1)));
     }
 
+    void namesInOtherCharacterSets()
+    {
+        const Exported on(evenSeries());
+        on.change([](DcmDataset& set) {
+            set.putAndInsertString(DCM_SpecificCharacterSet, "\\ISO 2022 IR 87");
+            DcmItem* segment = nullptr;
+            set.findAndGetSequenceItem(DCM_SegmentSequence, segment, 1);
+            segment->putAndInsertString(DCM_SegmentLabel, "\033$BF,It\033(B");
+        });
+        const auto mask = on.read();
+        QVERIFY(mask);
+        QCOMPARE(mask->segments[0].name, QStringLiteral("Part 1"));
+        QCOMPARE(mask->segments[1].name, QStringLiteral("頭部"));
+    }
+
     /// Onto slices twice as far apart and shifted: those in between are left out, with a word.
     void anotherGrid()
     {
