@@ -76,6 +76,19 @@ public:
             return std::nullopt;
         return int(nearest - m_heights.begin());
     }
+    /// How far a height lies beyond the first or last slice and the half step that is theirs; 0: it
+    /// does not.
+    [[nodiscard]] double beyondMm(double height) const
+    {
+        const auto [low, high] = std::minmax_element(m_heights.begin(), m_heights.end());
+        return std::max({0.0, *low - m_stepMm / 2.0 - height, height - *high - m_stepMm / 2.0});
+    }
+    /// The first or the last one.
+    [[nodiscard]] int endNear(double height) const
+    {
+        const double first = std::abs(m_heights.front() - height);
+        return first < std::abs(m_heights.back() - height) ? 0 : count() - 1;
+    }
     /// On a slice, seen along its normal.
     [[nodiscard]] SlicePolygon polygonOn(int k, const RtContour& contour) const
     {
@@ -121,14 +134,20 @@ public:
         : m_slices(slices)
     {
         std::vector<double> heights;
+        bool anyOnSlice = false;
+        bool anyBetween = false;
         for (const RtRoi& roi : set.rois) {
             for (const RtContour& contour : roi.contours) {
                 heights.push_back(slices.heightOf(contour));
-                m_onSlices = m_onSlices && slices.sliceAt(heights.back()).has_value();
+                const bool onSlice = slices.sliceAt(heights.back()).has_value();
+                anyOnSlice = anyOnSlice || onSlice;
+                anyBetween = anyBetween || (!onSlice && slices.beyondMm(heights.back()) == 0.0);
             }
         }
+        m_onSlices = anyOnSlice && !anyBetween;
         if (m_onSlices)
-            return;
+            std::erase_if(
+                heights, [&](double height) { return slices.sliceAt(height).has_value(); });
         // Each is reckoned from the lowest of its contours, so that no chain of them joins planes.
         std::sort(heights.begin(), heights.end());
         for (auto first = heights.begin(); first != heights.end();) {
@@ -139,7 +158,8 @@ public:
         }
     }
 
-    /// Whether all lie on slices of the study; each is its slice's then, and no other's.
+    /// Whether all that lie within the study lie on its slices; each is its slice's then, and no
+    /// other's.
     [[nodiscard]] bool onSlices() const { return m_onSlices; }
     [[nodiscard]] Planes of(const RtRoi& roi) const
     {
@@ -176,16 +196,17 @@ private:
 
     [[nodiscard]] double planeOf(double height) const
     {
-        if (m_onSlices)
-            return m_slices.heightOf(*m_slices.sliceAt(height));
+        const std::optional<int> slice = m_onSlices ? m_slices.sliceAt(height) : std::nullopt;
+        if (slice)
+            return m_slices.heightOf(*slice);
         const auto next = std::upper_bound(m_planes.begin(), m_planes.end(), height,
             [](double value, const Plane& plane) { return value < plane.from; });
         return std::prev(next)->height;
     }
 
     const Slices& m_slices;
-    bool m_onSlices = true;
-    std::vector<Plane> m_planes; ///< ascending; none if all lie on slices
+    bool m_onSlices = false;
+    std::vector<Plane> m_planes; ///< ascending; without those that are slices
 };
 
 /// The plane nearest to a slice; null: none reaches it. Midway the upper one does.
@@ -206,25 +227,65 @@ const std::vector<const RtContour*>* planeAt(const Planes& planes, double height
     return off >= -reach && off < reach ? &nearest->second : nullptr;
 }
 
-VoxelRuns voxelsOf(const Planes& planes, const Slices& slices, double reachMm)
+/// What a region surrounds.
+struct Surrounded {
+    VoxelRuns voxels;
+    /// Voxels beyond the study, as if its slices went on; not whole where planes are thinner.
+    double outside = 0.0;
+};
+
+std::vector<SlicePolygon> polygonsOn(
+    int k, const std::vector<const RtContour*>& contours, const Slices& slices)
+{
+    std::vector<SlicePolygon> polygons;
+    for (const RtContour* contour : contours)
+        polygons.push_back(slices.polygonOn(k, *contour));
+    return polygons;
+}
+
+bool areInside(const std::vector<SlicePolygon>& polygons, const glm::ivec2& size)
+{
+    const glm::ivec2 last = (size - 1) << SlicePolygon::bits;
+    return std::all_of(polygons.begin(), polygons.end(), [&](const SlicePolygon& polygon) {
+        return std::all_of(polygon.points.begin(), polygon.points.end(), [&](const auto& point) {
+            return glm::all(glm::greaterThanEqual(point, glm::ivec2(0)))
+                && glm::all(glm::lessThanEqual(point, last));
+        });
+    });
+}
+
+Surrounded surroundedBy(const Planes& planes, const Slices& slices, const DrawnPlanes& drawn)
 {
     const glm::ivec3 size = slices.geometry().size;
-    VoxelRuns voxels;
+    const double reachMm = drawn.reachMm();
+    Surrounded made;
     for (int k = 0; k < size.z; ++k) {
         const auto* contours = planeAt(planes, slices.heightOf(k), reachMm);
         if (!contours)
             continue;
-        std::vector<SlicePolygon> polygons;
-        for (const RtContour* contour : *contours)
-            polygons.push_back(slices.polygonOn(k, *contour));
+        const std::vector<SlicePolygon> polygons = polygonsOn(k, *contours, slices);
         const std::uint64_t slice = std::uint64_t(k) * std::uint64_t(size.y);
+        std::uint64_t inside = 0;
         fillPolygons(polygons, {size.x, size.y}, [&](int row, int from, int to) {
-            voxels.append(
+            made.voxels.append(
                 (slice + std::uint64_t(row)) * std::uint64_t(size.x) + std::uint64_t(from),
                 std::uint64_t(to - from));
+            inside += std::uint64_t(to - from);
         });
+        if (!areInside(polygons, {size.x, size.y}))
+            made.outside += double(surroundedPixels(polygons, {size.x, size.y})) - double(inside);
     }
-    return voxels;
+    for (const auto& [height, contours] : planes) {
+        const double beyondMm = slices.beyondMm(mmOf(height));
+        if (beyondMm == 0.0)
+            continue;
+        // Of a plane that reaches into the study, what lies beyond it.
+        const double outMm = std::min(reachMm, beyondMm + reachMm / 2.0);
+        const auto polygons = polygonsOn(slices.endNear(mmOf(height)), contours, slices);
+        made.outside += double(surroundedPixels(polygons, {size.x, size.y}))
+            * (drawn.onSlices() ? 1.0 : outMm / slices.stepMm());
+    }
+    return made;
 }
 
 bool isClosed(const RtContour& contour)
@@ -280,17 +341,20 @@ Result<MaskOnVolume> readContourMask(
     MaskOnVolume mask;
     mask.notes = notesOnOrigin(set->patient.id, frameOfReference, volume);
     const DrawnPlanes drawn(*set, slices);
-    const double reachMm = drawn.reachMm();
     if (!drawn.onSlices())
-        mask.notes.push_back({.code = MaskNote::Code::BetweenSlices, .mm = reachMm / 2.0});
+        mask.notes.push_back({.code = MaskNote::Code::BetweenSlices, .mm = drawn.reachMm() / 2.0});
     QStringList without;
+    std::uint64_t inside = 0;
+    double outside = 0.0;
     for (const RtRoi& roi : set->rois) {
         if (progress.cancelled())
             return failure(ErrorCode::Cancelled);
         const QString name = roi.name.simplified().isEmpty()
             ? QStringLiteral("ROI %1").arg(roi.number)
             : roi.name.simplified();
-        VoxelRuns voxels = voxelsOf(drawn.of(roi), slices, reachMm);
+        auto [voxels, beyond] = surroundedBy(drawn.of(roi), slices, drawn);
+        inside += voxels.voxelCount();
+        outside += beyond;
         if (voxels.empty()) {
             without += name;
             continue;
@@ -300,6 +364,12 @@ Result<MaskOnVolume> readContourMask(
         mask.segments.push_back(
             {.name = name, .rgb = roi.rgb, .code = roi.code, .voxels = std::move(voxels)});
     }
+    // A file may have planes so far apart that no whole number holds what lies between them.
+    constexpr double most = 1e15;
+    const auto left = std::uint64_t(std::llround(std::min(outside, most)));
+    if (left != 0)
+        mask.notes.push_back(
+            {.code = MaskNote::Code::OutsideStudy, .some = left, .all = inside + left});
     if (!without.isEmpty() && !mask.segments.empty())
         mask.notes.push_back({.code = MaskNote::Code::NothingSurrounded, .names = without});
     return mask;

@@ -385,6 +385,60 @@ private Q_SLOTS:
         QCOMPARE(placesOf(mask->segments.front().voxels), expected);
     }
 
+    void outsideTheStudyIsCounted_data()
+    {
+        QTest::addColumn<double>("k"); // the slice of a contour of 4 × 3 voxels
+        QTest::addColumn<double>("left");
+        QTest::addColumn<double>("top");
+        QTest::addColumn<int>("outside");
+        QTest::newRow("inside") << 2.0 << -0.5 << -0.5 << 0;
+        QTest::newRow("up to the last voxel") << 4.0 << 15.5 << 12.5 << 0;
+        QTest::newRow("two columns before the first") << 0.0 << -2.5 << 3.5 << 6;
+        QTest::newRow("a row behind the last") << 1.0 << 3.5 << 13.5 << 4;
+        QTest::newRow("beside the slice") << 1.0 << 40.5 << -300.5 << 12;
+        QTest::newRow("a slice before the first") << -1.0 << 3.5 << 3.5 << 12;
+        QTest::newRow("far behind the last") << 90.0 << 3.5 << 3.5 << 12;
+    }
+    void outsideTheStudyIsCounted()
+    {
+        QFETCH(double, k);
+        QFETCH(double, left);
+        QFETCH(double, top);
+        QFETCH(int, outside);
+        QTemporaryDir folder;
+        const QString file = folder.filePath(QStringLiteral("a.dcm"));
+        const core::Volume volume = boxVolume();
+        const std::string inner = roundedData(volume, boxOf(3.5, 3.5, 6.5, 5.5), 3.0, 3);
+        const std::string other = roundedData(volume, boxOf(left, top, left + 4, top + 3), k, 3);
+        write(file, {{"Organ", {inner, other}}});
+        const auto mask = core::readMask(file, volume, {});
+        QVERIFY(mask);
+        QCOMPARE(mask->segments.front().voxels.voxelCount(), std::uint64_t(6 + 12 - outside));
+        std::vector<MaskNote> notes;
+        if (outside != 0)
+            notes.push_back(
+                {.code = MaskNote::Code::OutsideStudy, .some = std::uint64_t(outside), .all = 18});
+        QCOMPARE(mask->notes, notes);
+    }
+
+    /// Planes off the slices, 2 mm apart where these are 3 mm apart: the last ones begin 0.1 mm and
+    /// 2.1 mm beyond what is the last slice's.
+    void outsideBetweenSlices()
+    {
+        QTemporaryDir folder;
+        const QString file = folder.filePath(QStringLiteral("a.dcm"));
+        Drawn organ{.name = "Organ", .contours = {}};
+        for (int plane = 0; plane < 5; ++plane)
+            organ.contours.push_back(contourData(boxOf(3.5, 3.5, 6.5, 5.5), 108.6 + 2.0 * plane));
+        write(file, {organ});
+        const auto mask = core::readMask(file, boxVolume(), {});
+        QVERIFY(mask);
+        QCOMPARE(mask->notes.size(), std::size_t(2));
+        QVERIFY(mask->notes[0].code == MaskNote::Code::BetweenSlices);
+        QCOMPARE(
+            mask->notes[1], (MaskNote{.code = MaskNote::Code::OutsideStudy, .some = 8, .all = 20}));
+    }
+
     void refusals()
     {
         QTemporaryDir folder;
