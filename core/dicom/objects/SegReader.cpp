@@ -155,8 +155,11 @@ Result<SegFile> readSeg(const QString& path)
     for (const DcmTagKey& tag : {DCM_SliceThickness, DCM_SpacingBetweenSlices}) {
         bool isNumber = false;
         const double distance = measures.text(tag).toDouble(&isNumber);
-        if (isNumber && std::isfinite(distance) && distance > 0.0)
-            seg.planeDistance = distance;
+        if (!isNumber || !std::isfinite(distance) || distance <= 0.0)
+            continue;
+        seg.planeDistance = distance;
+        if (tag == DCM_SpacingBetweenSlices)
+            seg.spacingBetweenSlices = distance;
     }
     auto bits = segPixels(*file, path, seg);
     if (!bits)
