@@ -6,6 +6,7 @@
 #include "core/dicom/deidentify/Deidentifier.h"
 #include "core/dicom/write/CarvedSeriesWriter.h"
 #include "core/export/checks/CheckCarved.h"
+#include "core/export/common/LabelMap.h"
 #include "core/export/common/MaskSelection.h"
 #include "core/nifti/NiftiReader.h"
 #include "core/nifti/NiftiWriter.h"
@@ -92,6 +93,10 @@ Result<NiftiWritten> writeValues(
 Result<ExportReport> exportNifti(
     const Volume& volume, const CarvedRequest& request, double fill, ExportReport report)
 {
+    const Clause uneven = oneStepObstacle(volume, QStringLiteral("NIfTI"),
+        Clause::saying("a DICOM series keeps every slice in its place"), report.cautions);
+    if (!uneven.isEmpty())
+        return failure(ErrorCode::UnsupportedFormat, request.target, uneven);
     auto staged = stagedNifti(volume, request.target, request.force);
     if (!staged)
         return tl::unexpected(staged.error());
@@ -113,8 +118,6 @@ Result<ExportReport> exportNifti(
     if (volume.encoding.maxError > 0.0)
         report.cautions +=
             ReportSentence{ReportCode::ValuesRounded, {QString::number(volume.encoding.maxError)}};
-    if (!volume.geometry.slicePositions.empty())
-        report.cautions += ReportSentence{ReportCode::UnevenInNifti};
     if (auto done = staged->commit(); !done)
         return tl::unexpected(done.error());
     return report;
@@ -235,6 +238,14 @@ Result<ExportReport> exportCoverage(
     if (!isNiftiName(request.file))
         return failure(ErrorCode::UnsupportedFormat, request.file,
             Clause::saying("the name of a NIfTI file ends in .nii or .nii.gz"));
+    ExportReport report;
+    report.file = request.file;
+    report.written += ReportSentence{ReportCode::LayerCoverage, {request.layer}};
+    const Clause uneven = oneStepObstacle(volume, QStringLiteral("NIfTI"),
+        Clause::saying("opened with even spacing (a repair) the study has a step for all"),
+        report.cautions);
+    if (!uneven.isEmpty())
+        return failure(ErrorCode::UnsupportedFormat, request.file, uneven);
     auto staged = stagedNifti(volume, request.file, request.force);
     if (!staged)
         return tl::unexpected(staged.error());
@@ -249,9 +260,6 @@ Result<ExportReport> exportCoverage(
         staged->path(), volume, [&request](std::size_t i) { return double(request.coverage[i]); });
     if (!checked)
         return tl::unexpected(renamed(checked.error(), staged->path(), request.file));
-    ExportReport report;
-    report.file = request.file;
-    report.written += ReportSentence{ReportCode::LayerCoverage, {request.layer}};
     report.checked = *checked;
     const auto sum = sha256OfFile(staged->path());
     if (!sum)

@@ -28,8 +28,8 @@ struct CarvedRequest {
 /// derived from the study's own (core/dicom/write/CarvedSeriesWriter.h), as a new series of the
 /// same study; it is sent nowhere. The checksum in the report is that of the file, or of the images
 /// one after the other by name. Any thread. Errors: NothingToExport (nothing is carved),
-/// UnsupportedFormat (argument 1: why), FileExists, FileUnwritable, ExportMismatch, Cancelled, and
-/// those of reading the sources.
+/// UnsupportedFormat (argument 1: why; for NIfTI also slices too uneven), FileExists,
+/// FileUnwritable, ExportMismatch, Cancelled, and those of reading the sources.
 Result<ExportReport> exportCarvedVolume(
     const Volume& volume, const CarvedRequest& request, const Progress& progress);
 

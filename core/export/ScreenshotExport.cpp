@@ -25,7 +25,7 @@ Result<ReportLines> check(const QString& path, const Volume& volume, const Scree
     if (!headers)
         return tl::unexpected(headers.error());
     const SourceHeader& header = headers->front();
-    if (const Clause what = differenceOfPatients(read->patient, header.patient); !what.isEmpty())
+    if (const Clause what = differenceFromSource(read->patient, header.patient); !what.isEmpty())
         return mismatch(what);
     if (read->studyUid != header.studyUid || read->studyUid != volume.identity.studyUid)
         return mismatch(Clause::saying("the study"));

@@ -79,4 +79,33 @@ void fillPolygons(const std::vector<SlicePolygon>& polygons, const glm::ivec2& s
     }
 }
 
+std::uint64_t surroundedPixels(const std::vector<SlicePolygon>& polygons, const glm::ivec2& size)
+{
+    constexpr int around = 4096;
+    glm::ivec2 low(size + around);
+    glm::ivec2 high(-around);
+    for (const SlicePolygon& polygon : polygons) {
+        for (const glm::ivec2& point : polygon.points) {
+            low = glm::min(low, point >> SlicePolygon::bits);
+            high = glm::max(high, (point >> SlicePolygon::bits) + 1);
+        }
+    }
+    low = glm::max(low, glm::ivec2(-around));
+    constexpr int farthestPixel = 65536; // that slicePoint() gives, and that 32 bits leave room for
+    high = glm::min(high, glm::min(size + around, glm::ivec2(farthestPixel)));
+    // In bands, so that many edges need no more memory than in a slice.
+    constexpr int band = 512;
+    std::uint64_t pixels = 0;
+    for (int top = low.y; top < high.y && low.x < high.x; top += band) {
+        std::vector<SlicePolygon> moved = polygons;
+        for (SlicePolygon& polygon : moved) {
+            for (glm::ivec2& point : polygon.points)
+                point -= glm::ivec2(low.x, top) << SlicePolygon::bits;
+        }
+        fillPolygons(moved, {high.x - low.x, std::min(band, high.y - top)},
+            [&](int, int from, int to) { pixels += std::uint64_t(to - from); });
+    }
+    return pixels;
+}
+
 } // namespace core

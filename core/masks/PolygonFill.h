@@ -3,6 +3,7 @@
 
 #include <glm/glm.hpp>
 
+#include <cstdint>
 #include <functional>
 #include <vector>
 
@@ -23,5 +24,10 @@ struct SlicePolygon {
 /// @param span called with the row, the first column and one past the last, rows ascending
 void fillPolygons(const std::vector<SlicePolygon>& polygons, const glm::ivec2& size,
     const std::function<void(int row, int from, int to)>& span);
+
+/// How many such centres there are, also beyond the slice: on up to 4096 columns and rows around
+/// it.
+[[nodiscard]] std::uint64_t surroundedPixels(
+    const std::vector<SlicePolygon>& polygons, const glm::ivec2& size);
 
 } // namespace core

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <vector>
 
 namespace core {
@@ -51,12 +52,43 @@ bool isAcross(const FrameLattice& lattice, const VolumeGeometry& geometry)
     return true;
 }
 
+/// Whether the file names one of the volume's images as what it was drawn on.
+bool isDrawnOn(const SegFile& seg, const Volume& volume)
+{
+    std::set<QString> images(seg.referencedSopUids.begin(), seg.referencedSopUids.end());
+    for (const SegFrame& frame : seg.frames)
+        images.insert(frame.referencedSopUid);
+    images.erase(QString());
+    return std::any_of(volume.sources.begin(), volume.sources.end(),
+        [&](const SourceSlice& slice) { return images.count(slice.sopInstanceUid) != 0; });
+}
+
+/// Whether planes on slices of a volume, which lie @p stepMm apart, are those of thicker ones, so
+/// that slices between them belong to them too. Only SpacingBetweenSlices can tell: where frames
+/// without a pixel are left out, planes may be far apart on thin slices as well. Exporters state it
+/// wrongly, so it is believed only if it is clearly larger, if all planes lie on its steps, and if
+/// the file does not name images of this volume, whose slices are known.
+bool areThicker(
+    const SegFile& seg, const Volume& volume, const std::vector<double>& planes, double stepMm)
+{
+    constexpr double clearly = 1.5;
+    constexpr double off = 0.02;
+    const double spacing = seg.spacingBetweenSlices;
+    return stepMm > 0.0 && spacing >= clearly * stepMm
+        && std::all_of(planes.begin(), planes.end(),
+            [&](double plane) {
+                const double steps = (plane - planes.front()) / spacing;
+                return std::abs(steps - std::round(steps)) <= off;
+            })
+        && !isDrawnOn(seg, volume);
+}
+
 /// A file may contain only frames that are not empty, so the distances between frames do not tell
 /// how thick a plane is. If all frames coincide with slices of the volume, each belongs to its
-/// slice and to no other.
-Result<FrameLattice> latticeOf(
-    const SegFile& seg, const VolumeGeometry& geometry, const QString& path)
+/// slice and to no other, unless they are of thicker slices.
+Result<FrameLattice> latticeOf(const SegFile& seg, const Volume& volume, const QString& path)
 {
+    const VolumeGeometry& geometry = volume.geometry;
     const HeaderPlane& first = seg.frames.front().plane;
     FrameLattice lattice;
     lattice.normal = glm::cross(first.rowDirection, first.columnDirection);
@@ -96,6 +128,7 @@ Result<FrameLattice> latticeOf(
             return std::any_of(slices.begin(), slices.end(),
                 [&](double slice) { return std::abs(slice - plane) <= mostMm; });
         });
+    lattice.onSlices = lattice.onSlices && !areThicker(seg, volume, planes, step);
     const double apart = smallestStep(planes);
     const double spacing = geometry.spacingMm().z;
     const double own = seg.planeDistance > 0.0 ? seg.planeDistance : apart;
@@ -108,15 +141,14 @@ Result<FrameLattice> latticeOf(
 
 } // namespace
 
-Result<PlacedFrames> placedFrames(
-    const SegFile& seg, const VolumeGeometry& geometry, const QString& path)
+Result<PlacedFrames> placedFrames(const SegFile& seg, const Volume& volume, const QString& path)
 {
-    const Result<FrameLattice> lattice = latticeOf(seg, geometry, path);
+    const Result<FrameLattice> lattice = latticeOf(seg, volume, path);
     if (!lattice)
         return tl::unexpected(lattice.error());
     const glm::dmat4 toLattice = lattice->toLattice();
     PlacedFrames frames{
-        .lattice = *lattice, .toLattice = toLattice, .map = LatticeMap(geometry, toLattice)};
+        .lattice = *lattice, .toLattice = toLattice, .map = LatticeMap(volume.geometry, toLattice)};
     if (!frames.map.isSound())
         return failure(ErrorCode::UnsupportedFormat, path,
             Clause::saying("its pixels are out of all proportion to the study's"));

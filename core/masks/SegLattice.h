@@ -4,6 +4,7 @@
 #include "core/base/Result.h"
 #include "core/dicom/objects/SegReader.h"
 #include "core/masks/LatticeMap.h"
+#include "core/volume/Volume.h"
 
 #include <glm/glm.hpp>
 
@@ -16,7 +17,8 @@ struct FrameLattice {
     glm::dvec3 normal{0.0};
     glm::dmat4 world{1.0}; ///< lattice to world (LPS mm), where one step along the normal is 1 mm
     double planeMm = 1.0; ///< thickness of a plane; it reaches half of this to either side
-    bool onSlices = false; ///< whether every plane coincides with a slice of the volume
+    /// Whether every plane coincides with a slice of the volume and is as thick as one.
+    bool onSlices = false;
 
     [[nodiscard]] glm::dmat4 toLattice() const
     {
@@ -32,10 +34,11 @@ struct PlacedFrames {
     glm::dmat4 toLattice;
     LatticeMap map;
 };
-/// Places the frames on a volume. Errors: InvalidGeometry (of the first frame), UnsupportedFormat
-/// (frames of several orientations or spacings, or out of all proportion to the volume). All name
-/// the file.
+/// Places the frames on a volume. Planes of thicker slices that coincide with slices reach half of
+/// their distance to either side (SegLattice.cpp says when they are such). Errors: InvalidGeometry
+/// (of the first frame), UnsupportedFormat (frames of several orientations or spacings, or out of
+/// all proportion to the volume). All name the file.
 [[nodiscard]] Result<PlacedFrames> placedFrames(
-    const SegFile& seg, const VolumeGeometry& geometry, const QString& path);
+    const SegFile& seg, const Volume& volume, const QString& path);
 
 } // namespace core

@@ -94,7 +94,7 @@ Result<MaskOnVolume> readSegMask(
     const Result<SegFile> seg = readSeg(path);
     if (!seg)
         return tl::unexpected(seg.error());
-    const Result<PlacedFrames> frames = placedFrames(*seg, volume.geometry, path);
+    const Result<PlacedFrames> frames = placedFrames(*seg, volume, path);
     if (!frames)
         return tl::unexpected(frames.error());
     const auto& [lattice, toLattice, map] = *frames;
@@ -172,7 +172,7 @@ Result<ProbabilitiesOnVolume> readSegProbabilities(
     const Result<std::size_t> which = segmentNamed(*seg, segment, path);
     if (!which)
         return tl::unexpected(which.error());
-    const Result<PlacedFrames> frames = placedFrames(*seg, volume.geometry, path);
+    const Result<PlacedFrames> frames = placedFrames(*seg, volume, path);
     if (!frames)
         return tl::unexpected(frames.error());
     progress.report(ProgressStep::PlacingMask, 0, 1);

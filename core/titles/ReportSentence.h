@@ -90,7 +90,6 @@ enum class ReportCode : std::uint8_t {
     TiltInFile,
     TiltInSform,
     UnevenInFile,
-    UnevenInNifti,
     UnevenInVolumes,
     ValuesRounded,
     LabelMapsAreNew,

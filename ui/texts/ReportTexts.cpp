@@ -188,9 +188,6 @@ QString formOf(ReportCode code, std::int64_t count)
     case ReportCode::UnevenInFile:
         return ReportTexts::tr("The slices are not evenly spaced; in the %1 file, which has one "
                                "step for all, they lie up to %2 mm off.");
-    case ReportCode::UnevenInNifti:
-        return ReportTexts::tr(
-            "The slices are not evenly spaced; NIfTI has one step for all of them.");
     case ReportCode::UnevenInVolumes:
         return ReportTexts::tr("The slices are not evenly spaced: in volumes each counts half the "
                                "way to either neighbour.");

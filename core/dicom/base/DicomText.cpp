@@ -4,7 +4,7 @@
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dcspchrs.h>
 
-#include <QStringList>
+#include <QByteArrayList>
 
 #include <iconv.h>
 
@@ -35,28 +35,57 @@ std::optional<QString> convert(const QByteArray& bytes, const char* encoding)
     return QString::fromUtf8(output.constData(), output.size() - qsizetype(toLeft));
 }
 
+/// The parts between delimiters, with these at their ends. In a character of two bytes a
+/// delimiter's byte is none: 秀 is 3D 28 there, and 3D is '='.
+QByteArrayList delimitedParts(const QByteArray& bytes)
+{
+    QByteArrayList parts{QByteArray()};
+    bool twoBytes = false;
+    for (qsizetype i = 0; i < bytes.size(); ++i) {
+        if (bytes[i] == '\x1b' && i + 1 < bytes.size()
+            && (bytes[i + 1] == '$' || bytes[i + 1] == '('))
+            twoBytes = bytes[i + 1] == '$';
+        parts.back() += bytes[i];
+        if (!twoBytes && (bytes[i] == '=' || bytes[i] == '\\'))
+            parts += QByteArray();
+    }
+    return parts;
+}
+
 /// Japanese text with code extensions (PS3.5 6.1.2.5): DCMTK over glibc cannot open ISO 2022 IR 87
 /// and 159. Escapes make a component group ISO-2022-JP-2, bytes with the high bit JIS X 0201.
 std::optional<QString> japaneseText(const QByteArray& bytes)
 {
-    QStringList groups;
-    for (const QByteArray& group : bytes.split('=')) {
+    const QByteArrayList parts = delimitedParts(bytes);
+    QString all;
+    for (qsizetype i = 0; i < parts.size(); ++i) {
+        QByteArray part = parts[i];
+        // By itself, since a backslash is the yen sign in both encodings.
+        QString delimiter;
+        if (i + 1 < parts.size()) {
+            delimiter = QLatin1Char(part.back());
+            part.chop(1);
+        }
         const std::optional<QString> text =
-            convert(group, group.contains('\x1b') ? "ISO-2022-JP-2" : "SHIFT_JIS");
+            convert(part, part.contains('\x1b') ? "ISO-2022-JP-2" : "SHIFT_JIS");
         if (!text)
             return std::nullopt;
-        groups.append(*text);
+        all += *text + delimiter;
     }
-    return groups.join(QLatin1Char('=')).trimmed();
+    return all.trimmed();
 }
 
 } // namespace
 
+bool isPlainText(const QByteArray& bytes)
+{
+    return std::all_of(
+        bytes.begin(), bytes.end(), [](char byte) { return (byte & 0x80) == 0 && byte != 0x1b; });
+}
+
 QString dicomText(const QByteArray& bytes, const QByteArray& characterSet)
 {
-    const bool plain = std::all_of(
-        bytes.begin(), bytes.end(), [](char byte) { return (byte & 0x80) == 0 && byte != 0x1b; });
-    if (plain)
+    if (isPlainText(bytes))
         return QString::fromLatin1(bytes).trimmed();
     DcmSpecificCharacterSet converter;
     OFString utf8;
@@ -71,6 +100,9 @@ QString dicomText(const QByteArray& bytes, const QByteArray& characterSet)
         if (const std::optional<QString> japanese = japaneseText(bytes))
             return *japanese;
     }
+    // Text of another character set is hardly ever UTF-8 by chance.
+    if (const std::optional<QString> unicode = convert(bytes, "UTF-8"))
+        return unicode->trimmed();
     return QString::fromLatin1(bytes).trimmed();
 }
 

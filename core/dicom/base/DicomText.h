@@ -9,10 +9,14 @@
 
 namespace core {
 
+/// Whether text is the same in every character set: ASCII without escape sequences.
+[[nodiscard]] bool isPlainText(const QByteArray& bytes);
+
 /// Converts text of a data set to Unicode.
 ///
 /// @param characterSet value of SpecificCharacterSet (0008,0005). If the text cannot be converted,
-/// its bytes are taken as Latin-1: a wrong-looking name is better than a study that does not open.
+/// it is taken as UTF-8, and if it is none, its bytes are taken as Latin-1: a wrong-looking name is
+/// better than a study that does not open.
 [[nodiscard]] QString dicomText(const QByteArray& bytes, const QByteArray& characterSet);
 
 /// A decimal string (VR DS or IS) as defined in PS3.5, independent of the locale; none if it is not

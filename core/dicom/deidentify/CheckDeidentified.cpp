@@ -88,7 +88,7 @@ private:
             if (uids && isUid && text.split(QLatin1Char('\\')).contains(word))
                 return true;
             // A short word may be part of any other; UIDs are digits of which chance holds many.
-            if (!uids && word.size() >= 4 && text.contains(word, Qt::CaseInsensitive))
+            if (!uids && isSoughtWithinWords(word) && text.contains(word, Qt::CaseInsensitive))
                 return true;
         }
         return false;

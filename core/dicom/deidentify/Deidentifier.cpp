@@ -3,6 +3,7 @@
 
 #include "core/dicom/base/DicomFile.h"
 #include "core/dicom/base/NewUid.h"
+#include "core/dicom/base/TextsToUtf8.h"
 #include "core/dicom/deidentify/DeidentifiedTags.h"
 #include "core/dicom/items/ConditionChain.h"
 #include "core/dicom/items/PatientHeader.h"
@@ -24,8 +25,6 @@ namespace core {
 
 namespace {
 
-/// Shorter ones are parts of ordinary words, and are looked for only as whole words.
-constexpr qsizetype longEnough = 4;
 constexpr const char* standardRoot = "1.2.840.10008.";
 
 QByteArray keyed(const QByteArray& secret, const QByteArray& text)
@@ -35,7 +34,8 @@ QByteArray keyed(const QByteArray& secret, const QByteArray& text)
 
 void addWords(QStringList& words, const QString& text)
 {
-    static const QRegularExpression gaps(QStringLiteral("[\\s^=,\\\\]+"));
+    // The last is the blank of Japanese text.
+    static const QRegularExpression gaps(QStringLiteral("[\\s^=,\\\\\\x{3000}]+"));
     for (const QString& word : text.split(gaps, Qt::SkipEmptyParts)) {
         if (word.size() > 1 && !words.contains(word, Qt::CaseInsensitive))
             words += word;
@@ -46,7 +46,7 @@ QString without(QString text, const QStringList& words)
 {
     for (const QString& word : words) {
         const QString quoted = QRegularExpression::escape(word);
-        const QString pattern = word.size() >= longEnough
+        const QString pattern = isSoughtWithinWords(word)
             ? quoted
             : QStringLiteral("(?<![\\p{L}\\p{N}])%1(?![\\p{L}\\p{N}])").arg(quoted);
         text.remove(QRegularExpression(pattern,
@@ -86,6 +86,23 @@ void collectWords(DcmItem& item, QStringList& words)
 }
 
 } // namespace
+
+bool isSoughtWithinWords(const QString& word)
+{
+    constexpr qsizetype longEnough = 4;
+    return word.size() >= longEnough || std::any_of(word.begin(), word.end(), [](QChar letter) {
+        switch (letter.script()) {
+        case QChar::Script_Han:
+        case QChar::Script_Hiragana:
+        case QChar::Script_Katakana:
+        case QChar::Script_Hangul:
+        case QChar::Script_Thai:
+            return true;
+        default:
+            return false;
+        }
+    });
+}
 
 Deidentifier::Deidentifier(
     const DeidentifyOptions& options, const StudyIdentity& patient, QByteArray secret)
@@ -285,7 +302,7 @@ void Deidentifier::applyToItem(DcmItem& item, const Pass& pass) const
 
 void Deidentifier::apply(DcmDataset& set, const QStringList& settled) const
 {
-    set.convertToUTF8();
+    textsToUtf8(set);
     OFString manufacturer;
     set.findAndGetOFString(DCM_Manufacturer, manufacturer);
     Pass pass{.words = m_words, .settled = settled, .ours = manufacturer == "Burin"};

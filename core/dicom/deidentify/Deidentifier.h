@@ -76,6 +76,10 @@ private:
     QStringList m_words;
 };
 
+/// Whether a word of somebody's identity is looked for within other words too. Short ones are parts
+/// of ordinary words, but not in scripts that write a name and what follows it without a gap.
+[[nodiscard]] bool isSoughtWithinWords(const QString& word);
+
 /// Opens what was written and searches every text and UID in it, including sequences.
 /// @returns what was checked, as a sentence
 /// Errors: ExportMismatch (argument 1: the attribute with a forbidden word), and those of reading.

@@ -148,6 +148,16 @@ QString singleValueText(const QString& text, int length)
     return clean.trimmed().left(length).trimmed();
 }
 
+QString keptPatientName(const QString& name)
+{
+    return normalised(name, Kind::Name).value_or(QString());
+}
+
+QString keptPatientId(const QString& id)
+{
+    return normalised(id, Kind::LongText).value_or(QString());
+}
+
 tl::expected<std::unique_ptr<DcmDataset>, Clause> cleanPatientHeader(
     DcmDataset& source, ReportLines& notes)
 {

@@ -24,6 +24,10 @@ namespace core {
 tl::expected<std::unique_ptr<DcmDataset>, Clause> cleanPatientHeader(
     DcmDataset& source, ReportLines& notes);
 
+/// A patient's name and ID as cleanPatientHeader() keeps them; empty if it leaves them out.
+[[nodiscard]] QString keptPatientName(const QString& name);
+[[nodiscard]] QString keptPatientId(const QString& id);
+
 /// Adds, without values, attributes that every object must have (type 2) and that
 /// cleanPatientHeader() leaves out if the source lacks them.
 void completePatientHeader(DcmDataset& set, ConditionChain& chain);

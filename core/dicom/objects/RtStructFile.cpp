@@ -2,6 +2,7 @@
 #include "core/dicom/objects/RtStructFile.h"
 
 #include "core/dicom/base/DicomFile.h"
+#include "core/dicom/base/TextsToUtf8.h"
 #include "core/dicom/source/PatientAndPlane.h"
 
 #include <QHash>
@@ -120,7 +121,7 @@ Result<RtStructFile> readRtStruct(const QString& path)
 
     RtStructFile read;
     read.patient = readHeaderPatient(set);
-    set.convertToUTF8();
+    textsToUtf8(set);
     read.studyUid = reader.text(DCM_StudyInstanceUID);
     const ItemReader frame = reader.item(DCM_ReferencedFrameOfReferenceSequence);
     read.frameOfReferenceUid = frame.text(DCM_FrameOfReferenceUID);

@@ -2,6 +2,7 @@
 #include "core/dicom/objects/SegReader.h"
 
 #include "core/dicom/base/DicomFile.h"
+#include "core/dicom/base/TextsToUtf8.h"
 #include "core/dicom/objects/SegPixels.h"
 #include "core/dicom/source/PatientAndPlane.h"
 
@@ -110,7 +111,7 @@ Result<SegFile> readSeg(const QString& path)
         return tl::unexpected<Error>(typed.error());
 
     seg.patient = readHeaderPatient(dataset);
-    dataset.convertToUTF8();
+    textsToUtf8(dataset);
     seg.studyUid = reader.text(DCM_StudyInstanceUID);
     seg.seriesUid = reader.text(DCM_SeriesInstanceUID);
     seg.sopInstanceUid = reader.text(DCM_SOPInstanceUID);
@@ -154,8 +155,11 @@ Result<SegFile> readSeg(const QString& path)
     for (const DcmTagKey& tag : {DCM_SliceThickness, DCM_SpacingBetweenSlices}) {
         bool isNumber = false;
         const double distance = measures.text(tag).toDouble(&isNumber);
-        if (isNumber && std::isfinite(distance) && distance > 0.0)
-            seg.planeDistance = distance;
+        if (!isNumber || !std::isfinite(distance) || distance <= 0.0)
+            continue;
+        seg.planeDistance = distance;
+        if (tag == DCM_SpacingBetweenSlices)
+            seg.spacingBetweenSlices = distance;
     }
     auto bits = segPixels(*file, path, seg);
     if (!bits)

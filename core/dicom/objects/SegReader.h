@@ -53,6 +53,7 @@ struct SegFile {
     std::vector<SegFrame> frames;
     /// SpacingBetweenSlices, else SliceThickness; 0: neither is present
     double planeDistance = 0.0;
+    double spacingBetweenSlices = 0.0; ///< 0: not stated
     int fullPixel = 1; ///< for a fractional SEG: MaximumFractionalValue
     int bitsPerPixel = 1; ///< 1, 8 or 16
     /// PS3.5 8.1.1: least significant bit and byte first, frames without gaps.

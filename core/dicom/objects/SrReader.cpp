@@ -3,6 +3,7 @@
 
 #include "core/dicom/base/DicomFile.h"
 #include "core/dicom/base/DicomText.h"
+#include "core/dicom/base/TextsToUtf8.h"
 #include "core/dicom/source/PatientAndPlane.h"
 
 #include <dcmtk/config/osconfig.h>
@@ -73,7 +74,7 @@ Result<SrFile> readSr(const QString& path)
         return tl::unexpected<Error>(header.error());
     SrFile report;
     report.patient = readHeaderPatient(set);
-    set.convertToUTF8();
+    textsToUtf8(set);
     const ItemReader reader(&set);
     if (codeIn(reader, DCM_ConceptNameCodeSequence) != QLatin1String("126000"))
         return failure(ErrorCode::UnsupportedFormat, path, Clause::saying("no measurement report"));

@@ -115,7 +115,7 @@ struct Check {
             if (sliceOfInstance.contains(key))
                 return mismatch(Clause::saying("two slices come from one image"));
             sliceOfInstance.insert(key, int(k));
-            if (const Clause what = differenceOfPatients(set.patient, header.patient);
+            if (const Clause what = differenceFromSource(set.patient, header.patient);
                 !what.isEmpty())
                 return mismatch(what);
             if (set.studyUid != header.studyUid)

@@ -211,7 +211,7 @@ Result<ReportLines> checkSegExport(
             != (volume.identity.frameOfReferenceUid.isEmpty() ? QString()
                                                               : header.frameOfReferenceUid))
             return atFrame(Clause::saying("frame of reference"));
-        if (const Clause what = differenceOfPatients(seg.patient, header.patient); !what.isEmpty())
+        if (const Clause what = differenceFromSource(seg.patient, header.patient); !what.isEmpty())
             return atFrame(what);
         if (seg.studyUid != header.studyUid)
             return atFrame(QStringLiteral("study"));

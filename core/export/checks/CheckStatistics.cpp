@@ -274,7 +274,7 @@ Result<std::vector<SegmentNumbers>> saidInReport(
     const auto report = readSr(file);
     if (!report)
         return tl::unexpected(report.error());
-    if (const Clause what = differenceOfPatients(report->patient, headers->front().patient);
+    if (const Clause what = differenceFromSource(report->patient, headers->front().patient);
         !what.isEmpty())
         return mismatch(what);
     if (report->studyUid != headers->front().studyUid)

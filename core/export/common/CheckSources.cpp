@@ -2,6 +2,7 @@
 #include "core/export/common/CheckSources.h"
 
 #include "core/dicom/deidentify/Deidentifier.h"
+#include "core/dicom/items/PatientHeader.h"
 
 #include <algorithm>
 
@@ -85,6 +86,14 @@ Clause differenceOfPatients(const HeaderPatient& a, const HeaderPatient& b)
     if (!a.birthDate.isEmpty() && !b.birthDate.isEmpty() && a.birthDate != b.birthDate)
         return Clause::saying("the patient's birth date");
     return {};
+}
+
+Clause differenceFromSource(const HeaderPatient& written, const HeaderPatient& source)
+{
+    return differenceOfPatients(written,
+        {.name = keptPatientName(source.name),
+            .id = keptPatientId(source.id),
+            .birthDate = source.birthDate});
 }
 
 double positionToleranceMm(const VolumeGeometry& geometry)

@@ -29,6 +29,11 @@ Result<std::vector<SourceHeader>> checkedSourceHeaders(
 /// The difference between two patients, as a clause; empty if there is none.
 [[nodiscard]] Clause differenceOfPatients(const HeaderPatient& a, const HeaderPatient& b);
 
+/// The same for an object that was written and its source, of whose name and ID it has what DICOM
+/// can hold; the report says what was normalised or left out.
+[[nodiscard]] Clause differenceFromSource(
+    const HeaderPatient& written, const HeaderPatient& source);
+
 /// The greatest allowed difference between positions in a header and in the volume. It covers
 /// rounding in decimal strings and of the least-squares line through the slices, and is far below
 /// half a voxel.

@@ -29,19 +29,13 @@ double unevennessMm(const VolumeGeometry& geometry)
 Result<LabelMap> emptyMap(const Volume& volume, const ExportRequest& request,
     const MaskSelection& selection, const QString& format, ExportReport& report)
 {
-    const VolumeGeometry& geometry = volume.geometry;
     const auto unsupported = [&](const Clause& what) {
         return failure(ErrorCode::UnsupportedFormat, request.file, what);
     };
-    const double uneven = unevennessMm(geometry);
-    if (uneven > unevenLimit * geometry.spacingMm().z)
-        return unsupported(
-            Clause::saying("%1 has one step for all slices, and these stray from it by up to %2 "
-                           "mm; DICOM SEG keeps every slice in its place",
-                format, QString::number(uneven, 'f', 2)));
-    if (uneven > 0.0)
-        report.cautions +=
-            ReportSentence{ReportCode::UnevenInFile, {format, QString::number(uneven, 'f', 3)}};
+    const Clause uneven = oneStepObstacle(volume, format,
+        Clause::saying("DICOM SEG keeps every slice in its place"), report.cautions);
+    if (!uneven.isEmpty())
+        return unsupported(uneven);
     LabelMap map;
     map.layerOf.resize(selection.segments.size(), 0);
     std::bitset<256> used;
@@ -79,6 +73,20 @@ ReportSentence gridName(const Volume& volume)
     return volume.asIs && volume.sources.empty()
         ? ReportSentence{ReportCode::RepairedGrid, {volume.repair}}
         : ReportSentence{ReportCode::SourceGrid};
+}
+
+Clause oneStepObstacle(
+    const Volume& volume, const QString& format, const Clause& instead, ReportLines& cautions)
+{
+    const double uneven = unevennessMm(volume.geometry);
+    if (uneven > unevenLimit * volume.geometry.spacingMm().z)
+        return Clause::saying(
+            "%1 has one step for all slices, and these stray from it by up to %2 mm; %3", format,
+            QString::number(uneven, 'f', 2), instead);
+    if (uneven > 0.0)
+        cautions +=
+            ReportSentence{ReportCode::UnevenInFile, {format, QString::number(uneven, 'f', 3)}};
+    return {};
 }
 
 Result<LabelMap> labelMapOf(const Volume& volume, const ExportRequest& request,

@@ -20,6 +20,14 @@ struct LabelMap {
 /// "the source's grid", or the name of the repaired grid.
 [[nodiscard]] ReportSentence gridName(const Volume& volume);
 
+/// The reason why a volume cannot be written to a file with one step for all slices: they are so
+/// uneven that they would lie more than a tenth of it off. Empty if it can be; if they lie off at
+/// all, a caution is added that says how far.
+/// @param format its name, for the sentences
+/// @param instead what keeps the slices in their places, as a clause
+[[nodiscard]] Clause oneStepObstacle(
+    const Volume& volume, const QString& format, const Clause& instead, ReportLines& cautions);
+
 /// Makes the map for formats with one number per voxel and one distance for all slices. If slices
 /// are uneven, the report says what that means for the reader.
 /// @param format its name, for the sentences

@@ -5,6 +5,7 @@
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/series/SyntheticSeries.h"
+#include "ui/texts/ReportTexts.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 
@@ -309,6 +310,42 @@ private Q_SLOTS:
         QCOMPARE(image.intent(), 0); // no labels
         for (std::size_t i = 0; i < opened.coverage.size(); ++i)
             QCOMPARE(image.voxel<std::uint8_t>(i), opened.coverage[i]);
+    }
+
+    /// NIfTI has one step for all slices, also for what is no mask.
+    void unevenSlices()
+    {
+        test::SyntheticSeries series;
+        for (int k = 0; k < series.size.z; ++k)
+            series.positions.emplace_back(0.0, 0.0, 2.5 * k);
+        series.positions[3].z += 0.1;
+        const auto coverage = [](const Opened& opened) {
+            return exportCoverage(opened.study.volume,
+                {.file = opened.target("coverage.nii"),
+                    .force = false,
+                    .layer = QStringLiteral("Approach"),
+                    .coverage = opened.coverage},
+                Progress());
+        };
+        const Opened little(series);
+        for (const Result<ExportReport>& report :
+            {coverage(little), little.write(little.target("carved.nii"))}) {
+            QVERIFY2(report, qPrintable(report ? QString() : messageOf(report.error())));
+            const QString cautions = ui::reportTexts(report->cautions).join(u' ');
+            QVERIFY2(cautions.contains(QStringLiteral("0.1")), qPrintable(cautions));
+        }
+        series.positions.back().z += 5.0;
+        const Opened much(series);
+        for (const Result<ExportReport>& report :
+            {coverage(much), much.write(much.target("carved.nii"))}) {
+            QVERIFY(!report);
+            QCOMPARE(report.error().code, ErrorCode::UnsupportedFormat);
+            QVERIFY2(report.error().arguments.value(1).contains(QStringLiteral("stray from it")),
+                qPrintable(messageOf(report.error())));
+        }
+        QVERIFY(!QFile::exists(much.target("coverage.nii")));
+        QVERIFY(!QFile::exists(much.target("carved.nii")));
+        QVERIFY(much.write(much.target("carved")));
     }
 
     /// What cannot be exact is refused, and nothing is left behind.

@@ -129,6 +129,7 @@ private Q_SLOTS:
     void whatIsKeptIsSaid();
     void oneMappingForAll();
     void namesAreCleaned();
+    void japaneseNamesAreCleaned();
     void picturesWithTextAreRefused();
     void aNameThatWasLeftIsFound();
     void wordsOfTheStandardAreNoNames();
@@ -322,6 +323,46 @@ void DeidentifiedExportTest::namesAreCleaned()
         {.dates = DeidentifyOptions::Dates::Shift, .shiftDays = -1}, patient, "secret");
     QCOMPARE(shifted.date(QStringLiteral("20200301")), QStringLiteral("20200229"));
     QCOMPARE(shifted.date(QStringLiteral("nonsense")), QString());
+}
+
+/// In a character set that DCMTK cannot convert here, and without gaps between words.
+void DeidentifiedExportTest::japaneseNamesAreCleaned()
+{
+    QTemporaryDir folder;
+    test::SyntheticSeries series;
+    series.adjust = [](DcmDataset& set, int) {
+        set.putAndInsertString(DCM_SpecificCharacterSet, "\\ISO 2022 IR 87");
+        set.putAndInsertString(DCM_PatientName, "Yamada^Tarou=\033$B;3ED\033(B^\033$BB@O:\033(B");
+        set.putAndInsertString(DCM_SeriesDescription, "\033$B;3EDB@O:F,It\033(B CT");
+        set.putAndInsertString(DCM_StudyDescription, "\033$BF,It\033(B \033$B;3ED\033(B");
+    };
+    test::writeSeries(series, folder.filePath(QStringLiteral("study")));
+    const auto study = loadVolume(folder.filePath(QStringLiteral("study")));
+    QVERIFY(study);
+    const std::vector<std::uint8_t> coverage(study->codes.size(), 255);
+    const auto by = std::make_shared<Deidentifier>(
+        DeidentifyOptions{.keepDescriptions = true}, study->volume.identity);
+    const auto made = exportCarvedVolume(study->volume,
+        {.target = folder.filePath(QStringLiteral("out")),
+            .coverage = coverage,
+            .codes = study->codes,
+            .fill = -1000.0,
+            .deidentifier = by},
+        {});
+    QVERIFY2(made, qPrintable(made ? QString() : messageOf(made.error())));
+    const QString image = folder.filePath(QStringLiteral("out/IM0001.dcm"));
+    QCOMPARE(valueIn(image, DCM_SpecificCharacterSet), QStringLiteral("ISO_IR 192"));
+    QCOMPARE(valueIn(image, DCM_SeriesDescription), QStringLiteral("頭部 CT CARVED"));
+    QCOMPARE(valueIn(image, DCM_StudyDescription), QStringLiteral("頭部"));
+    QCOMPARE(valueIn(image, DCM_PatientName), QStringLiteral("Anonymous"));
+
+    // The check would find it, though it is short.
+    DcmFileFormat format;
+    QVERIFY(format.loadFile(QFile::encodeName(image).constData()).good());
+    format.getDataset()->putAndInsertString(
+        DCM_SeriesDescription, QStringLiteral("山田様頭部").toUtf8().constData());
+    QVERIFY(format.saveFile(QFile::encodeName(image).constData()).good());
+    QVERIFY(!checkDeidentified(image, *by));
 }
 
 void DeidentifiedExportTest::picturesWithTextAreRefused()

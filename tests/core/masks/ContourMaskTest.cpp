@@ -74,6 +74,38 @@ std::string contourData(const std::vector<glm::dvec2>& points, double zMm)
     return text;
 }
 
+/// Five slices that lie along no axis, 3 mm apart.
+core::Volume obliqueVolume()
+{
+    core::Volume volume;
+    volume.geometry.size = {20, 16, 5};
+    const glm::dvec3 row = glm::normalize(glm::dvec3(0.8, 0.5, 0.33));
+    const glm::dvec3 column =
+        glm::normalize(glm::cross(glm::normalize(glm::dvec3(-0.2, -0.6, 0.9)), row));
+    volume.geometry.indexToWorld = glm::dmat4(glm::dvec4(2.0 * row, 0), glm::dvec4(1.5 * column, 0),
+        glm::dvec4(3.0 * glm::cross(row, column), 0), glm::dvec4(-31.37, 17.13, 101.77, 1));
+    return volume;
+}
+
+/// A contour by columns and rows of a volume, at a place between its slices, in coordinates with so
+/// many decimals.
+std::string roundedData(
+    const core::Volume& volume, const std::vector<glm::dvec2>& points, double k, int decimals)
+{
+    QByteArray text;
+    for (const glm::dvec2& point : points) {
+        const glm::dvec3 lps = volume.geometry.toWorld({point.x, point.y, k});
+        for (int axis = 0; axis < 3; ++axis)
+            text += (text.isEmpty() ? "" : "\\") + QByteArray::number(lps[axis], 'f', decimals);
+    }
+    return text.toStdString();
+}
+
+std::vector<glm::dvec2> boxOf(double left, double top, double right, double bottom)
+{
+    return {{left, top}, {right, top}, {right, bottom}, {left, bottom}};
+}
+
 struct Drawn {
     std::string name;
     std::vector<std::string> contours;
@@ -261,6 +293,150 @@ private Q_SLOTS:
         for (const std::uint64_t place : placesOf(mask->segments.front().voxels))
             slices.insert(place / (20 * 16));
         QCOMPARE(slices, (std::set<std::uint64_t>{1, 2}));
+    }
+
+    void roundedCoordinates_data()
+    {
+        QTest::addColumn<int>("decimals");
+        QTest::newRow("two decimals") << 2;
+        QTest::newRow("one decimal") << 1;
+    }
+    /// Each contour of a slice has a height of its own then, by the rounding of its points.
+    void roundedCoordinates()
+    {
+        QFETCH(int, decimals);
+        QTemporaryDir folder;
+        const QString file = folder.filePath(QStringLiteral("a.dcm"));
+        const core::Volume volume = obliqueVolume();
+        Drawn organ{.name = "Organ", .contours = {}};
+        std::set<std::uint64_t> expected;
+        for (int k = 0; k < 5; ++k) {
+            organ.contours.push_back(roundedData(volume, boxOf(1.5, 1.5, 10.5, 12.5), k, decimals));
+            organ.contours.push_back(roundedData(volume, boxOf(3.5, 4.5, 6.5, 7.5), k, decimals));
+            organ.contours.push_back(
+                roundedData(volume, boxOf(13.5, 2.5, 17.5, 5.5 + k), k, decimals));
+            for (int row = 2; row <= 12; ++row) {
+                for (int column = 2; column <= 17; ++column) {
+                    const bool hole = column > 3 && column < 7 && row > 4 && row < 8;
+                    const bool part = column > 13 && row > 2 && row < 6 + k;
+                    if ((column < 11 && !hole) || part)
+                        expected.insert(placeAt(column, row, k));
+                }
+            }
+        }
+        write(file, {organ});
+        const auto mask = core::readMask(file, volume, {});
+        QVERIFY2(mask, qPrintable(mask ? QString() : mask.error().arguments.join(u' ')));
+        QCOMPARE(placesOf(mask->segments.front().voxels), expected);
+        QCOMPARE(mask->notes, std::vector<MaskNote>{});
+    }
+
+    /// Off the slices, too, the contours of a plane are together.
+    void roundedCoordinatesBetweenSlices()
+    {
+        QTemporaryDir folder;
+        const QString file = folder.filePath(QStringLiteral("a.dcm"));
+        const core::Volume volume = obliqueVolume();
+        Drawn one{.name = "Ring", .contours = {}};
+        Drawn other{.name = "Part", .contours = {}};
+        for (int k = 0; k < 4; ++k) {
+            one.contours.push_back(roundedData(volume, boxOf(1.5, 1.5, 10.5, 12.5), k + 0.3, 2));
+            one.contours.push_back(roundedData(volume, boxOf(3.5, 4.5, 6.5, 7.5), k + 0.3, 2));
+            other.contours.push_back(roundedData(volume, boxOf(13.5, 2.5, 17.5, 5.5), k + 0.3, 2));
+        }
+        write(file, {one, other});
+        const auto mask = core::readMask(file, volume, {});
+        QVERIFY(mask);
+        QCOMPARE(mask->notes.size(), std::size_t(1));
+        QVERIFY(mask->notes.front().code == MaskNote::Code::BetweenSlices);
+        QVERIFY(std::abs(mask->notes.front().mm - 1.5) < 0.05);
+        QCOMPARE(mask->segments.size(), std::size_t(2));
+        QCOMPARE(mask->segments[0].voxels.voxelCount(), std::uint64_t(4 * (9 * 11 - 3 * 3)));
+        QCOMPARE(mask->segments[1].voxels.voxelCount(), std::uint64_t(4 * 4 * 3));
+    }
+
+    /// Planes that really lie closer together than the study's slices.
+    void finePlanesStayApart()
+    {
+        QTemporaryDir folder;
+        const QString file = folder.filePath(QStringLiteral("a.dcm"));
+        core::Volume volume = boxVolume();
+        volume.geometry.indexToWorld[2].z = 5.0;
+        Drawn organ{.name = "Organ", .contours = {}};
+        std::set<std::uint64_t> expected;
+        for (int plane = 0; plane <= 66; ++plane)
+            organ.contours.push_back(
+                roundedData(volume, boxOf(1.5, 1.5, 4.5 + plane % 3, 5.5), 0.06 * plane, 2));
+        // Slices at 0, 5, 10, 15 and 20 mm: the planes at 0, 5.1, 9.9, 15 and 19.8 mm, of which the
+        // last is too far away.
+        const int planes[] = {0, 17, 33, 50};
+        for (int k = 0; k < 4; ++k) {
+            for (int row = 2; row <= 5; ++row) {
+                for (int column = 2; column <= 4 + planes[k] % 3; ++column)
+                    expected.insert(placeAt(column, row, k));
+            }
+        }
+        write(file, {organ});
+        const auto mask = core::readMask(file, volume, {});
+        QVERIFY(mask);
+        QCOMPARE(mask->notes.size(), std::size_t(1));
+        QVERIFY(mask->notes.front().code == MaskNote::Code::BetweenSlices);
+        QVERIFY(std::abs(mask->notes.front().mm - 0.15) < 1e-6);
+        QCOMPARE(placesOf(mask->segments.front().voxels), expected);
+    }
+
+    void outsideTheStudyIsCounted_data()
+    {
+        QTest::addColumn<double>("k"); // the slice of a contour of 4 × 3 voxels
+        QTest::addColumn<double>("left");
+        QTest::addColumn<double>("top");
+        QTest::addColumn<int>("outside");
+        QTest::newRow("inside") << 2.0 << -0.5 << -0.5 << 0;
+        QTest::newRow("up to the last voxel") << 4.0 << 15.5 << 12.5 << 0;
+        QTest::newRow("two columns before the first") << 0.0 << -2.5 << 3.5 << 6;
+        QTest::newRow("a row behind the last") << 1.0 << 3.5 << 13.5 << 4;
+        QTest::newRow("beside the slice") << 1.0 << 40.5 << -300.5 << 12;
+        QTest::newRow("a slice before the first") << -1.0 << 3.5 << 3.5 << 12;
+        QTest::newRow("far behind the last") << 90.0 << 3.5 << 3.5 << 12;
+    }
+    void outsideTheStudyIsCounted()
+    {
+        QFETCH(double, k);
+        QFETCH(double, left);
+        QFETCH(double, top);
+        QFETCH(int, outside);
+        QTemporaryDir folder;
+        const QString file = folder.filePath(QStringLiteral("a.dcm"));
+        const core::Volume volume = boxVolume();
+        const std::string inner = roundedData(volume, boxOf(3.5, 3.5, 6.5, 5.5), 3.0, 3);
+        const std::string other = roundedData(volume, boxOf(left, top, left + 4, top + 3), k, 3);
+        write(file, {{"Organ", {inner, other}}});
+        const auto mask = core::readMask(file, volume, {});
+        QVERIFY(mask);
+        QCOMPARE(mask->segments.front().voxels.voxelCount(), std::uint64_t(6 + 12 - outside));
+        std::vector<MaskNote> notes;
+        if (outside != 0)
+            notes.push_back(
+                {.code = MaskNote::Code::OutsideStudy, .some = std::uint64_t(outside), .all = 18});
+        QCOMPARE(mask->notes, notes);
+    }
+
+    /// Planes off the slices, 2 mm apart where these are 3 mm apart: the last ones begin 0.1 mm and
+    /// 2.1 mm beyond what is the last slice's.
+    void outsideBetweenSlices()
+    {
+        QTemporaryDir folder;
+        const QString file = folder.filePath(QStringLiteral("a.dcm"));
+        Drawn organ{.name = "Organ", .contours = {}};
+        for (int plane = 0; plane < 5; ++plane)
+            organ.contours.push_back(contourData(boxOf(3.5, 3.5, 6.5, 5.5), 108.6 + 2.0 * plane));
+        write(file, {organ});
+        const auto mask = core::readMask(file, boxVolume(), {});
+        QVERIFY(mask);
+        QCOMPARE(mask->notes.size(), std::size_t(2));
+        QVERIFY(mask->notes[0].code == MaskNote::Code::BetweenSlices);
+        QCOMPARE(
+            mask->notes[1], (MaskNote{.code = MaskNote::Code::OutsideStudy, .some = 8, .all = 20}));
     }
 
     void refusals()

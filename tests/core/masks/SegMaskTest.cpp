@@ -375,6 +375,21 @@ private Q_SLOTS:
             qPrintable(mask.error().arguments.value(1)));
     }
 
+    void namesInOtherCharacterSets()
+    {
+        const Exported on(evenSeries());
+        on.change([](DcmDataset& set) {
+            set.putAndInsertString(DCM_SpecificCharacterSet, "\\ISO 2022 IR 87");
+            DcmItem* segment = nullptr;
+            set.findAndGetSequenceItem(DCM_SegmentSequence, segment, 1);
+            segment->putAndInsertString(DCM_SegmentLabel, "\033$BF,It\033(B");
+        });
+        const auto mask = on.read();
+        QVERIFY(mask);
+        QCOMPARE(mask->segments[0].name, QStringLiteral("Part 1"));
+        QCOMPARE(mask->segments[1].name, QStringLiteral("頭部"));
+    }
+
     /// Onto slices twice as far apart and shifted: those in between are left out, with a word.
     void anotherGrid()
     {
@@ -397,6 +412,72 @@ private Q_SLOTS:
                 numbers.begin() + std::ptrdiff_t((k + 1) * slice),
                 on.labels.begin() + std::ptrdiff_t((2 * k + 1) * slice)));
         }
+    }
+
+    /// Drawn on slices 5 mm apart, of which each is also a slice of a series with 1 mm.
+    void thickSlicesOnThinOnes()
+    {
+        const Exported on(evenSeries({0, 0, 5}));
+        core::Volume thin = on.volume;
+        thin.sources.clear();
+        thin.geometry.size.z = 28;
+        thin.geometry.indexToWorld[2].z = 1.0;
+        const auto mask = core::readMask(on.file, thin, {});
+        QVERIFY2(mask, qPrintable(mask ? QString() : mask.error().arguments.join(u' ')));
+        const std::size_t slice = 12 * 9;
+        const Labels numbers = numbersOf(*mask, thin);
+        for (std::size_t i = 0; i < numbers.size(); ++i) {
+            const std::size_t k = (i / slice + 2) / 5; // the nearest thick slice
+            QCOMPARE(int(numbers[i]), k < 6 ? int(on.labels[k * slice + i % slice]) : 0);
+        }
+        QCOMPARE(mask->notes.size(), std::size_t(1));
+        QVERIFY(mask->notes.front().code == MaskNote::Code::AnotherGrid);
+        const auto drawn =
+            on.labels.size() - std::size_t(std::count(on.labels.begin(), on.labels.end(), 0));
+        const double voxelMl = thin.geometry.voxelVolumeMm3() / 1000.0;
+        QVERIFY(std::abs(mask->notes.front().fileMl - 5.0 * double(drawn) * voxelMl) < 1e-6);
+        QVERIFY(std::abs(mask->notes.front().hereMl - 5.0 * double(drawn) * voxelMl) < 1e-6);
+    }
+
+    void distancesThatMayBeWrong_data()
+    {
+        QTest::addColumn<double>("statedMm");
+        QTest::addColumn<bool>("onThese"); // the file names the study's images
+        QTest::addColumn<bool>("thick");
+        QTest::newRow("that of the slices, others are empty") << 1.5 << false << false;
+        QTest::newRow("that of the frames") << 3.0 << false << true;
+        QTest::newRow("that of the frames, drawn on these slices") << 3.0 << true << false;
+        QTest::newRow("one on which the frames do not lie") << 4.0 << false << false;
+        QTest::newRow("a little more than the slices'") << 2.0 << false << false;
+        QTest::newRow("not stated") << 0.0 << false << false;
+    }
+    /// Frames on every other slice of 1.5 mm, since those between are empty, or thicker.
+    void distancesThatMayBeWrong()
+    {
+        QFETCH(double, statedMm);
+        QFETCH(bool, onThese);
+        QFETCH(bool, thick);
+        const Exported on(evenSeries());
+        on.change([statedMm](DcmDataset& set) {
+            DcmItem* shared = nullptr;
+            DcmItem* measures = nullptr;
+            set.findAndGetSequenceItem(DCM_SharedFunctionalGroupsSequence, shared);
+            shared->findAndGetSequenceItem(DCM_PixelMeasuresSequence, measures);
+            if (statedMm > 0.0)
+                measures->putAndInsertString(
+                    DCM_SpacingBetweenSlices, std::to_string(statedMm).c_str());
+            else
+                measures->findAndDeleteElement(DCM_SpacingBetweenSlices);
+            // Slices may be thicker than they are apart.
+            measures->putAndInsertString(DCM_SliceThickness, "3");
+        });
+        core::Volume study = on.volume;
+        if (!onThese)
+            study.sources.clear();
+        const auto mask = core::readMask(on.file, study, {});
+        QVERIFY2(mask, qPrintable(mask ? QString() : mask.error().arguments.join(u' ')));
+        QCOMPARE(mask->notes.empty(), !thick);
+        QCOMPARE(numbersOf(*mask, study) == on.labels, !thick);
     }
 
     void whatAReaderMustKnow()

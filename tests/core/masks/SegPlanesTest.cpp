@@ -118,9 +118,11 @@ private Q_SLOTS:
             auto random = test::Random(unsigned(number));
             const Axes axes = randomAxes(random);
             const core::SegFile seg = randomSeg(random, axes);
-            const core::VolumeGeometry geometry =
+            core::Volume volume;
+            volume.geometry =
                 randomGeometry(random, randomInt(random, 0, 3) == 0 ? randomAxes(random) : axes);
-            const auto placed = core::placedFrames(seg, geometry, {});
+            const core::VolumeGeometry& geometry = volume.geometry;
+            const auto placed = core::placedFrames(seg, volume, {});
             QVERIFY2(placed, qPrintable(QString::number(number)));
             const core::SegmentPlanes planes(seg, 1, placed->toLattice);
 

@@ -132,8 +132,6 @@ const std::vector<Row>& rows()
         {ReportCode::UnevenInFile,
             "The slices are not evenly spaced; in the %1 file, which has one step for all, they "
             "lie up to %2 mm off."},
-        {ReportCode::UnevenInNifti,
-            "The slices are not evenly spaced; NIfTI has one step for all of them."},
         {ReportCode::UnevenInVolumes,
             "The slices are not evenly spaced: in volumes each counts half the way to either "
             "neighbour."},
