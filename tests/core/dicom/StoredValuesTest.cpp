@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/series/AlterDicom.h"
 #include "tests/support/series/OpenedVolume.h"
 #include "tests/support/series/SyntheticSeries.h"
 
@@ -44,6 +45,9 @@ private Q_SLOTS:
 
     void opensWhatWasWritten_data();
     void opensWhatWasWritten();
+    void eightBitsAreWidened_data();
+    void eightBitsAreWidened();
+    void eightBitsElsewhereAreRefused();
     void rescalePerSliceIsOnACommonScale();
     void negativeSlopeKeepsTheOrderOfValues();
     void invertedDisplayLeavesValues();
@@ -132,6 +136,77 @@ void StoredValuesTest::opensWhatWasWritten()
     QCOMPARE(test::worstError(loaded, series), 0.0);
     QCOMPARE(loaded.volume.voxelsSha256, sha256(series));
     QVERIFY(loaded.volume.problems.empty());
+}
+
+void StoredValuesTest::eightBitsAreWidened_data()
+{
+    QTest::addColumn<QString>("syntax");
+    QTest::addColumn<bool>("isSigned");
+    QTest::addColumn<int>("stored");
+    const auto row = [](const char* name, const char* syntax, bool isSigned, int stored) {
+        QTest::newRow(name) << QString::fromLatin1(syntax) << isSigned << stored;
+    };
+    row("JPEG baseline", "1.2.840.10008.1.2.4.50", false, 8);
+    row("JPEG extended", "1.2.840.10008.1.2.4.51", false, 8);
+    row("JPEG extended, 12 bits stored", "1.2.840.10008.1.2.4.51", false, 12);
+    row("JPEG lossless", "1.2.840.10008.1.2.4.57", false, 8);
+    row("JPEG lossless, 16 bits stored", "1.2.840.10008.1.2.4.57", false, 16);
+    row("JPEG lossless, first order", "1.2.840.10008.1.2.4.70", false, 8);
+    row("JPEG lossless, first order, signed", "1.2.840.10008.1.2.4.70", true, 8);
+    row("JPEG lossless, first order, signed, 12 bits stored", "1.2.840.10008.1.2.4.70", true, 12);
+    row("JPEG-LS", "1.2.840.10008.1.2.4.80", false, 8);
+    row("JPEG-LS, signed", "1.2.840.10008.1.2.4.80", true, 8);
+    row("JPEG-LS, near lossless", "1.2.840.10008.1.2.4.81", false, 8);
+}
+
+/// The stream has one byte for each pixel, and the header allocates two.
+void StoredValuesTest::eightBitsAreWidened()
+{
+    QFETCH(QString, syntax);
+    QFETCH(bool, isSigned);
+    QFETCH(int, stored);
+    SyntheticSeries series;
+    series.layout.bitsAllocated = 8;
+    series.layout.bitsStored = 8;
+    series.layout.highBit = 7;
+    series.layout.isSigned = isSigned;
+    series.transferSyntaxUid = syntax;
+    series.stored = [=](const glm::ivec3& index) {
+        return (index.x * 7 + index.y * 3 + index.z * 5) % 256 - (isSigned ? 128 : 0);
+    };
+    const QStringList files = test::writeSeries(series, path());
+    const core::LoadedVolume narrow = test::openVolume(path());
+    for (const QString& file : files) {
+        test::alterDicom(file, [=](DcmDataset& set) {
+            set.putAndInsertUint16(DCM_BitsAllocated, 16);
+            set.putAndInsertUint16(DCM_BitsStored, Uint16(stored));
+            set.putAndInsertUint16(DCM_HighBit, Uint16(stored - 1));
+        });
+    }
+    const core::LoadedVolume wide = test::openVolume(path());
+    QCOMPARE(wide.volume.geometry.size, series.size);
+    QCOMPARE(wide.volume.voxelsSha256, narrow.volume.voxelsSha256);
+    QVERIFY(wide.volume.maximum > wide.volume.minimum + 100.0);
+}
+
+void StoredValuesTest::eightBitsElsewhereAreRefused()
+{
+    SyntheticSeries series;
+    series.layout.bitsAllocated = 8;
+    series.layout.bitsStored = 8;
+    series.layout.highBit = 7;
+    series.stored = [](const glm::ivec3& index) { return index.x; };
+    series.transferSyntaxUid = QStringLiteral("1.2.840.10008.1.2.4.70");
+    for (const QString& file : test::writeSeries(series, path())) {
+        test::alterDicom(file, [](DcmDataset& set) {
+            set.putAndInsertUint16(DCM_BitsAllocated, 16);
+            set.putAndInsertUint16(DCM_HighBit, 15);
+        });
+    }
+    const core::Result<core::LoadedVolume> loaded = core::loadVolume(path());
+    QVERIFY(!loaded);
+    const QString why = loaded.error().arguments.value(1);
+    QVERIFY2(why.contains(QLatin1String("8 bits up to bit 15")), qPrintable(why));
 }
 
 void StoredValuesTest::rescalePerSliceIsOnACommonScale()
