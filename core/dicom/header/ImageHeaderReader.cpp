@@ -139,7 +139,7 @@ Result<std::vector<ImageHeader>> read(const QString& path)
     readRescale(from, header);
     readWindow(from, header);
     header.units = from.text(DCM_Units);
-    header.hasModalityLut = from.has(DCM_ModalityLUTSequence);
+    header.hasModalityLut = hasModalityLut(set);
     if (header.hasModalityLut)
         takeModalityLut(set, header);
     header.padding = readPadding(set, header.layout.isSigned);

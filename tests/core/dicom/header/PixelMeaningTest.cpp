@@ -49,6 +49,8 @@ private Q_SLOTS:
     void lookupTableTakesThePlaceOfTheSlope();
     void lookupTableIsHeldAtItsEnds();
     void damagedLookupTableIsRefusedInWords();
+    void noLookupTableInItsSequence_data();
+    void noLookupTableInItsSequence();
     void paddingDoesNotCount();
     void imageOfNothingButPaddingCounts();
     void presentationShapeInvertsDisplayOnly();
@@ -101,6 +103,31 @@ void PixelMeaningTest::damagedLookupTableIsRefusedInWords()
     QVERIFY(loaded.error()
                 .arguments.join(QLatin1Char(' '))
                 .contains(QLatin1String("damaged modality lookup table")));
+}
+
+void PixelMeaningTest::noLookupTableInItsSequence_data()
+{
+    QTest::addColumn<QString>("syntax");
+    QTest::newRow("explicit VR") << QStringLiteral("1.2.840.10008.1.2.1");
+    QTest::newRow("implicit VR") << QStringLiteral("1.2.840.10008.1.2");
+}
+
+/// The sequence is there, without an item: slope and intercept count.
+void PixelMeaningTest::noLookupTableInItsSequence()
+{
+    QFETCH(QString, syntax);
+    const QTemporaryDir folder;
+    SyntheticSeries series;
+    series.transferSyntaxUid = syntax;
+    series.slope = [](int) { return 3.0; };
+    series.adjust = [](DcmDataset& set, int) {
+        QVERIFY(set.insertEmptyElement(DCM_ModalityLUTSequence).good());
+    };
+    test::writeSeries(series, folder.path());
+    const core::LoadedVolume loaded = test::openVolume(folder.path());
+    QCOMPARE(loaded.volume.geometry.size, series.size);
+    QCOMPARE(test::worstError(loaded, series), 0.0);
+    QCOMPARE(loaded.volume.unit, QStringLiteral("HU"));
 }
 
 void PixelMeaningTest::paddingDoesNotCount()
