@@ -131,6 +131,9 @@ QString formOf(ProblemCode code, std::int64_t count)
         return ProblemTexts::tr("The series holds %1 stacks; this is %2, of %3 slices.");
     case ProblemCode::CompressedWithLoss:
         return ProblemTexts::tr("The images were compressed with loss.");
+    case ProblemCode::HighBitTaken:
+        return ProblemTexts::tr("The files name bit %1 as the highest of %2 stored bits, which "
+                                "cannot be; bit %3 is taken.");
     case ProblemCode::NoNumbers:
         return ProblemTexts::tr("Some voxels hold no number; they are shown as the minimum.");
     case ProblemCode::CommonScale:

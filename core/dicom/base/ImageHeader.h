@@ -25,6 +25,8 @@ struct PixelLayout {
     int bitsAllocated = 0;
     int bitsStored = 0;
     int highBit = 0;
+    /// What the file says where it leaves no room for the stored bits; highBit then leaves it.
+    std::optional<int> falseHighBit{};
     bool isSigned = false;
     /// 32 or 64: pixels are floating-point numbers, and the bits above mean nothing
     int floatBits = 0;

@@ -48,6 +48,10 @@ PixelLayout readLayout(const HeaderAttributes& from)
     layout.bitsAllocated = from.integer(DCM_BitsAllocated);
     layout.bitsStored = from.integer(DCM_BitsStored, layout.bitsAllocated);
     layout.highBit = from.integer(DCM_HighBit, layout.bitsStored - 1);
+    if (const int least = layout.bitsStored - 1; layout.highBit < least) {
+        layout.falseHighBit = layout.highBit;
+        layout.highBit = least;
+    }
     layout.isSigned = from.integer(DCM_PixelRepresentation) == 1;
     layout.photometric = from.text(DCM_PhotometricInterpretation);
     return layout;

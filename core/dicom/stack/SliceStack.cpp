@@ -212,6 +212,16 @@ SliceStack stackOf(std::vector<ImageHeader> slices)
         stack.problems.push_back({.kind = VolumeProblem::Kind::LossyCompression,
             .said = {ProblemCode::CompressedWithLoss}});
     }
+    const auto wrong =
+        std::find_if(stack.slices.begin(), stack.slices.end(), [](const ImageHeader& image) {
+            return image.layout.falseHighBit && image.layout.floatBits == 0;
+        });
+    if (wrong != stack.slices.end()) {
+        const PixelLayout& layout = wrong->layout;
+        stack.problems.push_back({.kind = VolumeProblem::Kind::Other,
+            .said = {ProblemCode::HighBitTaken,
+                {*layout.falseHighBit, layout.bitsStored, layout.highBit}}});
+    }
     return stack;
 }
 

@@ -48,6 +48,8 @@ private Q_SLOTS:
     void eightBitsAreWidened_data();
     void eightBitsAreWidened();
     void eightBitsElsewhereAreRefused();
+    void highBitLeavesRoomForTheStoredBits_data();
+    void highBitLeavesRoomForTheStoredBits();
     void rescalePerSliceIsOnACommonScale();
     void negativeSlopeKeepsTheOrderOfValues();
     void invertedDisplayLeavesValues();
@@ -207,6 +209,46 @@ void StoredValuesTest::eightBitsElsewhereAreRefused()
     QVERIFY(!loaded);
     const QString why = loaded.error().arguments.value(1);
     QVERIFY2(why.contains(QLatin1String("8 bits up to bit 15")), qPrintable(why));
+}
+
+void StoredValuesTest::highBitLeavesRoomForTheStoredBits_data()
+{
+    QTest::addColumn<int>("stored");
+    QTest::addColumn<int>("highBit");
+    QTest::addColumn<QString>("syntax");
+    const QString explicitLe = QStringLiteral("1.2.840.10008.1.2.1");
+    QTest::newRow("16 bits below bit 11") << 16 << 11 << explicitLe;
+    QTest::newRow("12 bits below bit 7") << 12 << 7 << explicitLe;
+    QTest::newRow("12 bits, bit 0") << 12 << 0 << explicitLe;
+    QTest::newRow("JPEG lossless") << 16 << 11 << QStringLiteral("1.2.840.10008.1.2.4.70");
+}
+
+void StoredValuesTest::highBitLeavesRoomForTheStoredBits()
+{
+    QFETCH(int, stored);
+    QFETCH(int, highBit);
+    QFETCH(QString, syntax);
+    SyntheticSeries series;
+    series.layout.bitsStored = stored;
+    series.layout.highBit = stored - 1;
+    series.transferSyntaxUid = syntax;
+    series.stored = [=](const glm::ivec3& index) {
+        return (index.x * 977 + index.y * 3931 + index.z * 211) % (1 << stored);
+    };
+    for (const QString& file : test::writeSeries(series, path())) {
+        test::alterDicom(
+            file, [=](DcmDataset& set) { set.putAndInsertUint16(DCM_HighBit, Uint16(highBit)); });
+    }
+    const core::LoadedVolume loaded = test::openVolume(path());
+    QCOMPARE(loaded.volume.geometry.size, series.size);
+    QCOMPARE(test::worstError(loaded, series), 0.0);
+    QCOMPARE(test::problemText(loaded.volume.problems, VolumeProblem::Kind::Other),
+        QStringLiteral("The files name bit %1 as the highest of %2 stored bits, which cannot be; "
+                       "bit %3 is taken.")
+            .arg(highBit)
+            .arg(stored)
+            .arg(stored - 1));
+    QVERIFY(!loaded.volume.needsCaution());
 }
 
 void StoredValuesTest::rescalePerSliceIsOnACommonScale()
