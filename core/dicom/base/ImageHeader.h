@@ -31,6 +31,9 @@ struct PixelLayout {
     /// 32 or 64: pixels are floating-point numbers, and the bits above mean nothing
     int floatBits = 0;
     QString photometric;
+
+    /// Pixels do not fit the 16 bits of stored values, and are decoded as numbers.
+    [[nodiscard]] bool isWide() const { return floatBits != 0 || bitsAllocated > 16; }
 };
 
 /// Directions of increasing column and row index, unit vectors in LPS (PS3.3 C.7.6.2.1.1).

@@ -31,9 +31,10 @@ public:
     [[nodiscard]] Result<void> decode(
         const ImageHeader& header, std::span<std::uint16_t> stored) const;
 
-    /// The same for pixels that are floating-point numbers (PixelLayout::floatBits).
-    [[nodiscard]] Result<void> decodeFloats(
-        const ImageHeader& header, std::span<double> values) const;
+    /// The same for pixels that do not fit 16 bits (PixelLayout::isWide()): floating-point numbers,
+    /// and whole ones of 32 bits.
+    [[nodiscard]] Result<void> decodeNumbers(
+        const ImageHeader& header, std::span<double> numbers) const;
 
 private:
     explicit FrameFile(std::unique_ptr<const DicomFile> file);

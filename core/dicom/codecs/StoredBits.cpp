@@ -30,4 +30,19 @@ void extractStoredBits(
         pixel = valueOf(pixel);
 }
 
+void extractStoredNumbers(
+    std::span<const std::uint8_t> cells, const PixelLayout& layout, std::span<double> numbers)
+{
+    static_assert(std::endian::native == std::endian::little);
+    const int shift = layout.highBit + 1 - layout.bitsStored;
+    const std::uint32_t mask = ~0u >> (32 - layout.bitsStored);
+    const std::uint32_t sign = layout.isSigned ? 1u << (layout.bitsStored - 1) : 0u;
+    for (std::size_t pixel = 0; pixel < numbers.size(); ++pixel) {
+        std::uint32_t cell = 0;
+        std::memcpy(&cell, cells.data() + pixel * sizeof(cell), sizeof(cell));
+        const std::uint32_t value = (((cell >> shift) & mask) ^ sign) - sign;
+        numbers[pixel] = layout.isSigned ? double(std::int32_t(value)) : double(value);
+    }
+}
+
 } // namespace core

@@ -17,4 +17,8 @@ namespace core {
 void extractStoredBits(std::span<const std::uint8_t> cells, const PixelLayout& layout,
     std::span<std::uint16_t> stored);
 
+/// The same for cells of 32 bits.
+void extractStoredNumbers(
+    std::span<const std::uint8_t> cells, const PixelLayout& layout, std::span<double> numbers);
+
 } // namespace core

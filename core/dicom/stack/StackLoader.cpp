@@ -25,8 +25,8 @@ namespace core {
 
 namespace {
 
-/// Exact values of a stack of floating-point numbers. Fails with the first slice that does.
-Result<std::vector<double>> decodeFloats(const SliceStack& stack, const Progress& progress)
+/// Exact values of a stack whose pixels do not fit 16 bits. Fails with the first slice that does.
+Result<std::vector<double>> decodeNumbers(const SliceStack& stack, const Progress& progress)
 {
     const std::size_t size =
         std::size_t(stack.geometry.size.x) * std::size_t(stack.geometry.size.y);
@@ -43,7 +43,7 @@ Result<std::vector<double>> decodeFloats(const SliceStack& stack, const Progress
         if (!file)
             return tl::unexpected<Error>(file.error());
         const std::span<double> slice = std::span(values).subspan(k * size, size);
-        if (const Result<void> read = file->decodeFloats(image, slice); !read)
+        if (const Result<void> read = file->decodeNumbers(image, slice); !read)
             return tl::unexpected<Error>(read.error());
         for (double& value : slice)
             value = image.slope * value + image.intercept;
@@ -265,10 +265,10 @@ Result<LoadedVolume> loadStored(const ListedStack& listed, const SliceStack& wan
     return loaded;
 }
 
-Result<LoadedVolume> loadFloats(
+Result<LoadedVolume> loadNumbers(
     const ListedStack& listed, const SliceStack& stack, const Progress& progress)
 {
-    const Result<std::vector<double>> values = decodeFloats(stack, progress);
+    const Result<std::vector<double>> values = decodeNumbers(stack, progress);
     if (!values)
         return tl::unexpected<Error>(values.error());
     LoadedVolume loaded{.volume = describe(listed, stack)};
@@ -287,9 +287,8 @@ Result<LoadedVolume> loadStack(
 {
     const SliceStack& wanted =
         time == 0 ? listed.stack : listed.stack.laterTimes.at(std::size_t(time - 1));
-    return wanted.slices.front().layout.floatBits != 0
-        ? loadFloats(listed, wanted, progress)
-        : loadStored(listed, wanted, progress, early);
+    return wanted.slices.front().layout.isWide() ? loadNumbers(listed, wanted, progress)
+                                                 : loadStored(listed, wanted, progress, early);
 }
 
 } // namespace core

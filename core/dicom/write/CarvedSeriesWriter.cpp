@@ -191,6 +191,10 @@ Result<ReportLines> writeCarvedSeries(
             return failure(ErrorCode::UnsupportedFormat, file,
                 Clause::saying("it is no single image with a slope and an intercept; a carved "
                                "series cannot be made of it, but NIfTI can"));
+        if (image->layout.isWide())
+            return failure(ErrorCode::UnsupportedFormat, file,
+                Clause::saying("its pixels have more than 16 bits; a carved series cannot be made "
+                               "of it, but NIfTI can"));
         const std::optional<int> fillStored = storedFor(series.fill, *image);
         if (!fillStored)
             return failure(ErrorCode::UnsupportedFormat, file,
