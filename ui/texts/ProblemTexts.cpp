@@ -87,6 +87,8 @@ QString formOf(ProblemCode code, std::int64_t count)
         return ProblemTexts::tr("%1 mm between slices %2 and %3");
     case ProblemCode::DistanceBetween:
         return ProblemTexts::tr("%1 mm between %2 and %3");
+    case ProblemCode::PositionsWander:
+        return ProblemTexts::tr("The positions of the slices wander sideways by up to %1 mm.");
     case ProblemCode::SlicesTilted:
         return ProblemTexts::tr(
             "The slices are tilted by %1° against their stacking direction (gantry tilt).");

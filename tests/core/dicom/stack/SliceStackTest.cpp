@@ -74,6 +74,7 @@ private Q_SLOTS:
     void tiltShearsTheGrid();
     void missingSlicesAreCounted();
     void unevenSpacingKeepsEveryPosition();
+    void wanderingPositionsAreToldAsSuch();
     void duplicatesAreLeftOut();
     void contradictingDuplicateIsNamed();
     void duplicatesOfManyFramesAreReadOnce_data();
@@ -186,6 +187,30 @@ void SliceStackTest::unevenSpacingKeepsEveryPosition()
     QVERIFY(loaded.volume.geometry.slicePositions == series.positions);
     QCOMPARE(loaded.volume.geometry.originLps(), series.positions.front());
     QCOMPARE(test::worstError(loaded, series), 0.0);
+}
+
+void SliceStackTest::wanderingPositionsAreToldAsSuch()
+{
+    SyntheticSeries series;
+    for (int k = 0; k < series.size.z; ++k)
+        series.positions.emplace_back(k == 4 ? 1.3 : 1.0, k == 7 ? 2.2 : 2.0, 3.0 * k);
+    test::writeSeries(series, path());
+    const core::LoadedVolume loaded = test::openVolume(path());
+    QCOMPARE(loaded.volume.problems.size(), std::size_t(1));
+    QCOMPARE(test::problemText(loaded.volume.problems, VolumeProblem::Kind::UnevenSpacing),
+        QStringLiteral("The positions of the slices wander sideways by up to 0.3 mm."));
+    QVERIFY(loaded.volume.needsCaution());
+    QVERIFY(loaded.volume.geometry.slicePositions == series.positions);
+    QCOMPARE(test::worstError(loaded, series), 0.0);
+
+    // Where distances differ as well, these are told.
+    series.positions[9].z += 1.0;
+    test::writeSeries(series, path(QStringLiteral("uneven")));
+    const core::LoadedVolume uneven = test::openVolume(path(QStringLiteral("uneven")));
+    const QString text =
+        test::problemText(uneven.volume.problems, VolumeProblem::Kind::UnevenSpacing);
+    QVERIFY2(text.startsWith(QLatin1String("The distance between slices varies from 3 to 4 mm")),
+        qPrintable(text));
 }
 
 void SliceStackTest::duplicatesAreLeftOut()
