@@ -136,6 +136,9 @@ QString formOf(ProblemCode code, std::int64_t count)
     case ProblemCode::HighBitTaken:
         return ProblemTexts::tr("The files name bit %1 as the highest of %2 stored bits, which "
                                 "cannot be; bit %3 is taken.");
+    case ProblemCode::ValuesCutOff:
+        return ProblemTexts::tr("Some pixels hold more bits than their files say they store; what "
+                                "is beyond is cut off, so that these values may be wrong.");
     case ProblemCode::NoNumbers:
         return ProblemTexts::tr("Some voxels hold no number; they are shown as the minimum.");
     case ProblemCode::CommonScale:

@@ -9,6 +9,7 @@
 
 #include <glm/glm.hpp>
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -28,6 +29,7 @@ struct PixelLayout {
     /// What the file says where it leaves no room for the stored bits; highBit then leaves it.
     std::optional<int> falseHighBit{};
     bool isSigned = false;
+    std::uint32_t overlayBits = 0; ///< those of a cell that hold overlays (60xx,0102)
     /// 32 or 64: pixels are floating-point numbers, and the bits above mean nothing
     int floatBits = 0;
     QString photometric;

@@ -78,7 +78,7 @@ Result<void> decodeCells(
     return {};
 }
 
-Result<void> decodeFrom(
+Result<DecodedFrame> decodeFrom(
     const DicomFile& file, const ImageHeader& header, std::span<std::uint16_t> stored)
 {
     if (const Clause reason = undecodableReason(header); !reason.isEmpty())
@@ -90,8 +90,14 @@ Result<void> decodeFrom(
         return failure(ErrorCode::UnsupportedFormat, header.file,
             Clause::saying(
                 "pixels of %1 bits where at most 16 are wanted", header.layout.bitsAllocated));
-    return decodeCells(file, header, stored.size(),
-        [&](DicomBytes cells) { extractStoredBits(cells, header.layout, stored); });
+    DecodedFrame decoded;
+    const auto take = [&](DicomBytes cells) {
+        decoded.cutOff = areCutOff(cells, header.layout);
+        extractStoredBits(cells, header.layout, stored);
+    };
+    if (const Result<void> all = decodeCells(file, header, stored.size(), take); !all)
+        return tl::unexpected<Error>(all.error());
+    return decoded;
 }
 
 template <typename Number> void readNumbers(DicomBytes bytes, std::span<double> numbers)
@@ -202,7 +208,8 @@ Result<FrameFile> FrameFile::open(const QString& path)
     }
 }
 
-Result<void> FrameFile::decode(const ImageHeader& header, std::span<std::uint16_t> stored) const
+Result<DecodedFrame> FrameFile::decode(
+    const ImageHeader& header, std::span<std::uint16_t> stored) const
 {
     try {
         return decodeFrom(*m_file, header, stored);
@@ -222,7 +229,7 @@ Result<void> FrameFile::decodeNumbers(const ImageHeader& header, std::span<doubl
     }
 }
 
-Result<void> decodeFrame(const ImageHeader& header, std::span<std::uint16_t> stored)
+Result<DecodedFrame> decodeFrame(const ImageHeader& header, std::span<std::uint16_t> stored)
 {
     if (const Clause reason = undecodableReason(header); !reason.isEmpty())
         return failure(ErrorCode::UnsupportedFormat, header.file, reason);

@@ -39,6 +39,18 @@ StudyIdentity readIdentity(const HeaderAttributes& from)
         .patientPosition = from.text(DCM_PatientPosition)};
 }
 
+/// Which bits of a cell hold overlays, as older files have them (retired, PS3.3 C.9.2).
+std::uint32_t readOverlayBits(const HeaderAttributes& from)
+{
+    std::uint32_t bits = 0;
+    for (Uint16 group = 0x6000; group <= 0x601e; group += 2) {
+        const int position = from.integer(DcmTagKey(group, DCM_OverlayBitPosition.getElement()));
+        if (position > 0 && position < 32)
+            bits |= 1u << position;
+    }
+    return bits;
+}
+
 PixelLayout readLayout(const HeaderAttributes& from)
 {
     PixelLayout layout;
@@ -53,6 +65,7 @@ PixelLayout readLayout(const HeaderAttributes& from)
         layout.highBit = least;
     }
     layout.isSigned = from.integer(DCM_PixelRepresentation) == 1;
+    layout.overlayBits = readOverlayBits(from);
     layout.photometric = from.text(DCM_PhotometricInterpretation);
     return layout;
 }

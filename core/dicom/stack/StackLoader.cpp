@@ -13,6 +13,7 @@
 #include "core/volume/encoding/VolumeEncoder.h"
 
 #include <algorithm>
+#include <atomic>
 #include <functional>
 #include <map>
 #include <memory>
@@ -67,14 +68,27 @@ public:
     /// What is stored, through its lookup table where there is one.
     [[nodiscard]] Result<void> decode(const ImageHeader& image, std::span<std::uint16_t> stored)
     {
-        Result<void> decoded = decodeStored(image, stored);
-        if (decoded && image.modalityLut)
+        const Result<DecodedFrame> decoded = decodeStored(image, stored);
+        if (!decoded)
+            return tl::unexpected<Error>(decoded.error());
+        if (decoded->cutOff)
+            m_cutOff = true;
+        if (image.modalityLut)
             image.modalityLut->apply(stored, image.layout.isSigned);
-        return decoded;
+        return {};
+    }
+
+    /// That values did not fit, after all slices are decoded.
+    void report(std::vector<VolumeProblem>& problems) const
+    {
+        if (m_cutOff)
+            problems.push_back({.kind = VolumeProblem::Kind::Other,
+                .said = {ProblemCode::ValuesCutOff},
+                .caution = true});
     }
 
 private:
-    [[nodiscard]] Result<void> decodeStored(
+    [[nodiscard]] Result<DecodedFrame> decodeStored(
         const ImageHeader& image, std::span<std::uint16_t> stored)
     {
         const auto found = m_files.find(image.file);
@@ -92,6 +106,7 @@ private:
         std::optional<Result<FrameFile>> file;
     };
     std::map<QString, std::unique_ptr<Slot>> m_files; ///< does not change while threads look
+    std::atomic<bool> m_cutOff = false; ///< values of some image did not fit its stored bits
 };
 
 int middleOf(const SliceStack& stack)
@@ -256,11 +271,13 @@ Result<LoadedVolume> loadStored(const ListedStack& listed, const SliceStack& wan
         return tl::unexpected<Error>(*errors.front());
     if (failures == 0) {
         loaded.volume = describe(listed, wanted);
+        files.report(loaded.volume.problems);
         encoder.finish(hasWindow(wanted));
         return loaded;
     }
     const SliceStack stack = withoutFailed(wanted, loaded.codes, errors);
     loaded.volume = describe(listed, stack);
+    files.report(loaded.volume.problems);
     encodeStoredValues(loaded, rescalesOf(stack), hasWindow(stack));
     return loaded;
 }

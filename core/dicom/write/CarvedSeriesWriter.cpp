@@ -202,7 +202,7 @@ Result<ReportLines> writeCarvedSeries(
                                "or NIfTI",
                     QString::fromLatin1(fill)));
         std::vector<std::uint16_t> stored(area);
-        if (const Result<void> decoded = decodeFrame(*image, stored); !decoded)
+        if (const Result<DecodedFrame> decoded = decodeFrame(*image, stored); !decoded)
             return tl::unexpected(decoded.error());
         for (std::size_t i = 0; i < area; ++i) {
             if (series.coverage[k * area + i] >= 128)

@@ -50,6 +50,8 @@ private Q_SLOTS:
     void eightBitsElsewhereAreRefused();
     void highBitLeavesRoomForTheStoredBits_data();
     void highBitLeavesRoomForTheStoredBits();
+    void valuesBeyondTheStoredBitsAreTold_data();
+    void valuesBeyondTheStoredBitsAreTold();
     void rescalePerSliceIsOnACommonScale();
     void negativeSlopeKeepsTheOrderOfValues();
     void invertedDisplayLeavesValues();
@@ -137,7 +139,10 @@ void StoredValuesTest::opensWhatWasWritten()
     QCOMPARE(loaded.volume.encoding.maxError, 0.0);
     QCOMPARE(test::worstError(loaded, series), 0.0);
     QCOMPARE(loaded.volume.voxelsSha256, sha256(series));
-    QVERIFY(loaded.volume.problems.empty());
+    // What is in bits above is no part of the value, but may be meant as one.
+    const bool isCutOff = dirty && highBit + 1 < allocated;
+    QCOMPARE(loaded.volume.problems.size(), std::size_t(isCutOff ? 1 : 0));
+    QCOMPARE(loaded.volume.needsCaution(), isCutOff);
 }
 
 void StoredValuesTest::eightBitsAreWidened_data()
@@ -249,6 +254,51 @@ void StoredValuesTest::highBitLeavesRoomForTheStoredBits()
             .arg(stored)
             .arg(stored - 1));
     QVERIFY(!loaded.volume.needsCaution());
+}
+
+void StoredValuesTest::valuesBeyondTheStoredBitsAreTold_data()
+{
+    QTest::addColumn<bool>("isSigned");
+    QTest::addColumn<int>("cell");
+    QTest::addColumn<int>("overlayBit");
+    QTest::addColumn<bool>("told");
+    QTest::newRow("a value of 13 bits") << false << 5000 << 0 << true;
+    QTest::newRow("padding of -2000, not signed") << false << 63536 << 0 << true;
+    QTest::newRow("a value of 12 bits") << false << 4095 << 0 << false;
+    QTest::newRow("an extended sign") << true << 0xf830 << 0 << false;
+    QTest::newRow("a sign that is not extended") << true << 0x0830 << 0 << false;
+    QTest::newRow("positive, and of 13 bits") << true << 0x1000 << 0 << true;
+    QTest::newRow("an overlay") << false << 0x8123 << 15 << false;
+    QTest::newRow("an overlay elsewhere") << false << 0x8123 << 14 << true;
+    QTest::newRow("an extended sign below an overlay") << true << 0x7830 << 15 << false;
+}
+
+void StoredValuesTest::valuesBeyondTheStoredBitsAreTold()
+{
+    QFETCH(bool, isSigned);
+    QFETCH(int, cell);
+    QFETCH(int, overlayBit);
+    QFETCH(bool, told);
+    SyntheticSeries series;
+    series.layout.isSigned = isSigned;
+    series.adjust = [&](DcmDataset& set, int) {
+        std::vector<Uint16> cells(std::size_t(series.size.x) * std::size_t(series.size.y), 9);
+        cells[7] = Uint16(cell);
+        set.putAndInsertUint16Array(DCM_PixelData, cells.data(), cells.size());
+        if (overlayBit > 0)
+            set.putAndInsertUint16(DcmTagKey(0x6004, 0x0102), Uint16(overlayBit));
+    };
+    test::writeSeries(series, path());
+    const core::LoadedVolume loaded = test::openVolume(path());
+    QCOMPARE(loaded.volume.geometry.size, series.size);
+    const int low = cell & 0xfff;
+    const int value = isSigned && low >= 2048 ? low - 4096 : low;
+    QCOMPARE(test::valueAt(loaded, {7, 0, 0}), value - 1024.0);
+    QCOMPARE(loaded.volume.needsCaution(), told);
+    QCOMPARE(test::problemText(loaded.volume.problems, VolumeProblem::Kind::Other),
+        told ? QStringLiteral("Some pixels hold more bits than their files say they store; what is "
+                              "beyond is cut off, so that these values may be wrong.")
+             : QString());
 }
 
 void StoredValuesTest::rescalePerSliceIsOnACommonScale()

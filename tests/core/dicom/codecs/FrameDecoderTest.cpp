@@ -118,7 +118,7 @@ void FrameDecoderTest::storedValuesMatch()
         return;
     }
     std::vector<std::uint16_t> stored(pixels);
-    const core::Result<void> decoded = core::decodeFrame(*header, stored);
+    const core::Result<core::DecodedFrame> decoded = core::decodeFrame(*header, stored);
     QVERIFY2(decoded, decoded ? "" : qPrintable(decoded.error().arguments.join(QLatin1Char(' '))));
     QCOMPARE(sha256(stored, layout.isSigned), hash);
 }
