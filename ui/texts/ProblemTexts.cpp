@@ -87,6 +87,8 @@ QString formOf(ProblemCode code, std::int64_t count)
         return ProblemTexts::tr("%1 mm between slices %2 and %3");
     case ProblemCode::DistanceBetween:
         return ProblemTexts::tr("%1 mm between %2 and %3");
+    case ProblemCode::PositionsWander:
+        return ProblemTexts::tr("The positions of the slices wander sideways by up to %1 mm.");
     case ProblemCode::SlicesTilted:
         return ProblemTexts::tr(
             "The slices are tilted by %1° against their stacking direction (gantry tilt).");
@@ -131,6 +133,12 @@ QString formOf(ProblemCode code, std::int64_t count)
         return ProblemTexts::tr("The series holds %1 stacks; this is %2, of %3 slices.");
     case ProblemCode::CompressedWithLoss:
         return ProblemTexts::tr("The images were compressed with loss.");
+    case ProblemCode::HighBitTaken:
+        return ProblemTexts::tr("The files name bit %1 as the highest of %2 stored bits, which "
+                                "cannot be; bit %3 is taken.");
+    case ProblemCode::ValuesCutOff:
+        return ProblemTexts::tr("Some pixels hold more bits than their files say they store; what "
+                                "is beyond is cut off, so that these values may be wrong.");
     case ProblemCode::NoNumbers:
         return ProblemTexts::tr("Some voxels hold no number; they are shown as the minimum.");
     case ProblemCode::CommonScale:

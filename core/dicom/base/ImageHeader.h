@@ -9,6 +9,7 @@
 
 #include <glm/glm.hpp>
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -25,10 +26,16 @@ struct PixelLayout {
     int bitsAllocated = 0;
     int bitsStored = 0;
     int highBit = 0;
+    /// What the file says where it leaves no room for the stored bits; highBit then leaves it.
+    std::optional<int> falseHighBit{};
     bool isSigned = false;
+    std::uint32_t overlayBits = 0; ///< those of a cell that hold overlays (60xx,0102)
     /// 32 or 64: pixels are floating-point numbers, and the bits above mean nothing
     int floatBits = 0;
     QString photometric;
+
+    /// Pixels do not fit the 16 bits of stored values, and are decoded as numbers.
+    [[nodiscard]] bool isWide() const { return floatBits != 0 || bitsAllocated > 16; }
 };
 
 /// Directions of increasing column and row index, unit vectors in LPS (PS3.3 C.7.6.2.1.1).

@@ -113,6 +113,30 @@ QString decodeByDcmtk(DicomBytes bytes, const CodedFrame& frame, std::span<std::
     return {};
 }
 
+/// Decodes a stream of at most 8 bits into cells of 16. DCMTK goes by the stream: it would fill the
+/// first half of them with bytes, or refuse them if they are JPEG-LS.
+QString decodeAndWiden(DicomBytes bytes, CodedFrame frame, std::span<std::uint8_t> cells)
+{
+    PixelLayout& layout = frame.layout;
+    if (layout.highBit >= layout.bitsStored) {
+        return QStringLiteral("its JPEG image has 8 bits or fewer where %1 bits up to bit %2 are "
+                              "wanted")
+            .arg(layout.bitsStored)
+            .arg(layout.highBit);
+    }
+    layout.bitsAllocated = 8;
+    layout.bitsStored = std::min(layout.bitsStored, 8);
+    layout.highBit = layout.bitsStored - 1;
+    std::vector<std::uint8_t> narrow(cells.size() / 2);
+    const QString wrong = decodeByDcmtk(bytes, frame, narrow);
+    for (std::size_t pixel = 0; pixel < narrow.size(); ++pixel) {
+        const bool isNegative = layout.isSigned && narrow[pixel] >= 0x80;
+        cells[2 * pixel] = narrow[pixel];
+        cells[2 * pixel + 1] = isNegative ? 0xff : 0;
+    }
+    return wrong;
+}
+
 } // namespace
 
 std::size_t CodedFrame::cellBytes() const
@@ -136,8 +160,12 @@ QString decodeHere(std::span<const std::uint8_t> parameters, std::span<const std
             : QStringLiteral("damaged RLE data");
     case PixelCoding::Jpeg:
     case PixelCoding::JpegLs: {
-        const QString wrong = checkJpeg(bytes, frame.layout);
-        return wrong.isEmpty() ? decodeByDcmtk(bytes, frame, cells) : wrong;
+        const JpegFacts jpeg = checkJpeg(bytes, frame.layout);
+        if (!jpeg.wrong.isEmpty())
+            return jpeg.wrong;
+        return jpeg.precision <= 8 && frame.layout.bitsAllocated == 16
+            ? decodeAndWiden(bytes, frame, cells)
+            : decodeByDcmtk(bytes, frame, cells);
     }
     case PixelCoding::Jpeg2000:
         return decodeJpeg2000(bytes, frame.layout, cells);

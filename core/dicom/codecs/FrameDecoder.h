@@ -16,6 +16,11 @@ class DicomFile;
 /// Why Burin cannot decode this image, in words; empty if it can, as far as the header shows.
 [[nodiscard]] Clause undecodableReason(const ImageHeader& header);
 
+/// What is to be told of a frame that was decoded.
+struct DecodedFrame {
+    bool cutOff = false; ///< some values did not fit BitsStored (areCutOff())
+};
+
 /// An open file whose frames are decoded one by one. It is checked and mapped once, whatever the
 /// number of frames. Several threads may use it at once.
 class FrameFile {
@@ -28,12 +33,13 @@ public:
 
     /// Decodes the frame described by @p header into stored values (extractStoredBits), columns
     /// first. Apart from our own parser, no code sees more of the file than its pixel data.
-    [[nodiscard]] Result<void> decode(
+    [[nodiscard]] Result<DecodedFrame> decode(
         const ImageHeader& header, std::span<std::uint16_t> stored) const;
 
-    /// The same for pixels that are floating-point numbers (PixelLayout::floatBits).
-    [[nodiscard]] Result<void> decodeFloats(
-        const ImageHeader& header, std::span<double> values) const;
+    /// The same for pixels that do not fit 16 bits (PixelLayout::isWide()): floating-point numbers,
+    /// and whole ones of 32 bits.
+    [[nodiscard]] Result<void> decodeNumbers(
+        const ImageHeader& header, std::span<double> numbers) const;
 
 private:
     explicit FrameFile(std::unique_ptr<const DicomFile> file);
@@ -42,6 +48,7 @@ private:
 };
 
 /// Opens a file for one of its frames.
-[[nodiscard]] Result<void> decodeFrame(const ImageHeader& header, std::span<std::uint16_t> stored);
+[[nodiscard]] Result<DecodedFrame> decodeFrame(
+    const ImageHeader& header, std::span<std::uint16_t> stored);
 
 } // namespace core

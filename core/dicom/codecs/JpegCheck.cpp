@@ -20,13 +20,13 @@ bool isFrameHeader(std::uint8_t marker)
 
 } // namespace
 
-QString checkJpeg(std::span<const std::uint8_t> stream, const PixelLayout& layout)
+JpegFacts checkJpeg(std::span<const std::uint8_t> stream, const PixelLayout& layout)
 {
     const auto two = [&](std::size_t at) { return int(stream[at]) << 8 | int(stream[at + 1]); };
-    const QString damaged = QStringLiteral("damaged JPEG data");
+    const JpegFacts damaged{.wrong = QStringLiteral("damaged JPEG data")};
     if (stream.size() < 4 || stream[0] != 0xff || stream[1] != startOfImage)
         return damaged;
-    bool hasFrame = false;
+    int precision = 0;
     bool isJpegLs = false;
     std::size_t at = 2;
     while (stream.size() - at >= 4) {
@@ -43,25 +43,25 @@ QString checkJpeg(std::span<const std::uint8_t> stream, const PixelLayout& layou
         if (length < 2 || length > stream.size() - at - 2)
             return damaged;
         if (isFrameHeader(marker)) {
-            if (length < 8)
+            if (length < 8 || precision != 0)
                 return damaged;
+            precision = stream[at + 4];
             const int rows = two(at + 5);
             const int columns = two(at + 7);
             const int components = stream[at + 9];
             if (rows != layout.rows || columns != layout.columns || components != 1) {
-                return QStringLiteral("its JPEG image is %1 × %2 with %3 components")
-                    .arg(columns)
-                    .arg(rows)
-                    .arg(components);
+                return {.wrong = QStringLiteral("its JPEG image is %1 × %2 with %3 components")
+                                     .arg(columns)
+                                     .arg(rows)
+                                     .arg(components)};
             }
-            hasFrame = true;
             isJpegLs = marker == jpegLsFrame;
         }
         at += 2 + length;
         if (marker == startOfScan)
             break;
     }
-    if (!hasFrame)
+    if (precision == 0)
         return damaged;
     // JPEG-LS stuffs bits, so FF01 is ordinary there; in JPEG it never is.
     for (; !isJpegLs && at + 1 < stream.size(); ++at) {
@@ -70,7 +70,7 @@ QString checkJpeg(std::span<const std::uint8_t> stream, const PixelLayout& layou
         if (stream[at] == 0xff && stream[at + 1] == endOfImage)
             break;
     }
-    return {};
+    return {.wrong = {}, .precision = precision};
 }
 
 } // namespace core

@@ -17,4 +17,12 @@ namespace core {
 void extractStoredBits(std::span<const std::uint8_t> cells, const PixelLayout& layout,
     std::span<std::uint16_t> stored);
 
+/// Whether cells of 8 or 16 bits hold values that do not fit BitsStored: bits above HighBit that
+/// are neither overlays nor an extension of the sign. extractStoredBits() cuts them off.
+[[nodiscard]] bool areCutOff(std::span<const std::uint8_t> cells, const PixelLayout& layout);
+
+/// The same as extractStoredBits() for cells of 32 bits.
+void extractStoredNumbers(
+    std::span<const std::uint8_t> cells, const PixelLayout& layout, std::span<double> numbers);
+
 } // namespace core

@@ -39,6 +39,18 @@ StudyIdentity readIdentity(const HeaderAttributes& from)
         .patientPosition = from.text(DCM_PatientPosition)};
 }
 
+/// Which bits of a cell hold overlays, as older files have them (retired, PS3.3 C.9.2).
+std::uint32_t readOverlayBits(const HeaderAttributes& from)
+{
+    std::uint32_t bits = 0;
+    for (Uint16 group = 0x6000; group <= 0x601e; group += 2) {
+        const int position = from.integer(DcmTagKey(group, DCM_OverlayBitPosition.getElement()));
+        if (position > 0 && position < 32)
+            bits |= 1u << position;
+    }
+    return bits;
+}
+
 PixelLayout readLayout(const HeaderAttributes& from)
 {
     PixelLayout layout;
@@ -48,7 +60,12 @@ PixelLayout readLayout(const HeaderAttributes& from)
     layout.bitsAllocated = from.integer(DCM_BitsAllocated);
     layout.bitsStored = from.integer(DCM_BitsStored, layout.bitsAllocated);
     layout.highBit = from.integer(DCM_HighBit, layout.bitsStored - 1);
+    if (const int least = layout.bitsStored - 1; layout.highBit < least) {
+        layout.falseHighBit = layout.highBit;
+        layout.highBit = least;
+    }
     layout.isSigned = from.integer(DCM_PixelRepresentation) == 1;
+    layout.overlayBits = readOverlayBits(from);
     layout.photometric = from.text(DCM_PhotometricInterpretation);
     return layout;
 }
@@ -139,7 +156,7 @@ Result<std::vector<ImageHeader>> read(const QString& path)
     readRescale(from, header);
     readWindow(from, header);
     header.units = from.text(DCM_Units);
-    header.hasModalityLut = from.has(DCM_ModalityLUTSequence);
+    header.hasModalityLut = hasModalityLut(set);
     if (header.hasModalityLut)
         takeModalityLut(set, header);
     header.padding = readPadding(set, header.layout.isSigned);

@@ -35,6 +35,15 @@ void ModalityLut::apply(std::span<std::uint16_t> stored, bool isSigned) const
     }
 }
 
+bool hasModalityLut(DcmItem& set)
+{
+    DcmElement* element = nullptr;
+    if (set.findAndGetElement(DCM_ModalityLUTSequence, element).bad())
+        return false;
+    const auto* sequence = dynamic_cast<const DcmSequenceOfItems*>(element);
+    return sequence ? sequence->card() > 0 : element->getLength() > 0;
+}
+
 std::shared_ptr<const ModalityLut> readModalityLut(DcmItem& set, bool isSigned)
 {
     DcmItem* item = nullptr;

@@ -21,6 +21,9 @@ struct ModalityLut {
     void apply(std::span<std::uint16_t> stored, bool isSigned) const;
 };
 
+/// Whether a data set is to have a table: a sequence without an item tells of none.
+[[nodiscard]] bool hasModalityLut(DcmItem& set);
+
 /// The table of a data set; null if there is none that is usable. Only for sources of core/dicom.
 [[nodiscard]] std::shared_ptr<const ModalityLut> readModalityLut(DcmItem& set, bool isSigned);
 

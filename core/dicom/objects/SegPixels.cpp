@@ -83,7 +83,7 @@ Result<Bits> decodedBits(
         ImageHeader one = header;
         one.frame = frame;
         std::vector<std::uint16_t> stored(pixels);
-        if (const Result<void> decoded = frames->decode(one, stored); !decoded)
+        if (const Result<DecodedFrame> decoded = frames->decode(one, stored); !decoded)
             errors[std::size_t(frame)] = decoded.error();
         std::uint8_t* to = bits.data() + std::size_t(frame) * pixels * bytes;
         for (const std::uint16_t value : stored) {

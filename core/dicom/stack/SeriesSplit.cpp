@@ -26,10 +26,10 @@ bool near(double a, double b)
 
 bool sameGrid(const ImageHeader& a, const ImageHeader& b)
 {
-    return a.layout.floatBits == b.layout.floatBits && a.layout.rows == b.layout.rows
-        && a.layout.columns == b.layout.columns && near(a.spacing->x, b.spacing->x)
-        && near(a.spacing->y, b.spacing->y) && near(a.plane->row, b.plane->row)
-        && near(a.plane->column, b.plane->column);
+    return a.layout.floatBits == b.layout.floatBits && a.layout.isWide() == b.layout.isWide()
+        && a.layout.rows == b.layout.rows && a.layout.columns == b.layout.columns
+        && near(a.spacing->x, b.spacing->x) && near(a.spacing->y, b.spacing->y)
+        && near(a.plane->row, b.plane->row) && near(a.plane->column, b.plane->column);
 }
 
 std::vector<Images> splitByGrid(Images images)

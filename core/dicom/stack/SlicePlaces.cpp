@@ -6,12 +6,13 @@
 #include <QFileInfo>
 
 #include <algorithm>
+#include <set>
 
 namespace core {
 
 namespace {
 
-QByteArray fileHash(const QString& path)
+QByteArray hashOfFile(const QString& path)
 {
     QFile file(path);
     QCryptographicHash hash(QCryptographicHash::Sha256);
@@ -41,12 +42,27 @@ std::vector<SlicePlace> sortIntoPlaces(std::vector<ImageHeader> images)
     return places;
 }
 
-std::vector<VolumeProblem> dropDuplicates(std::vector<SlicePlace>& places)
+bool FileContents::areEqual(const QString& file, const QString& other)
+{
+    return file == other
+        || (QFileInfo(file).size() == QFileInfo(other).size() && hashOf(file) == hashOf(other));
+}
+
+const QByteArray& FileContents::hashOf(const QString& file)
+{
+    const auto known = m_hashes.find(file);
+    return known != m_hashes.end() ? known->second
+                                   : m_hashes.emplace(file, hashOfFile(file)).first->second;
+}
+
+std::vector<VolumeProblem> dropDuplicates(std::vector<SlicePlace>& places, FileContents& contents)
 {
     std::vector<VolumeProblem> problems;
-    std::vector<SliceSpan> equal;
+    std::set<QString> equal;
+    std::vector<SliceSpan> ofEqual;
+    std::set<QString> contradicting;
     std::vector<SliceSpan> ofContradicting;
-    QStringList contradicting;
+    QStringList names;
     int slice = 0;
     for (SlicePlace& place : places) {
         ++slice;
@@ -55,17 +71,18 @@ std::vector<VolumeProblem> dropDuplicates(std::vector<SlicePlace>& places)
             const auto twin = std::find_if(kept.begin(), kept.end(), [&](const ImageHeader& other) {
                 if (image.sopInstanceUid != other.sopInstanceUid || image.frame != other.frame)
                     return false;
-                return !image.sopInstanceUid.isEmpty()
-                    || fileHash(image.file) == fileHash(other.file);
+                return !image.sopInstanceUid.isEmpty() || contents.areEqual(image.file, other.file);
             });
             if (twin == kept.end()) {
                 kept.push_back(std::move(image));
                 continue;
             }
-            if (fileHash(image.file) == fileHash(twin->file))
-                equal.push_back({.first = slice, .last = slice});
-            else {
-                contradicting.append(QFileInfo(image.file).fileName());
+            if (contents.areEqual(image.file, twin->file)) {
+                equal.insert(image.file);
+                ofEqual.push_back({.first = slice, .last = slice});
+            } else {
+                if (contradicting.insert(image.file).second)
+                    names.append(QFileInfo(image.file).fileName());
                 ofContradicting.push_back({.first = slice, .last = slice});
             }
         }
@@ -74,13 +91,13 @@ std::vector<VolumeProblem> dropDuplicates(std::vector<SlicePlace>& places)
     if (!equal.empty()) {
         problems.push_back({.kind = VolumeProblem::Kind::DuplicateSlices,
             .said = {ProblemCode::DuplicatesLeftOut,
-                {std::int64_t(equal.size()), slicesInWords(equal)}},
-            .slices = equal});
+                {std::int64_t(equal.size()), slicesInWords(ofEqual)}},
+            .slices = ofEqual});
     }
-    if (!contradicting.isEmpty()) {
+    if (!contradicting.empty()) {
         problems.push_back({.kind = VolumeProblem::Kind::DuplicateSlices,
             .said = {ProblemCode::ContradictingLeftOut,
-                {namesIn(contradicting), slicesInWords(ofContradicting)}},
+                {namesIn(names), slicesInWords(ofContradicting)}},
             .caution = true,
             .slices = ofContradicting});
     }

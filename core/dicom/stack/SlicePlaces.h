@@ -4,6 +4,10 @@
 #include "core/dicom/base/ImageHeader.h"
 #include "core/volume/Volume.h"
 
+#include <QByteArray>
+#include <QString>
+
+#include <map>
 #include <vector>
 
 namespace core {
@@ -18,8 +22,20 @@ struct SlicePlace {
 /// instance numbers and slice locations are not used.
 [[nodiscard]] std::vector<SlicePlace> sortIntoPlaces(std::vector<ImageHeader> images);
 
+/// Compares the bytes of files. A file is read once at most, whatever the number of its frames.
+class FileContents {
+public:
+    [[nodiscard]] bool areEqual(const QString& file, const QString& other);
+
+private:
+    [[nodiscard]] const QByteArray& hashOf(const QString& file);
+
+    std::map<QString, QByteArray> m_hashes;
+};
+
 /// Drops images that have the position and UID of another one, or the same bytes.
 /// @return what was dropped, in words
-[[nodiscard]] std::vector<VolumeProblem> dropDuplicates(std::vector<SlicePlace>& places);
+[[nodiscard]] std::vector<VolumeProblem> dropDuplicates(
+    std::vector<SlicePlace>& places, FileContents& contents);
 
 } // namespace core

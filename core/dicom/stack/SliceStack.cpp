@@ -4,6 +4,7 @@
 #include "core/dicom/stack/ApartImage.h"
 #include "core/dicom/stack/QuantitySplit.h"
 #include "core/dicom/stack/SeriesSplit.h"
+#include "core/dicom/stack/SlicePlaces.h"
 #include "core/dicom/stack/StackGeometry.h"
 #include "core/dicom/stack/TimePoints.h"
 
@@ -110,18 +111,18 @@ void stackCandidates(TimeAxis axis, const std::vector<SliceSpan>& places, const 
     }
 }
 
-void stackGroup(Images group, StackSorting& sorting);
+void stackGroup(Images group, FileContents& contents, StackSorting& sorting);
 
 /// Volumes beside each other, each perhaps in time.
 void stackQuantities(std::vector<QuantityImages> quantities,
-    const std::vector<VolumeProblem>& problems, StackSorting& sorting)
+    const std::vector<VolumeProblem>& problems, FileContents& contents, StackSorting& sorting)
 {
     Clauses names;
     for (const QuantityImages& each : quantities)
         names.append(each.quantity);
     for (QuantityImages& each : quantities) {
         StackSorting own;
-        stackGroup(std::move(each.images), own);
+        stackGroup(std::move(each.images), contents, own);
         for (SliceStack& stack : own.stacks) {
             stack.part = stack.part.isEmpty() ? each.quantity
                                               : Clause::saying("%1, %2", each.quantity, stack.part);
@@ -134,7 +135,7 @@ void stackQuantities(std::vector<QuantityImages> quantities,
     }
 }
 
-void stackGroup(Images group, StackSorting& sorting)
+void stackGroup(Images group, FileContents& contents, StackSorting& sorting)
 {
     std::vector<VolumeProblem> problems = dropCut(group);
     if (group.empty())
@@ -145,7 +146,7 @@ void stackGroup(Images group, StackSorting& sorting)
     }
     Doubled doubled = std::make_shared<const Images>(group);
     std::vector<SlicePlace> places = sortIntoPlaces(std::move(group));
-    const std::vector<VolumeProblem> duplicates = dropDuplicates(places);
+    const std::vector<VolumeProblem> duplicates = dropDuplicates(places, contents);
     const bool contradicting = std::any_of(duplicates.begin(), duplicates.end(),
         [](const VolumeProblem& problem) { return problem.caution; });
     problems.insert(problems.end(), duplicates.begin(), duplicates.end());
@@ -155,7 +156,7 @@ void stackGroup(Images group, StackSorting& sorting)
     if (!single) {
         if (std::vector<QuantityImages> quantities = takeApartByQuantity(places);
             !quantities.empty())
-            return stackQuantities(std::move(quantities), problems, sorting);
+            return stackQuantities(std::move(quantities), problems, contents, sorting);
         const std::vector<SliceSpan> severalAt = doubledPlaces(places);
         TimeAxis axis = findTimeAxis(std::move(places));
         if (axis.complete)
@@ -211,6 +212,16 @@ SliceStack stackOf(std::vector<ImageHeader> slices)
         stack.problems.push_back({.kind = VolumeProblem::Kind::LossyCompression,
             .said = {ProblemCode::CompressedWithLoss}});
     }
+    const auto wrong =
+        std::find_if(stack.slices.begin(), stack.slices.end(), [](const ImageHeader& image) {
+            return image.layout.falseHighBit && image.layout.floatBits == 0;
+        });
+    if (wrong != stack.slices.end()) {
+        const PixelLayout& layout = wrong->layout;
+        stack.problems.push_back({.kind = VolumeProblem::Kind::Other,
+            .said = {ProblemCode::HighBitTaken,
+                {*layout.falseHighBit, layout.bitsStored, layout.highBit}}});
+    }
     return stack;
 }
 
@@ -253,8 +264,9 @@ StackSorting sortIntoStacks(std::vector<ImageHeader> images)
         else
             placed.push_back(std::move(image));
     }
+    FileContents contents;
     for (Images& group : splitSeries(std::move(placed)))
-        stackGroup(std::move(group), sorting);
+        stackGroup(std::move(group), contents, sorting);
     putCrookedApart(sorting);
 
     if (sorting.stacks.size() > 1) {

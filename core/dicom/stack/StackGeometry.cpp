@@ -108,6 +108,13 @@ void reportGaps(SliceStack& stack, const std::vector<double>& gaps, double usual
         .slices = slices});
 }
 
+void reportDrift(SliceStack& stack)
+{
+    stack.problems.push_back({.kind = VolumeProblem::Kind::UnevenSpacing,
+        .said = {ProblemCode::PositionsWander, {millimetres(sidewaysDriftMm(stack))}},
+        .caution = true});
+}
+
 void placeMany(SliceStack& stack, glm::dmat4& affine)
 {
     const std::vector<ImageHeader>& slices = stack.slices;
@@ -126,13 +133,23 @@ void placeMany(SliceStack& stack, glm::dmat4& affine)
 
     const double tolerance = evenSlicesToleranceMm(usual);
     double worst = 0.0;
-    for (std::size_t k = 0; k < slices.size(); ++k)
-        worst = std::max(worst, glm::length(*slices[k].position - (first + step * double(k))));
-    if (worst > tolerance) {
-        for (const ImageHeader& slice : slices)
-            stack.geometry.slicePositions.push_back(*slice.position);
-        reportGaps(stack, gaps, usual);
+    double worstAlong = 0.0;
+    for (std::size_t k = 0; k < slices.size(); ++k) {
+        const glm::dvec3 off = *slices[k].position - (first + step * double(k));
+        worst = std::max(worst, glm::length(off));
+        worstAlong = std::max(worstAlong, std::abs(glm::dot(off, normal)));
     }
+    if (worst <= tolerance)
+        return;
+    for (const ImageHeader& slice : slices)
+        stack.geometry.slicePositions.push_back(*slice.position);
+    const bool isEven = worstAlong <= tolerance
+        && std::all_of(gaps.begin(), gaps.end(),
+            [&](double gap) { return std::abs(gap - usual) <= tolerance; });
+    if (isEven)
+        reportDrift(stack);
+    else
+        reportGaps(stack, gaps, usual);
 }
 
 } // namespace

@@ -8,7 +8,7 @@
 namespace core {
 
 /// Sets the geometry of a stack whose slices are in order, and adds the problems that follow from
-/// their positions: missing slices, uneven spacing, tilt, assumed spacing.
+/// their positions: missing slices, uneven spacing, positions that wander, tilt, assumed spacing.
 ///
 /// The affine leads from the first slice's position to that of the last and may be sheared. If it
 /// does not fit every slice (0.01 mm, 1 % of the distance), slicePositions contain all of them.

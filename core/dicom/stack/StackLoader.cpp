@@ -13,6 +13,7 @@
 #include "core/volume/encoding/VolumeEncoder.h"
 
 #include <algorithm>
+#include <atomic>
 #include <functional>
 #include <map>
 #include <memory>
@@ -25,8 +26,8 @@ namespace core {
 
 namespace {
 
-/// Exact values of a stack of floating-point numbers. Fails with the first slice that does.
-Result<std::vector<double>> decodeFloats(const SliceStack& stack, const Progress& progress)
+/// Exact values of a stack whose pixels do not fit 16 bits. Fails with the first slice that does.
+Result<std::vector<double>> decodeNumbers(const SliceStack& stack, const Progress& progress)
 {
     const std::size_t size =
         std::size_t(stack.geometry.size.x) * std::size_t(stack.geometry.size.y);
@@ -43,7 +44,7 @@ Result<std::vector<double>> decodeFloats(const SliceStack& stack, const Progress
         if (!file)
             return tl::unexpected<Error>(file.error());
         const std::span<double> slice = std::span(values).subspan(k * size, size);
-        if (const Result<void> read = file->decodeFloats(image, slice); !read)
+        if (const Result<void> read = file->decodeNumbers(image, slice); !read)
             return tl::unexpected<Error>(read.error());
         for (double& value : slice)
             value = image.slope * value + image.intercept;
@@ -67,14 +68,27 @@ public:
     /// What is stored, through its lookup table where there is one.
     [[nodiscard]] Result<void> decode(const ImageHeader& image, std::span<std::uint16_t> stored)
     {
-        Result<void> decoded = decodeStored(image, stored);
-        if (decoded && image.modalityLut)
+        const Result<DecodedFrame> decoded = decodeStored(image, stored);
+        if (!decoded)
+            return tl::unexpected<Error>(decoded.error());
+        if (decoded->cutOff)
+            m_cutOff = true;
+        if (image.modalityLut)
             image.modalityLut->apply(stored, image.layout.isSigned);
-        return decoded;
+        return {};
+    }
+
+    /// That values did not fit, after all slices are decoded.
+    void report(std::vector<VolumeProblem>& problems) const
+    {
+        if (m_cutOff)
+            problems.push_back({.kind = VolumeProblem::Kind::Other,
+                .said = {ProblemCode::ValuesCutOff},
+                .caution = true});
     }
 
 private:
-    [[nodiscard]] Result<void> decodeStored(
+    [[nodiscard]] Result<DecodedFrame> decodeStored(
         const ImageHeader& image, std::span<std::uint16_t> stored)
     {
         const auto found = m_files.find(image.file);
@@ -92,6 +106,7 @@ private:
         std::optional<Result<FrameFile>> file;
     };
     std::map<QString, std::unique_ptr<Slot>> m_files; ///< does not change while threads look
+    std::atomic<bool> m_cutOff = false; ///< values of some image did not fit its stored bits
 };
 
 int middleOf(const SliceStack& stack)
@@ -256,19 +271,21 @@ Result<LoadedVolume> loadStored(const ListedStack& listed, const SliceStack& wan
         return tl::unexpected<Error>(*errors.front());
     if (failures == 0) {
         loaded.volume = describe(listed, wanted);
+        files.report(loaded.volume.problems);
         encoder.finish(hasWindow(wanted));
         return loaded;
     }
     const SliceStack stack = withoutFailed(wanted, loaded.codes, errors);
     loaded.volume = describe(listed, stack);
+    files.report(loaded.volume.problems);
     encodeStoredValues(loaded, rescalesOf(stack), hasWindow(stack));
     return loaded;
 }
 
-Result<LoadedVolume> loadFloats(
+Result<LoadedVolume> loadNumbers(
     const ListedStack& listed, const SliceStack& stack, const Progress& progress)
 {
-    const Result<std::vector<double>> values = decodeFloats(stack, progress);
+    const Result<std::vector<double>> values = decodeNumbers(stack, progress);
     if (!values)
         return tl::unexpected<Error>(values.error());
     LoadedVolume loaded{.volume = describe(listed, stack)};
@@ -287,9 +304,8 @@ Result<LoadedVolume> loadStack(
 {
     const SliceStack& wanted =
         time == 0 ? listed.stack : listed.stack.laterTimes.at(std::size_t(time - 1));
-    return wanted.slices.front().layout.floatBits != 0
-        ? loadFloats(listed, wanted, progress)
-        : loadStored(listed, wanted, progress, early);
+    return wanted.slices.front().layout.isWide() ? loadNumbers(listed, wanted, progress)
+                                                 : loadStored(listed, wanted, progress, early);
 }
 
 } // namespace core

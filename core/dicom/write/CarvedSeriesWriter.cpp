@@ -191,6 +191,10 @@ Result<ReportLines> writeCarvedSeries(
             return failure(ErrorCode::UnsupportedFormat, file,
                 Clause::saying("it is no single image with a slope and an intercept; a carved "
                                "series cannot be made of it, but NIfTI can"));
+        if (image->layout.isWide())
+            return failure(ErrorCode::UnsupportedFormat, file,
+                Clause::saying("its pixels have more than 16 bits; a carved series cannot be made "
+                               "of it, but NIfTI can"));
         const std::optional<int> fillStored = storedFor(series.fill, *image);
         if (!fillStored)
             return failure(ErrorCode::UnsupportedFormat, file,
@@ -198,7 +202,7 @@ Result<ReportLines> writeCarvedSeries(
                                "or NIfTI",
                     QString::fromLatin1(fill)));
         std::vector<std::uint16_t> stored(area);
-        if (const Result<void> decoded = decodeFrame(*image, stored); !decoded)
+        if (const Result<DecodedFrame> decoded = decodeFrame(*image, stored); !decoded)
             return tl::unexpected(decoded.error());
         for (std::size_t i = 0; i < area; ++i) {
             if (series.coverage[k * area + i] >= 128)

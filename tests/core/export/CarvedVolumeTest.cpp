@@ -379,6 +379,24 @@ private Q_SLOTS:
         refused(opened.target("b"), {}, ErrorCode::UnsupportedFormat);
     }
 
+    /// Their values can be none of a series that is written with 16 bits.
+    void pixelsOf32BitsAreRefusedInWords()
+    {
+        test::SyntheticSeries series;
+        series.adjust = [&](DcmDataset& set, int) {
+            const std::vector<Uint16> words(
+                2 * std::size_t(series.size.x) * std::size_t(series.size.y), 3);
+            set.putAndInsertUint16(DCM_BitsAllocated, 32);
+            set.putAndInsertUint16Array(DCM_PixelData, words.data(), words.size());
+        };
+        const Opened opened(series);
+        const Result<ExportReport> report = opened.write(opened.target("a"));
+        QVERIFY(!report);
+        QCOMPARE(report.error().code, ErrorCode::UnsupportedFormat);
+        QVERIFY2(report.error().arguments.value(1).contains(QStringLiteral("more than 16 bits")),
+            qPrintable(messageOf(report.error())));
+    }
+
     /// Each slice has a scale of its own: the fill value must be one of all of them.
     void slicesOfDifferentScale()
     {

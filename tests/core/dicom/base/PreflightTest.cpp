@@ -238,7 +238,7 @@ void PreflightTest::deflatedPixelsAreInflatedOnlyAsFarAsNeeded()
     const core::Result<core::ImageHeader> header = core::readImageHeader(file);
     QVERIFY(header);
     std::vector<std::uint16_t> stored(12 * 16, 7);
-    const core::Result<void> decoded = core::decodeFrame(*header, stored);
+    const core::Result<core::DecodedFrame> decoded = core::decodeFrame(*header, stored);
     QVERIFY2(decoded, decoded ? "" : qPrintable(sentence(decoded.error())));
     QVERIFY(std::all_of(stored.begin(), stored.end(), [](int value) { return value == 0; }));
     QVERIFY(peakMemory() - before < 50'000);
@@ -362,7 +362,8 @@ void PreflightTest::truncationsAreSurvived()
         if (header->layout.rows != 12 || header->layout.columns != 16)
             continue;
         std::vector<std::uint16_t> stored(12 * 16);
-        if (const core::Result<void> decoded = core::decodeFrame(*header, stored); !decoded)
+        if (const core::Result<core::DecodedFrame> decoded = core::decodeFrame(*header, stored);
+            !decoded)
             QVERIFY(!sentence(decoded.error()).isEmpty());
     }
     QVERIFY(refused > 10);

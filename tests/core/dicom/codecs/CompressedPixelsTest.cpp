@@ -150,24 +150,30 @@ void CompressedPixelsTest::jpegHeaderMustAgree()
 {
     const core::PixelLayout layout = layoutOf(16, 16, 15, false);
     const Bytes scan{0x12, 0xff, 0x00, 0x34, 0xff, 0xd9};
-    QCOMPARE(core::checkJpeg(jpeg(4, 2, scan), layout), QString());
-    QVERIFY(core::checkJpeg(jpeg(5, 2, scan), layout).contains(QStringLiteral("5 ×")));
-    QVERIFY(!core::checkJpeg(jpeg(4, 20000, scan), layout).isEmpty());
+    QCOMPARE(core::checkJpeg(jpeg(4, 2, scan), layout).wrong, QString());
+    QCOMPARE(core::checkJpeg(jpeg(4, 2, scan), layout).precision, 16);
+    QVERIFY(core::checkJpeg(jpeg(5, 2, scan), layout).wrong.contains(QStringLiteral("5 ×")));
+    QVERIFY(!core::checkJpeg(jpeg(4, 20000, scan), layout).wrong.isEmpty());
     Bytes threeComponents = jpeg(4, 2, scan);
     threeComponents[11] = 3;
-    QVERIFY(!core::checkJpeg(threeComponents, layout).isEmpty());
-    QVERIFY(!core::checkJpeg(Bytes{0xff, 0xd8, 0xff}, layout).isEmpty());
-    QVERIFY(!core::checkJpeg(Bytes(100, 0), layout).isEmpty());
+    QVERIFY(!core::checkJpeg(threeComponents, layout).wrong.isEmpty());
+    Bytes twoFrames = jpeg(4, 2, scan);
+    const Bytes frame(twoFrames.begin() + 2, twoFrames.begin() + 15);
+    twoFrames.insert(twoFrames.begin() + 2, frame.begin(), frame.end());
+    QVERIFY(!core::checkJpeg(twoFrames, layout).wrong.isEmpty());
+    QVERIFY(!core::checkJpeg(Bytes{0xff, 0xd8, 0xff}, layout).wrong.isEmpty());
+    QVERIFY(!core::checkJpeg(Bytes(100, 0), layout).wrong.isEmpty());
 }
 
 void CompressedPixelsTest::jpegMarkersThatHangAreRefused()
 {
     const core::PixelLayout layout = layoutOf(16, 16, 15, false);
-    QVERIFY(!core::checkJpeg(jpeg(4, 2, {0x12, 0xff, 0x01, 0x34, 0xff, 0xd9}), layout).isEmpty());
+    QVERIFY(
+        !core::checkJpeg(jpeg(4, 2, {0x12, 0xff, 0x01, 0x34, 0xff, 0xd9}), layout).wrong.isEmpty());
     Bytes early = jpeg(4, 2, {0x12, 0xff, 0xd9});
     const Bytes marker{0xff, 0x01};
     early.insert(early.begin() + 2, marker.begin(), marker.end());
-    QVERIFY(!core::checkJpeg(early, layout).isEmpty());
+    QVERIFY(!core::checkJpeg(early, layout).wrong.isEmpty());
 }
 
 void CompressedPixelsTest::jpeg2000RefusesNoise()

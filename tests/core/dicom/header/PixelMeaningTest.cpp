@@ -39,6 +39,19 @@ float floatAt(int column, int row, int k)
     return 0.25F * float(column) - 1.5F * float(row) + 0.001F * float(k);
 }
 
+/// Replaces the pixels of an image by cells of 32 bits, as they are written in a transfer syntax.
+void putWideCells(DcmDataset& set, const std::vector<std::uint32_t>& cells, bool bigEndian)
+{
+    std::vector<Uint16> words;
+    for (const std::uint32_t cell : cells) {
+        // DCMTK swaps the bytes within words.
+        words.push_back(Uint16(bigEndian ? cell >> 16 : cell));
+        words.push_back(Uint16(bigEndian ? cell : cell >> 16));
+    }
+    set.putAndInsertUint16(DCM_BitsAllocated, 32);
+    set.putAndInsertUint16Array(DCM_PixelData, words.data(), words.size());
+}
+
 } // namespace
 
 /// What stored pixels mean: lookup tables, padding, inverted display, floating-point numbers.
@@ -49,11 +62,16 @@ private Q_SLOTS:
     void lookupTableTakesThePlaceOfTheSlope();
     void lookupTableIsHeldAtItsEnds();
     void damagedLookupTableIsRefusedInWords();
+    void noLookupTableInItsSequence_data();
+    void noLookupTableInItsSequence();
     void paddingDoesNotCount();
     void imageOfNothingButPaddingCounts();
     void presentationShapeInvertsDisplayOnly();
     void floatingPointPixels();
     void sharedParametricMap();
+    void wholeNumbersOf32Bits_data();
+    void wholeNumbersOf32Bits();
+    void wholeNumbersOf32BitsWithATableAreRefusedInWords();
 };
 
 void PixelMeaningTest::lookupTableTakesThePlaceOfTheSlope()
@@ -101,6 +119,31 @@ void PixelMeaningTest::damagedLookupTableIsRefusedInWords()
     QVERIFY(loaded.error()
                 .arguments.join(QLatin1Char(' '))
                 .contains(QLatin1String("damaged modality lookup table")));
+}
+
+void PixelMeaningTest::noLookupTableInItsSequence_data()
+{
+    QTest::addColumn<QString>("syntax");
+    QTest::newRow("explicit VR") << QStringLiteral("1.2.840.10008.1.2.1");
+    QTest::newRow("implicit VR") << QStringLiteral("1.2.840.10008.1.2");
+}
+
+/// The sequence is there, without an item: slope and intercept count.
+void PixelMeaningTest::noLookupTableInItsSequence()
+{
+    QFETCH(QString, syntax);
+    const QTemporaryDir folder;
+    SyntheticSeries series;
+    series.transferSyntaxUid = syntax;
+    series.slope = [](int) { return 3.0; };
+    series.adjust = [](DcmDataset& set, int) {
+        QVERIFY(set.insertEmptyElement(DCM_ModalityLUTSequence).good());
+    };
+    test::writeSeries(series, folder.path());
+    const core::LoadedVolume loaded = test::openVolume(folder.path());
+    QCOMPARE(loaded.volume.geometry.size, series.size);
+    QCOMPARE(test::worstError(loaded, series), 0.0);
+    QCOMPARE(loaded.volume.unit, QStringLiteral("HU"));
 }
 
 void PixelMeaningTest::paddingDoesNotCount()
@@ -195,6 +238,100 @@ void PixelMeaningTest::sharedParametricMap()
     QVERIFY(std::abs(loaded.volume.maximum - 0.941579) < 1e-6);
     QCOMPARE(loaded.volume.voxelsSha256,
         QByteArray("ef41ff13cf378171c7ee25198c75e2b70764e3789664f17dd6df40163ec37284"));
+}
+
+void PixelMeaningTest::wholeNumbersOf32Bits_data()
+{
+    QTest::addColumn<QString>("syntax");
+    QTest::addColumn<int>("stored");
+    QTest::addColumn<int>("highBit");
+    QTest::addColumn<bool>("isSigned");
+    QTest::addColumn<double>("first");
+    QTest::addColumn<double>("step");
+    const QString explicitLe = QStringLiteral("1.2.840.10008.1.2.1");
+    const QString explicitBe = QStringLiteral("1.2.840.10008.1.2.2");
+    const QString rle = QStringLiteral("1.2.840.10008.1.2.5");
+    const auto row = [](const char* name, const QString& syntax, int stored, int highBit,
+                         bool isSigned, double first, double step) {
+        QTest::newRow(name) << syntax << stored << highBit << isSigned << first << step;
+    };
+    row("few values", explicitLe, 32, 31, false, 5e8, 1.0);
+    row("few values, implicit", QStringLiteral("1.2.840.10008.1.2"), 32, 31, false, 5e8, 1.0);
+    row("few values, big endian", explicitBe, 32, 31, false, 5e8, 1.0);
+    row("few values, RLE", rle, 32, 31, false, 5e8, 1.0);
+    row("unsigned, all bits", explicitLe, 32, 31, false, 7.0, 994181.0);
+    row("signed", explicitLe, 32, 31, true, -2147483648.0, 994181.0);
+    row("signed, big endian", explicitBe, 32, 31, true, -2147483648.0, 994181.0);
+    row("signed, RLE", rle, 32, 31, true, -2147483648.0, 994181.0);
+    row("20 bits, dirty", explicitLe, 20, 19, false, 1000.0, 200.0);
+    row("20 bits in the middle, signed, dirty", explicitLe, 20, 27, true, -1000.0, 20.0);
+    row("16 bits, big endian, dirty", explicitBe, 16, 15, true, -1000.0, 1.0);
+}
+
+void PixelMeaningTest::wholeNumbersOf32Bits()
+{
+    QFETCH(QString, syntax);
+    QFETCH(int, stored);
+    QFETCH(int, highBit);
+    QFETCH(bool, isSigned);
+    QFETCH(double, first);
+    QFETCH(double, step);
+    const QTemporaryDir folder;
+    SyntheticSeries series;
+    series.layout.bitsStored = stored;
+    series.layout.highBit = highBit;
+    series.layout.isSigned = isSigned;
+    series.intercept = [](int) { return 0.5; };
+    series.slope = [](int) { return 2.0; };
+    series.transferSyntaxUid = syntax;
+    const auto valueAt = [&](const glm::ivec3& index) {
+        const int number = index.x + series.size.x * (index.y + series.size.y * index.z);
+        return first + step * number;
+    };
+    series.adjust = [&](DcmDataset& set, int k) {
+        const int shift = highBit + 1 - stored;
+        const std::uint32_t mask = (~0u >> (32 - stored)) << shift;
+        std::vector<std::uint32_t> cells;
+        for (int row = 0; row < series.size.y; ++row) {
+            for (int column = 0; column < series.size.x; ++column) {
+                const auto value = std::uint32_t(std::int64_t(valueAt({column, row, k})));
+                const std::uint32_t dirt = std::uint32_t(column) * 2654435761u & ~mask;
+                cells.push_back((value << shift & mask) | dirt);
+            }
+        }
+        putWideCells(set, cells, syntax == QLatin1String("1.2.840.10008.1.2.2"));
+    };
+    test::writeSeries(series, folder.path());
+    const core::LoadedVolume loaded = test::openVolume(folder.path());
+    QCOMPARE(loaded.volume.geometry.size, series.size);
+    const double error = loaded.volume.encoding.maxError;
+    const glm::ivec3 last = series.size - 1;
+    const double range = 2.0 * (valueAt(last) - first);
+    QVERIFY(error <= range / 65535.0);
+    for (int k = 0; k <= last.z; ++k) {
+        for (int row = 0; row <= last.y; ++row) {
+            for (int column = 0; column <= last.x; ++column) {
+                const glm::ivec3 index(column, row, k);
+                const double wrong = test::valueAt(loaded, index) - (2.0 * valueAt(index) + 0.5);
+                QVERIFY(std::abs(wrong) <= error + 1e-6);
+            }
+        }
+    }
+}
+
+void PixelMeaningTest::wholeNumbersOf32BitsWithATableAreRefusedInWords()
+{
+    const QTemporaryDir folder;
+    SyntheticSeries series;
+    series.adjust = [&](DcmDataset& set, int) {
+        putLut(set, 0, 60);
+        putWideCells(set, std::vector<std::uint32_t>(24 * 18, 3), false);
+    };
+    test::writeSeries(series, folder.path());
+    const core::Result<core::LoadedVolume> loaded = core::loadVolume(folder.path());
+    QVERIFY(!loaded);
+    const QString why = loaded.error().arguments.join(QLatin1Char(' '));
+    QVERIFY2(why.contains(QLatin1String("32 bits with a modality lookup table")), qPrintable(why));
 }
 
 BURIN_TEST(PixelMeaningTest)

@@ -75,6 +75,7 @@ void SeriesSplitTest::partsAndDoesNotPart_data()
     row("thickness", 1, [](ImageHeader& image) { image.sliceThickness = 9.0; });
     row("slope", 1, [](ImageHeader& image) { image.slope = 3.0; });
     row("bits", 1, [](ImageHeader& image) { image.layout.bitsStored = 10; });
+    row("bits beyond 16", 2, [](ImageHeader& image) { image.layout.bitsAllocated = 32; });
     row("image type", 1, [](ImageHeader& image) { image.imageType.append(QStringLiteral("ADD")); });
     row("instance number", 1, [](ImageHeader& image) { image.instanceNumber = 9000; });
 }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "core/dicom/stack/SlicePlaces.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/series/OpenedVolume.h"
 #include "tests/support/series/SyntheticSeries.h"
@@ -12,6 +13,7 @@
 
 #include <cmath>
 #include <memory>
+#include <optional>
 
 namespace sliceStackTest {
 
@@ -25,6 +27,37 @@ glm::dvec3 turned(const glm::dvec3& vector, double degrees)
     const double angle = glm::radians(degrees);
     return {vector.x, std::cos(angle) * vector.y - std::sin(angle) * vector.z,
         std::sin(angle) * vector.y + std::cos(angle) * vector.z};
+}
+
+/// Bytes that this thread has asked the system for; none if the system does not count them.
+std::optional<qint64> bytesRead()
+{
+    QFile counters(QStringLiteral("/proc/thread-self/io"));
+    if (!counters.open(QIODevice::ReadOnly))
+        return std::nullopt;
+    const QByteArray first = counters.readLine();
+    return first.startsWith("rchar: ") ? std::optional(first.mid(7).trimmed().toLongLong())
+                                       : std::nullopt;
+}
+
+/// The frames of two files that both say that they are the same object.
+std::vector<core::SlicePlace> framesOfBoth(const QStringList& files, int frames)
+{
+    std::vector<core::ImageHeader> images;
+    for (const QString& file : files) {
+        for (int frame = 0; frame < frames; ++frame) {
+            core::ImageHeader image;
+            image.file = file;
+            image.sopInstanceUid = QStringLiteral("2.25.1");
+            image.frames = frames;
+            image.frame = frame;
+            image.position = glm::dvec3(0.0, 0.0, frame);
+            image.plane = core::ImagePlane();
+            image.spacing = glm::dvec2(1.0, 1.0);
+            images.push_back(std::move(image));
+        }
+    }
+    return core::sortIntoPlaces(std::move(images));
 }
 
 } // namespace
@@ -41,8 +74,11 @@ private Q_SLOTS:
     void tiltShearsTheGrid();
     void missingSlicesAreCounted();
     void unevenSpacingKeepsEveryPosition();
+    void wanderingPositionsAreToldAsSuch();
     void duplicatesAreLeftOut();
     void contradictingDuplicateIsNamed();
+    void duplicatesOfManyFramesAreReadOnce_data();
+    void duplicatesOfManyFramesAreReadOnce();
     void singleImageSaysThatItsDepthIsAssumed();
     void phasesAreTimes();
     void quantitiesLieBesideEachOther_data();
@@ -153,6 +189,30 @@ void SliceStackTest::unevenSpacingKeepsEveryPosition()
     QCOMPARE(test::worstError(loaded, series), 0.0);
 }
 
+void SliceStackTest::wanderingPositionsAreToldAsSuch()
+{
+    SyntheticSeries series;
+    for (int k = 0; k < series.size.z; ++k)
+        series.positions.emplace_back(k == 4 ? 1.3 : 1.0, k == 7 ? 2.2 : 2.0, 3.0 * k);
+    test::writeSeries(series, path());
+    const core::LoadedVolume loaded = test::openVolume(path());
+    QCOMPARE(loaded.volume.problems.size(), std::size_t(1));
+    QCOMPARE(test::problemText(loaded.volume.problems, VolumeProblem::Kind::UnevenSpacing),
+        QStringLiteral("The positions of the slices wander sideways by up to 0.3 mm."));
+    QVERIFY(loaded.volume.needsCaution());
+    QVERIFY(loaded.volume.geometry.slicePositions == series.positions);
+    QCOMPARE(test::worstError(loaded, series), 0.0);
+
+    // Where distances differ as well, these are told.
+    series.positions[9].z += 1.0;
+    test::writeSeries(series, path(QStringLiteral("uneven")));
+    const core::LoadedVolume uneven = test::openVolume(path(QStringLiteral("uneven")));
+    const QString text =
+        test::problemText(uneven.volume.problems, VolumeProblem::Kind::UnevenSpacing);
+    QVERIFY2(text.startsWith(QLatin1String("The distance between slices varies from 3 to 4 mm")),
+        qPrintable(text));
+}
+
 void SliceStackTest::duplicatesAreLeftOut()
 {
     SyntheticSeries series;
@@ -179,6 +239,51 @@ void SliceStackTest::contradictingDuplicateIsNamed()
         test::problemText(loaded.volume.problems, VolumeProblem::Kind::DuplicateSlices);
     QVERIFY2(text.contains(QLatin1String("zz_other")), qPrintable(text));
     QVERIFY(loaded.volume.needsCaution());
+}
+
+void SliceStackTest::duplicatesOfManyFramesAreReadOnce_data()
+{
+    QTest::addColumn<int>("second");
+    QTest::addColumn<int>("filled");
+    QTest::addColumn<qint64>("read");
+    QTest::addColumn<QString>("said");
+    constexpr int size = 1 << 20;
+    QTest::newRow("the same bytes") << size << 0 << qint64(2 * size)
+                                    << QStringLiteral("1 duplicate file was left out, of slices "
+                                                      "1–50.");
+    const QString others = QStringLiteral(
+        "Files with the identity of another but other content were left out: b (slices 1–50).");
+    QTest::newRow("other bytes") << size << 1 << qint64(2 * size) << others;
+    QTest::newRow("another size") << size + 1 << 0 << qint64(0) << others;
+}
+
+void SliceStackTest::duplicatesOfManyFramesAreReadOnce()
+{
+    QFETCH(int, second);
+    QFETCH(int, filled);
+    QFETCH(qint64, read);
+    QFETCH(QString, said);
+    constexpr int frames = 50;
+    const QStringList files{path(QStringLiteral("a")), path(QStringLiteral("b"))};
+    const auto write = [](const QString& file, int size, int value) {
+        QFile out(file);
+        return out.open(QIODevice::WriteOnly) && out.write(QByteArray(size, char(value))) == size;
+    };
+    QVERIFY(write(files[0], 1 << 20, 0));
+    QVERIFY(write(files[1], second, filled));
+    std::vector<core::SlicePlace> places = framesOfBoth(files, frames);
+    const std::optional<qint64> before = bytesRead();
+    if (!before)
+        QSKIP("the system does not count what is read");
+    core::FileContents contents;
+    const std::vector<VolumeProblem> problems = core::dropDuplicates(places, contents);
+    const qint64 readNow = *bytesRead() - *before;
+    // The counters themselves are read, too.
+    QVERIFY2(readNow >= read && readNow < read + 4096, qPrintable(QString::number(readNow)));
+    QCOMPARE(places.size(), std::size_t(frames));
+    for (const core::SlicePlace& place : places)
+        QCOMPARE(place.images.size(), std::size_t(1));
+    QCOMPARE(test::problemText(problems, VolumeProblem::Kind::DuplicateSlices), said);
 }
 
 void SliceStackTest::singleImageSaysThatItsDepthIsAssumed()
