@@ -91,10 +91,10 @@ private Q_SLOTS:
                 "in ")
                 + kept);
         row("a difference", {QStringLiteral("DELETE FROM delta WHERE row=7")},
-            QStringLiteral(
-                "what row 7 'Drill 10.0 mm, 25 bricks' changed could not be read; it was "
-                "carried out again and came to the same. Nothing is lost; everything is "
-                "open in ")
+            QStringLiteral("what row 7 'Grow 'Brain' 15 steps, +3 619 voxels' changed could not be "
+                           "read; it was "
+                           "carried out again and came to the same. Nothing is lost; everything is "
+                           "open in ")
                 + kept);
         row("three differences",
             {QStringLiteral("DELETE FROM delta WHERE row=4 OR row=7 OR row=8")},

@@ -581,6 +581,9 @@ void ViewsUiTest::spaceNavigatesWithAToolInHand()
     QCOMPARE(fixture.workspace.windowLevel(), window);
     // Let go over another view, which has the keys by then: here the tool draws again.
     SliceView& coronal = fixture.window.views().coronal();
+    fixture.window.activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(&fixture.window));
+    axial.setFocus();
     QTest::keyPress(&axial, Qt::Key_Space);
     drag(axial, Qt::LeftButton, axial.rect().center(), {30, 0});
     coronal.setFocus();

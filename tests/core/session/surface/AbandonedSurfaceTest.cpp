@@ -6,6 +6,7 @@
 #include "core/edits/kinds/surface/SpherePush.h"
 #include "core/edits/kinds/surface/SurfaceBarrier.h"
 #include "core/edits/kinds/surface/WriteBack.h"
+#include "core/edits/open/StrokeExtension.h"
 #include "core/refine/mesh/SurfaceDelta.h"
 #include "core/session/operations/EditOperation.h"
 #include "core/session/operations/OperationQueue.h"
