@@ -107,18 +107,19 @@ private Q_SLOTS:
     void theMessageUndoesTheImportAlone()
     {
         ImportFixture fixture;
+        const QString mask = fixture.mask("some.nii");
         const auto press = [&fixture] {
             for (auto* button : fixture.window.messages().findChildren<QPushButton*>()) {
                 if (button->text() == QLatin1String("Undo"))
                     button->click();
             }
         };
-        fixture.window.importer().import(fixture.mask("some.nii"));
+        fixture.window.importer().import(mask);
         fixture.finish();
         press();
         QVERIFY(fixture.session().settle());
         QCOMPARE(int(fixture.session().history().position()), 0);
-        fixture.window.importer().import(fixture.mask("some.nii"));
+        fixture.window.importer().import(mask);
         fixture.finish();
         fixture.apply(test::newSegment(QStringLiteral("Later")));
         const core::RowId position = fixture.session().history().position();
