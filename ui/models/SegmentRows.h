@@ -38,6 +38,10 @@ protected:
     /// @param document null: none is open
     void followSegments(const core::Document* document)
     {
+        // A view whose current row goes makes another segment the active one meanwhile, which leads
+        // back to here.
+        if (std::exchange(m_isFollowing, true))
+            return;
         std::vector<int> present;
         if (document) {
             for (const core::Segment& segment : document->segments)
@@ -46,6 +50,7 @@ protected:
         removeOthers(present);
         for (std::size_t place = 0; place < present.size(); ++place)
             putAt(place, present[place]);
+        m_isFollowing = false;
     }
 
 private:
@@ -77,6 +82,7 @@ private:
     }
 
     std::vector<int> m_labels;
+    bool m_isFollowing = false;
 };
 
 } // namespace ui
