@@ -194,7 +194,9 @@ ViewPointer::Gesture ViewPointer::endGesture()
 
 void ViewPointer::followTool()
 {
-    loseStroke();
+    // Who pans while taking another tool by its key goes on panning.
+    if (m_gesture == Gesture::Tool || m_gesture == Gesture::Box)
+        loseStroke();
     if (m_tool)
         QObject::disconnect(m_tool, nullptr, &m_widget, nullptr);
     m_tool = m_workspace.activeTool();

@@ -579,6 +579,16 @@ void ViewsUiTest::spaceNavigatesWithAToolInHand()
     QVERIFY(tool.heard.isEmpty());
     QVERIFY(sliceScene(fixture, axial).centreLps != centre);
     QCOMPARE(fixture.workspace.windowLevel(), window);
+    // Who pans while taking another tool goes on panning.
+    QTest::mousePress(&axial, Qt::MiddleButton, {}, axial.rect().center());
+    QTest::mouseMove(&axial, axial.rect().center() + QPoint(20, 0));
+    fixture.workspace.setActiveTool(nullptr);
+    const glm::dvec3 halfWay = sliceScene(fixture, axial).centreLps;
+    fixture.workspace.setActiveTool(&tool);
+    QTest::mouseMove(&axial, axial.rect().center() + QPoint(40, 0));
+    QVERIFY(sliceScene(fixture, axial).centreLps != halfWay);
+    QTest::mouseRelease(&axial, Qt::MiddleButton, {}, axial.rect().center() + QPoint(40, 0));
+    tool.heard.clear();
     // Let go over another view, which has the keys by then: here the tool draws again.
     SliceView& coronal = fixture.window.views().coronal();
     fixture.window.activateWindow();
