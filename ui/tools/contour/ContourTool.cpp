@@ -137,6 +137,7 @@ void ContourTool::setSettings(const ContourSettings& settings)
         return;
     m_settings = settings;
     Q_EMIT settingsChanged();
+    Q_EMIT nameChanged(); // what a click does
     follow();
     Q_EMIT overlayChanged();
 }

@@ -372,7 +372,9 @@ private Q_SLOTS:
         ui::ContourSettings settings = fixture.tool.settings();
         settings.start = ui::ContourSettings::Start::Bubbles;
         settings.generations = 2;
+        QSignalSpy told(&fixture.tool, &ui::Tool::nameChanged);
         fixture.tool.setSettings(settings);
+        QCOMPARE(told.size(), 1); // the hint is another one
         QCOMPARE(fixture.tool.target(), QStringLiteral("fills a new segment"));
         const Labels before = fixture.labels();
         for (const glm::dvec3& place : {glm::dvec3(15.0, 20.0, 20.0), glm::dvec3(25.0, 20.0, 20.0),
