@@ -91,6 +91,17 @@ struct GrowLimits {
 /// Whether every number is in its range; differences and magnitudes must not be negative.
 [[nodiscard]] bool isSound(const GrowLimits& limits);
 
+/// Which voxels a growth may take at all, whatever else is asked of them. The voxel q is among them
+/// if lowCode ≤ code(q) ≤ highCode, and `closed` does not have the label that the label plane holds
+/// at q (0: no segment's). Of a member that growth has added, that is the label below it, which the
+/// plane would hold if the member were given back.
+struct GrowthRange {
+    int lowCode = 0; ///< greater than highCode: no voxel is among them
+    int highCode = 65535;
+    std::bitset<256> closed{};
+    bool operator==(const GrowthRange&) const = default;
+};
+
 /// What the opening of a burst does with members that are already there. Members whose label is in
 /// `lockedLabels` always stay, and so does what was painted (generation 0).
 enum class GrowOpening : std::uint8_t {
@@ -145,7 +156,8 @@ struct LeakAlarm {
 ///   - the limits allow it at q, which includes lowCode ≤ code(q) ≤ highCode;
 ///   - at q the label plane holds 0, the label itself or a label in `overwritable`. What counts is
 ///     the plane after members have left at the opening; for a member that Narrow examines, it is
-///     the plane as if that member had been given back.
+///     the plane as if that member had been given back;
+///   - q is among the voxels of `range`, if there is one.
 /// Neighbours of a voxel are the first `connectivity` of seedWord::offsets: the 6 that share a face
 ///   with it, the 18 that share a face or an edge, or all 26.
 /// Opening: members leave according to GrowOpening, each as ShrinkGrowth says; where the opening is
@@ -176,6 +188,7 @@ struct GrowBurst {
     GrowOpening opening = GrowOpening::GoOn;
     std::uint32_t generation = 0; ///< the counter at the opening; no member has a greater one
     std::bitset<256> overwritable{};
+    std::optional<GrowthRange> range{}; ///< none: all voxels
     std::bitset<256> lockedLabels{}; ///< labels that do not grow: those of locked segments
     bool tellsHeld = true; ///< false: directions 29 and 30 are not used
     /// After a generation that raises an alarm no further step is done, however many are requested.

@@ -103,6 +103,7 @@ template <class Visitor> void visitOtherCriteria(Visitor& visit, GrowCriteria& c
         editFields::Flag{}, "whether growth takes voxels of other segments that are not locked");
     visit.maybe("segments", criteria.segments, editFields::SegmentList{},
         "the segments that grow; all others stay as they are", "all that are not locked");
+    visitEditable(visit, criteria.editable);
 }
 
 template <class Visitor> void visitInterval(Visitor& visit, GrowCriteria& criteria)

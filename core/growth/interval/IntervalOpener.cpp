@@ -31,7 +31,7 @@ bool IntervalOpener::suits(const GrowBurst& burst)
     boxAlone.boxed = burst.limits.boxed;
     boxAlone.boxFrom = burst.limits.boxFrom;
     boxAlone.boxTo = burst.limits.boxTo;
-    return burst.opening == GrowOpening::Narrow && burst.limits == boxAlone;
+    return burst.opening == GrowOpening::Narrow && burst.limits == boxAlone && !burst.range;
 }
 
 std::unique_ptr<IntervalOpener> IntervalOpener::prepare(const GrowBurst& burst,

@@ -124,10 +124,20 @@ bool bringsNewCriteria(const Edit& edit, const History& history, const Document&
 
 namespace {
 
-/// Of the segments that a growth named, those that are gone or locked by now rest. Errors: that of
-/// the first one, if none is left.
+void eraseGone(std::optional<std::vector<int>>& segments, const Document& document)
+{
+    if (segments)
+        std::erase_if(*segments, [&document](int label) { return !document.segment(label); });
+}
+
+/// Of the segments that a growth named, those that are gone or locked by now rest; nothing lies
+/// inside those that are gone. Errors: that of the first one, if none is left.
 Result<void> dropGone(GrowCriteria& criteria, const Document& document)
 {
+    if (criteria.editable) {
+        eraseGone(criteria.editable->inside, document);
+        eraseGone(criteria.editable->outside, document);
+    }
     if (!criteria.segments)
         return {};
     std::vector<int> left;

@@ -48,6 +48,13 @@ layout(binding = 3) uniform usampler3D overwrittenPages;
 layout(binding = 4, r8ui) uniform uimage3D overwritten; // atlas
 #endif
 
+// The voxels that the growth may take at all (core::GrowthRange). Compiled only with its define.
+#ifdef RANGE
+uniform uint closedLabels[8]; // one bit per label
+uniform uint rangeLow;
+uniform uint rangeHigh;
+#endif
+
 #include "kernels/criterion/growCriterion.glsl"
 
 uint pageEntry(ivec3 voxel)
@@ -61,18 +68,28 @@ ivec3 ownerOrigin(uint page)
     return ivec3(owner & 1023u, owner >> 10 & 1023u, owner >> 20) * brickSide;
 }
 
-// Whether a label may enter a voxel: the limits allow it, and no other segment holds the voxel.
+// Whether a label may enter a voxel that holds another one, or none: the limits allow it, and no
+// segment keeps the voxel.
+bool enters(uint label, uint there, ivec3 voxel)
+{
+    uint code = imageLoad(codes, voxel).r;
+    bool mayEnter = there == 0u || there == label;
+    if (!mayEnter)
+        mayEnter = (overwritable[there >> 5] >> (there & 31u) & 1u) != 0u;
+#ifdef RANGE
+    mayEnter = mayEnter && code >= rangeLow && code <= rangeHigh
+        && (closedLabels[there >> 5] >> (there & 31u) & 1u) == 0u;
+#endif
+    return mayEnter && allows(label, voxel, code);
+}
+
+// The same for the label that the plane holds there.
 // @param held whether the label already holds it; false if that is not known
 bool accepts(uint label, ivec3 voxel, out bool held)
 {
-    uint code = imageLoad(codes, voxel).r;
     uint there = imageLoad(labels, voxel).r;
-    bool own = there == label;
-    held = own && tellsHeld;
-    bool mayEnter = there == 0u || own;
-    if (!mayEnter)
-        mayEnter = (overwritable[there >> 5] >> (there & 31u) & 1u) != 0u;
-    return mayEnter && allows(label, voxel, code);
+    held = there == label && tellsHeld;
+    return enters(label, there, voxel);
 }
 
 // For a member or a doubtful voxel: whether growth wrote its label into the plane.
@@ -83,20 +100,24 @@ bool hasAdded(uint word, ivec3 voxel)
         && imageLoad(labels, voxel).r == labelOf(word);
 }
 
+// The label below a member that growth has added: what the plane held before.
+uint labelBelow(ivec3 voxel)
+{
+#ifdef OVERWRITTEN
+    uint entry = texelFetch(overwrittenPages, voxel >> 4, 0).r;
+    if (entry != 0u)
+        return imageLoad(overwritten, atlasTexel(entry, voxel)).r;
+#endif
+    return 0u;
+}
+
 // As accepts(), for a voxel that may leave, as if its former label had been restored.
 bool acceptsMember(uint word, ivec3 voxel)
 {
-    bool held;
-#ifdef OVERWRITTEN
-    uint entry = texelFetch(overwrittenPages, voxel >> 4, 0).r;
-    if (entry != 0u && hasAdded(word, voxel)) {
-        uint below = imageLoad(overwritten, atlasTexel(entry, voxel)).r;
-        if (below != 0u && below != labelOf(word)
-            && (overwritable[below >> 5] >> (below & 31u) & 1u) == 0u)
-            return false;
-    }
-#endif
-    return accepts(labelOf(word), voxel, held);
+    uint there = imageLoad(labels, voxel).r;
+    if (hasAdded(word, voxel))
+        there = labelBelow(voxel);
+    return enters(labelOf(word), there, voxel);
 }
 
 // Restores the former label of a voxel; call it before the voxel leaves.

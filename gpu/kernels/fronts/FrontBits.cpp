@@ -28,6 +28,14 @@ struct ListedBrick { // frontBits.glsl
     std::uint32_t yz = 0;
 };
 
+ShaderDefines definesOfOpen(const core::GrowLimits& limits, bool ranged)
+{
+    ShaderDefines defines = definesOf(limits);
+    if (ranged)
+        defines.emplace_back("RANGE", 1);
+    return defines;
+}
+
 Buffer listOf(
     std::span<const std::uint32_t> bricks, const BrickField& words, const glm::ivec3& grid)
 {
@@ -49,8 +57,8 @@ Buffer listOf(
 } // namespace
 
 FrontBitsPrograms::FrontBitsPrograms(const ShaderLibrary& shaders, int connectivity,
-    const core::GrowLimits& limits, bool overwritten)
-    : open(program(shaders, "kernels/fronts/frontBitsOpen.comp", definesOf(limits)))
+    const core::GrowLimits& limits, bool overwritten, bool ranged)
+    : open(program(shaders, "kernels/fronts/frontBitsOpen.comp", definesOfOpen(limits, ranged)))
     , fill(program(shaders, "kernels/fronts/frontBitsFill.comp", {}))
     , reach(
           program(shaders, "kernels/fronts/frontBitsReach.comp", {{"CONNECTIVITY", connectivity}}))

@@ -17,8 +17,9 @@ namespace gpu {
 /// The compiled kernels of growth fronts stored as bits (frontBits*.comp).
 struct FrontBitsPrograms {
     /// @param overwritten whether they also write the labels that growth takes from other segments
+    /// @param ranged whether the burst has a core::GrowthRange
     FrontBitsPrograms(const ShaderLibrary& shaders, int connectivity,
-        const core::GrowLimits& limits, bool overwritten);
+        const core::GrowLimits& limits, bool overwritten, bool ranged);
 
     Program open;
     Program fill;

@@ -71,7 +71,8 @@ GrowthKernel::GrowthKernel(GrowthPrograms& programs, VoxelFields& fields, Before
     // What is there by now may be gone once this growth is shrunk, and must not come back then.
     , m_kind{.connectivity = burst.connectivity,
           .limits = burst.limits,
-          .overwritten = m_mayTake || fields.anyOverwritten(burst.plane)}
+          .overwritten = m_mayTake || fields.anyOverwritten(burst.plane),
+          .ranged = burst.range.has_value()}
     , m_growing(programs.rings(m_kind))
     , m_rings(m_growing.get())
     , m_criterion(burst, sumsFor(programs, fields, burst))
@@ -99,6 +100,13 @@ void GrowthKernel::setUniforms(Program& each) const
         .set("tellsHeld", m_burst.tellsHeld)
         .set("openGeneration", m_openGeneration)
         .set("queueCapacity", m_queueCapacity);
+    if (m_burst.range) {
+        const core::GrowthRange& range = *m_burst.range;
+        const bool none = range.lowCode > range.highCode || range.highCode < 0;
+        each.set("closedLabels", range.closed)
+            .set("rangeLow", none ? 65536u : unsigned(std::max(range.lowCode, 0)))
+            .set("rangeHigh", none ? 0u : unsigned(range.highCode));
+    }
     m_criterion.setUniforms(each);
 }
 

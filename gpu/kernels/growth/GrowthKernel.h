@@ -31,6 +31,7 @@ struct GrowthKind {
     int connectivity = 6; ///< 6, 18 or 26
     core::GrowLimits limits{};
     bool overwritten = false; ///< labels taken from other segments are kept and restored
+    bool ranged = false; ///< the burst has a core::GrowthRange
 
     [[nodiscard]] ShaderDefines defines() const;
 };
@@ -78,7 +79,7 @@ struct GrowthPrograms {
 
 private:
     const ShaderLibrary& m_shaders;
-    using Kind = std::array<unsigned, 3>; ///< neighbours, kindOf(limits), overwritten
+    using Kind = std::array<unsigned, 3>; ///< neighbours, kindOf(limits), what else there is
     [[nodiscard]] static Kind keyOf(const GrowthKind& kind);
     RecentPrograms<Kind, Rings> m_rings;
     RecentPrograms<Kind, Narrowing> m_narrowings;

@@ -17,6 +17,8 @@ ShaderDefines GrowthKind::defines() const
     ShaderDefines defines = definesOf(limits);
     if (overwritten)
         defines.emplace_back("OVERWRITTEN", 1);
+    if (ranged)
+        defines.emplace_back("RANGE", 1);
     return defines;
 }
 
@@ -59,7 +61,7 @@ GrowthPrograms::GrowthPrograms(const ShaderLibrary& shaders)
 
 GrowthPrograms::Kind GrowthPrograms::keyOf(const GrowthKind& kind)
 {
-    return {unsigned(kind.connectivity), kindOf(kind.limits), kind.overwritten ? 1u : 0u};
+    return {unsigned(kind.connectivity), kindOf(kind.limits), (kind.overwritten ? 1u : 0u) | (kind.ranged ? 2u : 0u)};
 }
 
 std::shared_ptr<GrowthPrograms::Rings> GrowthPrograms::rings(const GrowthKind& kind)
@@ -77,7 +79,7 @@ std::shared_ptr<FrontBitsPrograms> GrowthPrograms::frontBits(const GrowthKind& k
 {
     return m_frontBits.of(keyOf(kind), [&] {
         return std::make_shared<FrontBitsPrograms>(
-            m_shaders, kind.connectivity, kind.limits, kind.overwritten);
+            m_shaders, kind.connectivity, kind.limits, kind.overwritten, kind.ranged);
     });
 }
 

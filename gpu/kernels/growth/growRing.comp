@@ -104,7 +104,7 @@ void growFrom(uint entry, uint ring)
         bool held = false;
         // A brick at the rim reaches beyond the volume.
         if (inside(neighbour, volumeSize)
-#if defined(BACK) && defined(OVERWRITTEN)
+#if defined(BACK) && (defined(OVERWRITTEN) || defined(RANGE))
             && acceptsMember(wordAt(page + 1u, neighbour, origin), neighbour)
 #else
             && accepts(label, neighbour, held)

@@ -21,6 +21,10 @@ public:
     GrowCriterion(const DenseArray<std::uint16_t>& codes, DenseArray<std::uint8_t> coverage,
         const DenseArray<std::uint32_t>& words, const core::GrowBurst& burst);
 
+    [[nodiscard]] bool isBetween(const glm::ivec3& voxel, const core::GrowthRange& codes) const
+    {
+        return codes.lowCode <= code(voxel) && code(voxel) <= codes.highCode;
+    }
     [[nodiscard]] bool allows(std::uint32_t label, const glm::ivec3& voxel) const;
     [[nodiscard]] bool follows(const glm::ivec3& parent, const glm::ivec3& voxel) const;
 

@@ -247,6 +247,9 @@ bool Growth::acceptsMember(const glm::ivec3& voxel) const
 
 bool Growth::mayEnter(std::uint32_t label, const glm::ivec3& voxel, std::uint8_t held) const
 {
+    const std::optional<core::GrowthRange>& range = m_burst.range;
+    if (range && (range->closed.test(held) || !m_criterion.isBetween(voxel, *range)))
+        return false;
     return !m_burst.lockedLabels.test(label) && m_criterion.allows(label, voxel)
         && (held == 0 || held == label || m_burst.overwritable.test(held));
 }

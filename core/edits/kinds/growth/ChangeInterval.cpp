@@ -71,7 +71,7 @@ EditEffects effects(const ChangeInterval& edit)
     return {.task = engineTask<ChangeInterval>(),
         .standsOpen = opens<ChangeInterval>(),
         .fills = fillsNothing,
-        .boundToStudy = !edit.asBefore && edit.criteria.box.has_value(),
+        .boundToStudy = !edit.asBefore && namesPlaces(edit.criteria),
         .movesGenerationOf = growthPlaneOf(edit.criteria.plane)};
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/edits/kinds/parts/GrowBox.h"
+#include "core/edits/kinds/parts/EditableRange.h"
 
 #include <optional>
 #include <vector>
@@ -39,6 +39,8 @@ struct GrowCriteria {
     /// Only these segments grow; the others stay as they are, as if they were locked, but unlocked
     /// ones may be overwritten. None: all that are not locked.
     std::optional<std::vector<int>> segments{};
+    /// Which voxels may change at all. The segments that it lists must lie in the plane that grows.
+    std::optional<EditableRange> editable{};
     /// The label plane that grows (GrowthPlane.h); named segments must lie there.
     std::optional<int> plane{};
     bool operator==(const GrowCriteria&) const = default;

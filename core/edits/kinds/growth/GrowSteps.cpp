@@ -29,7 +29,7 @@ EditEffects effects(const GrowSteps& edit)
     return {.task = engineTask<GrowSteps>(),
         .standsOpen = opens<GrowSteps>(),
         .fills = fillsNothing,
-        .boundToStudy = edit.criteria.box.has_value(),
+        .boundToStudy = namesPlaces(edit.criteria),
         .movesGenerationOf = growthPlaneOf(edit.criteria.plane)};
 }
 

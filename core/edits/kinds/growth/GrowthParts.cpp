@@ -2,6 +2,8 @@
 #include "core/edits/kinds/growth/GrowthParts.h"
 
 #include "core/edits/answers/RowWords.h"
+#include "core/edits/engine/BoxVoxels.h"
+#include "core/edits/engine/EditableRanges.h"
 #include "core/edits/engine/EngineEdits.h"
 #include "core/edits/fields/EditFields.h"
 #include "core/edits/kinds/growth/GrowCriteria.h"
@@ -23,6 +25,66 @@ namespace {
 
 constexpr int voxelsOfOld = 60;
 constexpr int generationsOfOld = 20;
+
+/// Listed segments, which must lie in the plane that grows: a growth knows no other one.
+Result<std::bitset<256>> labelsIn(std::uint8_t plane, const std::vector<int>& segments,
+    const Document& document, const QString& field)
+{
+    std::bitset<256> labels;
+    for (const int label : segments) {
+        const Segment* segment = document.segment(label);
+        if (!segment)
+            return failure(ErrorCode::UnknownSegment, QString::number(label),
+                Clause::saying("in field '%1'", field));
+        if (segment->plane != plane)
+            return failure(ErrorCode::InvalidField, field,
+                Clause::saying("'%1' lies on label plane %2, and what grows on plane %3: growth "
+                               "keeps to segments of its own plane",
+                    segment->name, int(segment->plane) + 1, int(plane) + 1));
+        labels.set(std::size_t(label));
+    }
+    return labels;
+}
+
+/// Limits a growth to an editable range: its box narrows that of the growth, all else its voxels.
+Result<void> keepTo(
+    const EditableRange& range, const Document& document, const QString& edit, GrowBurst& burst)
+{
+    const QString field = edit + QStringLiteral(".editable");
+    const Volume& volume = document.volumes.front();
+    const Result<CodeInterval> codes =
+        codesBetween(field, range.lower, range.upper, volume.encoding);
+    if (!codes)
+        return tl::unexpected(codes.error());
+    GrowthRange kept{.lowCode = codes->low, .highCode = codes->high};
+    if (range.box) {
+        const Result<VoxelSpan> span =
+            voxelsOf(*range.box, volume.geometry, field + QStringLiteral(".box"));
+        if (!span)
+            return tl::unexpected(span.error());
+        GrowLimits& limits = burst.limits;
+        limits.boxFrom = limits.boxed ? glm::max(limits.boxFrom, span->from) : span->from;
+        limits.boxTo = limits.boxed ? glm::min(limits.boxTo, span->to) : span->to;
+        limits.boxed = true;
+    }
+    if (range.inside) {
+        const Result<std::bitset<256>> inside =
+            labelsIn(burst.plane, *range.inside, document, field + QStringLiteral(".inside"));
+        if (!inside)
+            return tl::unexpected(inside.error());
+        kept.closed = ~*inside;
+    }
+    if (range.outside) {
+        const Result<std::bitset<256>> outside =
+            labelsIn(burst.plane, *range.outside, document, field + QStringLiteral(".outside"));
+        if (!outside)
+            return tl::unexpected(outside.error());
+        kept.closed |= *outside;
+    }
+    if (kept != GrowthRange())
+        burst.range = kept;
+    return {};
+}
 
 } // namespace
 
@@ -83,6 +145,11 @@ Result<GrowBurst> burstOf(
         burst.generation = growth->generation;
     if (criteria.overwriteUnlocked)
         burst.overwritable = document.unlockedLabels(plane);
+    if (criteria.editable) {
+        const Result<void> ranged = keepTo(*criteria.editable, document, edit, burst);
+        if (!ranged)
+            return tl::unexpected(ranged.error());
+    }
     burst.lockedLabels = document.lockedLabels(plane);
     if (nothingMayChange(document, plane))
         return failure(ErrorCode::SegmentLocked, QString());
@@ -104,6 +171,11 @@ Result<GrowBurst> burstOf(
     }
     burst.lockedLabels |= resting;
     return burst;
+}
+
+bool namesPlaces(const GrowCriteria& criteria)
+{
+    return criteria.box || namesPlaces(criteria.editable);
 }
 
 std::optional<GuardRule> guardRule(const GrowGuard& guard, const VolumeGeometry& geometry)
@@ -179,6 +251,7 @@ RowTitle intervalTitle(const GrowCriteria& criteria, const Document& document)
 EditDependencies growthDependencies(const GrowCriteria& criteria, const DependencyFacts& row)
 {
     const std::uint8_t plane = growthPlaneOf(criteria.plane);
+    // The segments of its editable range lie in the same plane, and are asked where it looks anyway.
     if (row.trace.grownBeside)
         return dependsOn::SeedWords{
             .plane = plane, .coverage = criteria.onlyVisible, .beside = *row.trace.grownBeside};

@@ -39,6 +39,9 @@ struct GrowGuard;
 [[nodiscard]] Result<GrowBurst> burstOf(
     const GrowCriteria& criteria, const Document& document, const QString& edit);
 
+/// Whether the criteria contain positions in the patient, which have no meaning in another study.
+[[nodiscard]] bool namesPlaces(const GrowCriteria& criteria);
+
 /// The rule by which a growth is watched, in integers; none: it is not watched.
 [[nodiscard]] std::optional<GuardRule> guardRule(
     const GrowGuard& guard, const VolumeGeometry& geometry);
