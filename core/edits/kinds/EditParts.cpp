@@ -99,6 +99,8 @@ const std::optional<EditableRange>* editableRangeOf(const Edit& edit)
         [](const auto& known) -> const std::optional<EditableRange>* {
             if constexpr (hasEditableRange<std::decay_t<decltype(known)>>)
                 return &known.editable;
+            else if constexpr (hasCriteria<std::decay_t<decltype(known)>>)
+                return &known.criteria.editable;
             else
                 return nullptr;
         },

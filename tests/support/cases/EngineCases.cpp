@@ -23,6 +23,21 @@ void appendSeeds(std::vector<EngineStep>& steps, core::SeedPlacement seeds, int 
     appendWhole(steps, std::move(seeds));
 }
 
+std::optional<core::GrowthRange> randomGrowthRange(int greatestCode, Random& random)
+{
+    if (random() % 3 == 0)
+        return std::nullopt;
+    core::GrowthRange range;
+    if (random() % 2) {
+        range.lowCode = randomInt(random, 0, greatestCode);
+        range.highCode = randomInt(random, greatestCode / 2, greatestCode);
+    }
+    // 0 too: then growth stays inside other segments.
+    for (std::size_t label = 0; label <= 4; ++label)
+        range.closed[label] = random() % 4 == 0;
+    return range;
+}
+
 bool appendBetween(std::vector<EngineStep>& steps, int what, std::uint8_t plane,
     const glm::ivec3& size, Random& random)
 {

@@ -17,6 +17,10 @@ void appendBurst(std::vector<EngineStep>& steps, const core::GrowBurst& burst, i
 void appendSeeds(std::vector<EngineStep>& steps, core::SeedPlacement seeds, int count,
     const glm::ivec3& size, Random& random);
 
+/// Voxels that a growth may take at all, for one burst of three none: an interval of codes, labels
+/// that it must not enter, or both.
+[[nodiscard]] std::optional<core::GrowthRange> randomGrowthRange(int greatestCode, Random& random);
+
 /// Appends something between edits of labels: seeds (0), a growth (1), undo or redo (2).
 /// @return whether @p what is one of these
 bool appendBetween(std::vector<EngineStep>& steps, int what, std::uint8_t plane,

@@ -206,9 +206,12 @@ private:
         }
         std::optional<EditableRange>* const range =
             m_draws.limited ? editableRangeOf(edit) : nullptr;
-        const bool isLimited = range && chance(70);
+        const GrowCriteria* const criteria = growCriteriaOf(edit);
+        // Most ranges leave a growth nothing.
+        const bool isLimited = range && chance(criteria ? 25 : 70);
         if (isLimited)
-            *range = randomRange();
+            *range = randomRange(
+                criteria ? std::optional(growthPlaneOf(criteria->plane)) : std::nullopt);
         const std::size_t rows = m_session->history().rows().size();
         const bool inFurtherPlane = isInFurtherPlane(edit);
         const QString kind = note(kindOf(edit), m_session->apply(edit), rows);
@@ -480,7 +483,8 @@ private:
             m_session->history().position(), m_session->document().segment(segment)->plane);
     }
 
-    EditableRange randomRange()
+    /// @param plane in which the segments lie that it lists; none: in any
+    EditableRange randomRange(std::optional<std::uint8_t> plane)
     {
         const Document& document = m_session->document();
         const VolumeGeometry& geometry = document.volumes.front().geometry;
@@ -491,7 +495,7 @@ private:
         const auto some = [&](int percent) {
             std::vector<int> segments;
             for (const Segment& segment : document.segments) {
-                if (chance(percent))
+                if (chance(percent) && segment.plane == plane.value_or(segment.plane))
                     segments.push_back(segment.label);
             }
             std::sort(segments.begin(), segments.end());

@@ -129,6 +129,7 @@ EngineCase randomGrowth(int number)
     Random locks(std::uint32_t(9000 + number));
     Random newer(std::uint32_t(17000 + number)); // older cases stay as they are
     Random cuts(std::uint32_t(25000 + number));
+    Random ranges(std::uint32_t(41000 + number));
     const glm::ivec3 size = randomGrowthSize(random);
     EngineCase made{
         "random growth " + QByteArray::number(number), randomGrowthCodes(size, random), {}};
@@ -180,6 +181,8 @@ EngineCase randomGrowth(int number)
                     .excess = randomInt(cuts, 0, 20),
                     .window = randomInt(cuts, 1, 8)};
             burst.tellsHeld = newer() % 4 != 0;
+            if (number % 2)
+                burst.range = randomGrowthRange(tissueCode, ranges);
             std::vector<int> portions;
             for (int i = randomInt(random, 0, 3); i > 0; --i)
                 portions.push_back(randomInt(random, 0, 4));

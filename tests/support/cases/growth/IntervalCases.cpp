@@ -26,6 +26,7 @@ EngineCase randomMoves(int number)
     const core::Document document = randomDocument(size, random, false);
     EngineCase made{"random moves of the interval " + QByteArray::number(number),
         random() % 3 ? balls(size, 6, random) : noiseVolume(size, tissueCode, random), {}};
+    Random ranges(std::uint32_t(43000 + number));
     const int labels = number % 3 == 2 ? 3 : 1;
     const auto sketch = [&](int label) {
         core::SeedPlacement seeds{.label = std::uint8_t(label)};
@@ -49,6 +50,8 @@ EngineCase randomMoves(int number)
                 GrowOpening::GoOn}[random() % 6]};
         burst.overwritable[4] = random() % 4 == 0;
         burst.lockedLabels[3] = random() % 6 == 0;
+        if (number % 2)
+            burst.range = randomGrowthRange(tissueCode, ranges);
         return burst;
     };
     for (int move = 0; move < 50; ++move) {
@@ -106,6 +109,9 @@ EngineCase randomDrags(int number)
     burst.overwritable[2] = random() % 2;
     burst.overwritable[4] = random() % 2;
     burst.lockedLabels[3] = true;
+    Random ranges(std::uint32_t(44000 + number));
+    if (number % 2)
+        burst.range = randomGrowthRange(greatest, ranges);
     const auto move = [&] {
         burst.lowCode = randomInt(random, 0, greatest / 2);
         burst.highCode = randomInt(random, greatest / 2, greatest);

@@ -16,6 +16,7 @@ EngineCase wide(int number)
 {
     Random random(std::uint32_t(81000 + number));
     Random smoothings(std::uint32_t(82000 + number));
+    Random ranges(std::uint32_t(42000 + number));
     const glm::ivec3 size{
         randomInt(random, 20, 70), randomInt(random, 18, 60), randomInt(random, 18, 50)};
     EngineCase made{"wide front " + QByteArray::number(number),
@@ -43,6 +44,8 @@ EngineCase wide(int number)
         if (random() % 4 == 0)
             burst.limits.majority = randomInt(random, 8, 18);
         burst.limits.smoothed = smoothings() % 5 == 0;
+        if (number % 2)
+            burst.range = randomGrowthRange(2000, ranges);
         if (random() % 4 == 0) {
             burst.limits.boxed = true;
             burst.limits.boxFrom = glm::ivec3(3);

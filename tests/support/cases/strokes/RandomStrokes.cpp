@@ -69,6 +69,9 @@ core::GrowSteps randomGrowth(const core::Document& document, Random& random)
     if (limits() % 2)
         addRandomLimits(grow.criteria, document.volumes.front().geometry, limits);
     const core::VolumeGeometry& geometry = document.volumes.front().geometry;
+    // By value alone: segments that it lists may be gone.
+    if (limits() % 4 == 0)
+        grow.criteria.editable.emplace().lower = randomInt(limits, 0, tissueCode / 2);
     answerAsDaily(grow.criteria,
         {geometry.toWorld(glm::dvec3(geometry.size / 9)),
             geometry.toWorld(glm::dvec3(geometry.size - 2))},
