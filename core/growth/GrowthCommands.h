@@ -3,6 +3,7 @@
 
 #include "core/base/Result.h"
 #include "core/brick/BrickGrid.h"
+#include "core/growth/GrowthRange.h"
 #include "core/growth/Passage.h"
 #include "core/growth/SeedGroups.h"
 #include "core/sculpt/CapsuleSweep.h"
@@ -90,17 +91,6 @@ struct GrowLimits {
 
 /// Whether every number is in its range; differences and magnitudes must not be negative.
 [[nodiscard]] bool isSound(const GrowLimits& limits);
-
-/// Which voxels a growth may take at all, whatever else is asked of them. The voxel q is among them
-/// if lowCode ≤ code(q) ≤ highCode, and `closed` does not have the label that the label plane holds
-/// at q (0: no segment's). Of a member that growth has added, that is the label below it, which the
-/// plane would hold if the member were given back.
-struct GrowthRange {
-    int lowCode = 0; ///< greater than highCode: no voxel is among them
-    int highCode = 65535;
-    std::bitset<256> closed{};
-    bool operator==(const GrowthRange&) const = default;
-};
 
 /// What the opening of a burst does with members that are already there. Members whose label is in
 /// `lockedLabels` always stay, and so does what was painted (generation 0).

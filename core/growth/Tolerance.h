@@ -16,8 +16,8 @@ namespace core {
 /// Seeds: the pending seeds of the label, its members that are seeds (SeedWord.h), and its members
 ///   of generation 0, which were painted. The centre is ⌊(2 · Σ code + n) / (2 · n)⌋ over these n.
 /// Open voxels: what is painted; and every voxel that is neither a barrier nor a member of another
-///   label, at which the plane holds 0, the label or a label in `overwritable`, and which the
-///   limits allow (GrowLimits; only some may be set, see below).
+///   label, at which the plane holds 0, the label or a label in `overwritable`, which the limits
+///   allow (GrowLimits; only some may be set, see below), and which is among the voxels of `range`.
 /// Cost of an open voxel: 0 if it is painted, otherwise |code − centre|.
 /// Paths: a path begins with an open seed and continues through open voxels, each a neighbour of
 ///   the one before (`connectivity` as in GrowBurst). Its tolerance is the greatest cost on it,
@@ -39,6 +39,7 @@ struct ToleranceRule {
     /// medians.
     GrowLimits limits{};
     std::bitset<256> overwritable{};
+    GrowthRange range{};
     bool operator==(const ToleranceRule&) const = default;
 };
 

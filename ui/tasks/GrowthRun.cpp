@@ -28,8 +28,7 @@ void GrowthRun::begin(std::vector<GrowthTurn> turns, double generationsPerSecond
 {
     m_turns.clear();
     m_nextTurn = false;
-    if (turns.empty()
-        || !beginBurst(growthOf(turns.front(), m_workspace.growSettings()), generationsPerSecond))
+    if (turns.empty() || !beginBurst(growthOf(turns.front(), m_workspace), generationsPerSecond))
         return;
     m_turns = std::move(turns);
     m_pace = generationsPerSecond;

@@ -158,13 +158,14 @@ std::vector<GrowthTurn> growthTurns(const Workspace& workspace)
     return turns;
 }
 
-core::GrowSteps growthOf(const GrowthTurn& turn, const GrowSettings& settings)
+core::GrowSteps growthOf(const GrowthTurn& turn, const Workspace& workspace)
 {
-    core::GrowSteps edit = growthOf(settings);
+    core::GrowSteps edit = growthOf(workspace.growSettings());
     edit.criteria.lower = turn.lower;
     edit.criteria.upper = turn.upper;
     edit.criteria.segments = turn.segments;
     edit.criteria.plane = turn.plane;
+    edit.criteria.editable = workspace.editableRange();
     return edit;
 }
 

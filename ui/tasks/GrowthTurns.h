@@ -50,8 +50,9 @@ struct GrowthTurn {
 /// The turns for the segments of the open session in the active one's label plane; at least one.
 [[nodiscard]] std::vector<GrowthTurn> growthTurns(const Workspace& workspace);
 
-/// The edit that grows a turn to closure, with the other settings of growth.
-[[nodiscard]] core::GrowSteps growthOf(const GrowthTurn& turn, const GrowSettings& settings);
+/// The edit that grows a turn to closure, with the other settings of growth, within the editable
+/// range.
+[[nodiscard]] core::GrowSteps growthOf(const GrowthTurn& turn, const Workspace& workspace);
 
 /// The segments whose growth changes with the active segment's interval: those that grew together
 /// with it. None: all segments that are not locked.

@@ -268,6 +268,7 @@ template <class Visitor> void visitFields(Visitor& visit, GrowFromSeeds& edit)
         "a thousandth of the volume's range of values");
     visit.field("overwriteUnlocked", Presence::Optional, edit.overwriteUnlocked, editFields::Flag{},
         "whether voxels of segments that do not compete and are not locked are taken");
+    visitEditable(visit, edit.editable);
     visitPlane(visit, edit.plane);
 }
 

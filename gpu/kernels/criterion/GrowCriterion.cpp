@@ -199,6 +199,12 @@ unsigned kindOf(const core::GrowLimits& limits)
     return 2 * kind + (core::isAsked(limits.passage) ? 1 : 0);
 }
 
+void setRange(Program& program, const core::GrowthRange& range)
+{
+    const auto [low, high] = interval(range.lowCode, range.highCode);
+    program.set("closedLabels", range.closed).set("rangeLow", low).set("rangeHigh", high);
+}
+
 core::GroupedSeedSums seedSums(
     SeedStatisticsPrograms& programs, VoxelFields& fields, const core::ProbeSeeds& question)
 {

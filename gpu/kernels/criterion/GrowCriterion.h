@@ -16,6 +16,9 @@ namespace gpu {
 /// A number that identifies the set of defines, and whether there is a passage width.
 [[nodiscard]] unsigned kindOf(const core::GrowLimits& limits);
 
+/// Sets the uniforms of a core::GrowthRange: closedLabels, rangeLow and rangeHigh.
+void setRange(Program& program, const core::GrowthRange& range);
+
 /// The compiled kernels that collect statistics around seeds (seedStatistics.comp).
 class SeedStatisticsPrograms {
 public:

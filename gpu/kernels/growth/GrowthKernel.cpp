@@ -100,13 +100,8 @@ void GrowthKernel::setUniforms(Program& each) const
         .set("tellsHeld", m_burst.tellsHeld)
         .set("openGeneration", m_openGeneration)
         .set("queueCapacity", m_queueCapacity);
-    if (m_burst.range) {
-        const core::GrowthRange& range = *m_burst.range;
-        const bool none = range.lowCode > range.highCode || range.highCode < 0;
-        each.set("closedLabels", range.closed)
-            .set("rangeLow", none ? 65536u : unsigned(std::max(range.lowCode, 0)))
-            .set("rangeHigh", none ? 0u : unsigned(range.highCode));
-    }
+    if (m_burst.range)
+        setRange(each, *m_burst.range);
     m_criterion.setUniforms(each);
 }
 

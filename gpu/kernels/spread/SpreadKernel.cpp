@@ -2,6 +2,7 @@
 #include "gpu/kernels/spread/SpreadKernel.h"
 
 #include "gpu/gl/Program.h"
+#include "gpu/kernels/criterion/GrowCriterion.h"
 
 #include <algorithm>
 #include <array>
@@ -46,6 +47,8 @@ void setSeeds(Program& program, VoxelFields& fields, const core::SpreadLabels& s
         .set("volumeBricks", fields.grid().bricks())
         .set("seeds", spread.seeds)
         .set("overwritable", spread.overwritable);
+    setRange(program, spread.range);
+    fields.codes().bindUnit(3);
     fields.labels(spread.plane).bindUnit(0);
     BrickField& seedWords = fields.seedWords(spread.plane);
     seedWords.pageTable().bindUnit(1);

@@ -72,11 +72,14 @@ Program& TolerancePrograms::seeds()
     return m_seeds;
 }
 
-std::shared_ptr<Program> TolerancePrograms::init(const core::GrowLimits& limits)
+std::shared_ptr<Program> TolerancePrograms::init(const core::GrowLimits& limits, bool overwritten)
 {
-    return m_init.of(kindOf(limits), [&] {
+    return m_init.of({kindOf(limits), overwritten}, [&] {
+        ShaderDefines defines = definesOf(limits);
+        if (overwritten)
+            defines.emplace_back("OVERWRITTEN", 1);
         return std::make_shared<Program>(
-            program(m_shaders, "kernels/spread/toleranceInit.comp", definesOf(limits)));
+            program(m_shaders, "kernels/spread/toleranceInit.comp", defines));
     });
 }
 
@@ -120,7 +123,8 @@ ToleranceKernel::ToleranceKernel(
     : m_programs(programs)
     , m_fields(fields)
     , m_field(fields.tolerance())
-    , m_init(programs.init(rule.limits))
+    , m_overwritten(fields.anyOverwritten(rule.plane))
+    , m_init(programs.init(rule.limits, m_overwritten))
     , m_relax(programs.relax(rule.connectivity))
     , m_criterion(burstOf(rule)) // σ is refused
     , m_digest({.label = "tolerance digest", .bytes = sizeof(m_field.digest)})
@@ -187,6 +191,7 @@ void ToleranceKernel::look(std::size_t bricks)
     const std::size_t count = std::min({bricks, all - m_next, mostWorkGroups});
     BrickField& words = m_fields.seedWords(m_field.rule.plane);
     m_criterion.setUniforms(*m_init);
+    setRange(*m_init, m_field.rule.range);
     m_criterion.bind(m_fields);
     m_init->set("firstBrick", unsigned(m_next))
         .set("label", unsigned(m_field.rule.label))
@@ -197,6 +202,11 @@ void ToleranceKernel::look(std::size_t bricks)
     words.pageTable().bindUnit(1);
     words.atlas().bindUnit(2);
     m_fields.labels(m_field.rule.plane).bindUnit(3);
+    if (m_overwritten) {
+        BrickField& overwritten = m_fields.overwritten(m_field.rule.plane);
+        overwritten.pageTable().bindUnit(5);
+        overwritten.atlas().bindUnit(6);
+    }
     m_pending.bindBase(GL_SHADER_STORAGE_BUFFER, 1);
     m_digest.bindBase(GL_SHADER_STORAGE_BUFFER, 2);
     m_init->dispatch({unsigned(count), 1, 1});

@@ -9,6 +9,7 @@
 
 #include <map>
 #include <memory>
+#include <utility>
 
 namespace gpu {
 
@@ -23,14 +24,14 @@ public:
     }
 
     [[nodiscard]] Program& seeds();
-    [[nodiscard]] std::shared_ptr<Program> init(const core::GrowLimits& limits);
+    [[nodiscard]] std::shared_ptr<Program> init(const core::GrowLimits& limits, bool overwritten);
     [[nodiscard]] Program& relax(int connectivity);
     [[nodiscard]] Program& count();
 
 private:
     const ShaderLibrary& m_shaders;
     Program m_seeds;
-    RecentPrograms<unsigned, Program> m_init; ///< by kindOf()
+    RecentPrograms<std::pair<unsigned, bool>, Program> m_init; ///< by kindOf(), and overwritten
     std::map<int, Program> m_relax;
     Program m_count;
 };
@@ -68,6 +69,7 @@ private:
     TolerancePrograms& m_programs;
     VoxelFields& m_fields;
     ToleranceField& m_field;
+    bool m_overwritten; ///< growth has taken voxels from other segments
     std::shared_ptr<Program> m_init;
     Program& m_relax;
     GrowCriterion m_criterion;

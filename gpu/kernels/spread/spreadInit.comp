@@ -13,6 +13,7 @@ layout(local_size_x = 64) in;
 layout(binding = 0) uniform usampler3D labels;
 layout(binding = 1) uniform usampler3D pageTable; // of the seed words
 layout(binding = 2) uniform usampler3D seedWords; // atlas
+layout(binding = 3) uniform usampler3D codes;
 layout(binding = 0, std430) readonly buffer Bricks { uint bricks[]; }; // FIND: bricks of the volume
 layout(binding = 3, std430) buffer Found {
     int low[3];
@@ -28,6 +29,10 @@ uniform ivec3 boxLow;
 uniform ivec3 boxHigh; // one beyond
 uniform uint seeds[8]; // one bit per label
 uniform uint overwritable[8];
+// core::GrowthRange
+uniform uint closedLabels[8];
+uniform uint rangeLow;
+uniform uint rangeHigh;
 uniform bool update;
 
 bool isSeedLabel(uint label)
@@ -41,6 +46,11 @@ uint atFirst(ivec3 voxel, uint entry)
     if (isSeedLabel(held))
         return held;
     if (held != 0u && (overwritable[held >> 5] >> (held & 31u) & 1u) == 0u)
+        return wall;
+    if ((closedLabels[held >> 5] >> (held & 31u) & 1u) != 0u)
+        return wall;
+    uint code = texelFetch(codes, voxel, 0).r;
+    if (code < rangeLow || code > rangeHigh)
         return wall;
     if (entry != 0u) {
         uint word = texelFetch(seedWords, atlasTexel(entry, voxel), 0).r;

@@ -14,11 +14,19 @@ layout(binding = 2, r16ui) uniform readonly uimage3D codes;
 layout(binding = 3) uniform usampler3D labels;
 layout(binding = 1) uniform usampler3D pageTable; // of the seed words
 layout(binding = 2) uniform usampler3D words; // atlas
+#ifdef OVERWRITTEN
+layout(binding = 5) uniform usampler3D overwrittenPages;
+layout(binding = 6) uniform usampler3D overwritten; // atlas
+#endif
 layout(binding = 2, std430) buffer Digest { uint digest[2]; };
 
 uniform uint firstBrick; // index of the first brick in the volume
 uniform uint label;
 uniform uint overwritable[8]; // one bit per label
+// core::GrowthRange
+uniform uint closedLabels[8];
+uniform uint rangeLow;
+uniform uint rangeHigh;
 uniform uint lowCode; // no limit: all codes
 uniform uint highCode;
 uniform bool write;
@@ -30,6 +38,21 @@ const uint isWall = 1u;
 const uint isSeeded = 2u;
 const uint isHeld = 3u; // painted
 
+// What the label plane would hold if growth had not added its label there.
+uint beforeGrowth(ivec3 voxel, uint word, uint held)
+{
+    uint direction = word & 31u;
+    if (!isMember(word) || generationOf(word) == 0u || direction == heldDirection
+        || direction == heldSeedDirection || held != labelOf(word))
+        return held;
+#ifdef OVERWRITTEN
+    uint entry = texelFetch(overwrittenPages, voxel >> 4, 0).r;
+    if (entry != 0u)
+        return texelFetch(overwritten, atlasTexel(entry, voxel), 0).r;
+#endif
+    return 0u;
+}
+
 uint kindOf(ivec3 voxel, uint word, uint code)
 {
     if (isPainted(word) && labelOf(word) == label)
@@ -38,6 +61,10 @@ uint kindOf(ivec3 voxel, uint word, uint code)
         return isWall;
     uint held = texelFetch(labels, voxel, 0).r;
     bool mayEnter = held == 0u || held == label || (overwritable[held >> 5] >> (held & 31u) & 1u) != 0u;
+    uint before = beforeGrowth(voxel, word, held);
+    bool isClosed = (closedLabels[before >> 5] >> (before & 31u) & 1u) != 0u;
+    if (isClosed || code < rangeLow || code > rangeHigh)
+        return isWall;
     if (!mayEnter || !allows(label, voxel, code))
         return isWall;
     return isSeedOf(word, label) ? isSeeded : isOpen;

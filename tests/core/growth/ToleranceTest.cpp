@@ -34,7 +34,8 @@ std::vector<bool> grown(const test::ToleranceScene& scene, int low, int high)
         .limits = scene.rule.limits,
         .opening = GrowOpening::Restart,
         .generation = 1000,
-        .overwritable = scene.rule.overwritable};
+        .overwritable = scene.rule.overwritable,
+        .range = scene.rule.range};
     burst.lockedLabels.set();
     burst.lockedLabels.reset(scene.rule.label);
     submitWhole(engine, burst, {GrowAdvance{}});

@@ -21,13 +21,22 @@ template <class Visit> void forEachVoxel(const core::VoxelBox& box, Visit visit)
                 visit(glm::ivec3(x, y, z));
 }
 
+/// Whether a voxel that is no seed may receive another label.
+bool mayChange(std::uint32_t held, int code, const core::SpreadLabels& spread)
+{
+    const core::GrowthRange& range = spread.range;
+    return (held == 0 || spread.overwritable.test(held)) && !range.closed.test(held)
+        && range.lowCode <= code && code <= range.highCode;
+}
+
 /// The label that a voxel is a seed of; 0: none.
-std::uint32_t seedLabel(std::uint32_t held, std::uint32_t word, const core::SpreadLabels& spread)
+std::uint32_t seedLabel(
+    std::uint32_t held, std::uint32_t word, int code, const core::SpreadLabels& spread)
 {
     if (spread.seeds.test(held))
         return held;
-    const bool mayEnter = held == 0 || spread.overwritable.test(held);
-    if (mayEnter && seedWord::isPendingSeed(word) && spread.seeds.test(seedWord::label(word)))
+    if (mayChange(held, code, spread) && seedWord::isPendingSeed(word)
+        && spread.seeds.test(seedWord::label(word)))
         return seedWord::label(word);
     return 0;
 }
@@ -43,7 +52,8 @@ core::Result<void> spreadLabels(
     core::VoxelBox seedBox;
     std::set<std::uint32_t> seeded;
     forEachVoxel(volume, [&](const glm::ivec3& voxel) {
-        const std::uint32_t label = seedLabel(labels.at(voxel), words.at(voxel), spread);
+        const std::uint32_t label =
+            seedLabel(labels.at(voxel), words.at(voxel), codes.at(voxel), spread);
         if (label == 0)
             return;
         seeded.insert(label);
@@ -61,11 +71,11 @@ core::Result<void> spreadLabels(
     DenseArray<std::uint32_t> won{codes.size, std::vector<std::uint32_t>(codes.values.size(), 0)};
     forEachVoxel(box, [&](const glm::ivec3& voxel) {
         const std::uint32_t held = labels.at(voxel);
-        const std::uint32_t label = seedLabel(held, words.at(voxel), spread);
+        const std::uint32_t label = seedLabel(held, words.at(voxel), codes.at(voxel), spread);
         if (label != 0)
             queue.emplace(0, label, codes.offset(voxel));
-        const bool mayEnter = held == 0 || spread.overwritable.test(held);
-        open.at(voxel) = label != 0 || (mayEnter && words.at(voxel) != seedWord::barrier);
+        open.at(voxel) = label != 0
+            || (mayChange(held, codes.at(voxel), spread) && words.at(voxel) != seedWord::barrier);
     });
     while (!queue.empty()) {
         const auto [cost, label, at] = queue.top();

@@ -85,7 +85,12 @@ core::Result<ToleranceField> traceTolerance(const DenseArray<std::uint16_t>& cod
         const std::uint8_t held = labels.at(voxel);
         if (held != 0 && held != rule.label && !rule.overwritable.test(held))
             return std::nullopt;
-        if (!criterion.allows(rule.label, voxel))
+        const bool added = seedWord::isMember(word) && seedWord::generation(word) > 0
+            && seedWord::direction(word) != 29 && seedWord::direction(word) != 30
+            && held == rule.label;
+        const std::uint8_t before = added ? fields.overwritten(rule.plane).at(voxel) : held;
+        if (rule.range.closed.test(before) || !criterion.isBetween(voxel, rule.range)
+            || !criterion.allows(rule.label, voxel))
             return std::nullopt;
         return std::abs(int(codes.at(voxel)) - traced.curve.centre);
     };

@@ -7,6 +7,7 @@
 #include "tests/support/scenes/PlainEdits.h"
 #include "tests/support/scenes/SmallStudy.h"
 #include "ui/panels/growth/GrowthPanel.h"
+#include "ui/settings/EditableSettings.h"
 #include "ui/settings/GrowSettings.h"
 #include "ui/widgets/RangeSlider.h"
 #include "ui/workspace/SegmentActions.h"
@@ -245,6 +246,24 @@ private Q_SLOTS:
             Q_EMIT slider.valuesEdited(axis < 2 ? 16.2 : 27.0, axis < 2 ? 23.9 : 33.0);
         }
         QCOMPARE(fixture.grown(), std::int64_t(8 * 8 * 4));
+    }
+
+    /// One choice for all tools: the range of editing holds for growth, too, and the panel shows
+    /// it.
+    void theEditableRangeIsKept()
+    {
+        CriteriaPanel fixture;
+        QVERIFY(!fixture.panel.growEdit().criteria.editable);
+        ui::EditableSettings range;
+        range.on = true;
+        range.byValue = true;
+        range.lower = test::smallHead::ventricleHu;
+        range.upper = test::smallHead::ventricleHu;
+        fixture.workspace.setEditableSettings(range);
+        QVERIFY(fixture.workspace.editableRange());
+        QCOMPARE(fixture.panel.growEdit().criteria.editable, fixture.workspace.editableRange());
+        QVERIFY(fixture.part<QToolButton>("editableButton").text().contains(u"editable"));
+        QCOMPARE(fixture.grown(), test::smallHead::voxelsOf(test::smallHead::ventricleHu));
     }
 
     void aBoxHoldsTheSeeds()

@@ -7,6 +7,7 @@
 #include "core/session/past/RecentGrowth.h"
 #include "ui/base/Icons.h"
 #include "ui/base/Theme.h"
+#include "ui/menus/EditableButton.h"
 #include "ui/overlays/SeedBand.h"
 #include "ui/panels/growth/GenerationSection.h"
 #include "ui/panels/growth/GenerationText.h"
@@ -199,6 +200,7 @@ void GrowthPanel::build()
     layout->addWidget(m_range);
     layout->addWidget(m_intervalChange);
     layout->addWidget(new PlainLimits(m_workspace, this));
+    layout->addWidget(new EditableButton(m_workspace, this, EditableButton::In::Column));
     layout->addLayout(transport);
     layout->addWidget(m_turnsText);
     layout->addWidget(m_fromSeeds->note());
@@ -229,7 +231,7 @@ QString GrowthPanel::summary() const
 
 core::GrowSteps GrowthPanel::growEdit() const
 {
-    return growthOf(growthTurns(m_workspace).front(), m_workspace.growSettings());
+    return growthOf(growthTurns(m_workspace).front(), m_workspace);
 }
 
 bool GrowthPanel::running() const

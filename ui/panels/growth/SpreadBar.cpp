@@ -49,6 +49,10 @@ SpreadBar::SpreadBar(Workspace& workspace, QWidget* parent)
         if (m_wanted)
             begin();
     });
+    connect(&workspace, &Workspace::editableChanged, this, [this] {
+        if (m_wanted && m_workspace.editableRange() != m_begunWithin)
+            begin();
+    });
     connect(&workspace, &Workspace::sessionChanged, this, &SpreadBar::stop);
     connect(&workspace, &Workspace::documentChanged, this, &SpreadBar::showState);
     connect(&workspace, &Workspace::activeSegmentChanged, this, &SpreadBar::showState);
@@ -123,6 +127,7 @@ core::GrowFromSeeds SpreadBar::edit() const
     made.connectivity = m_workspace.growSettings().connectivity;
     made.overwriteUnlocked = m_workspace.growSettings().overwriteUnlocked;
     made.plane = core::namedPlane(plane());
+    made.editable = m_workspace.editableRange();
     return made;
 }
 
@@ -145,6 +150,7 @@ void SpreadBar::begin()
     if (!session)
         return stop();
     m_begunAt = session->history().position();
+    m_begunWithin = m_workspace.editableRange();
     if (const auto begun = session->begin(edit()); !begun) {
         stop();
         m_workspace.fail(begun.error());

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/edits/kinds/Edit.h"
+#include "core/edits/kinds/parts/EditableRange.h"
 #include "core/history/History.h"
 
 #include <QElapsedTimer>
@@ -63,6 +64,7 @@ private:
     /// The history's position when the preview was last started. It is not started there again by
     /// itself unless something else was open in between.
     std::optional<core::RowId> m_begunAt;
+    std::optional<core::EditableRange> m_begunWithin{}; ///< the range of the preview
 };
 
 } // namespace ui

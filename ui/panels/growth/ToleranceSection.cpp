@@ -68,12 +68,14 @@ ToleranceSection::ToleranceSection(Workspace& workspace, QWidget* parent)
         m_bar->setTolerance(-1);
         follow();
     });
-    connect(&workspace, &Workspace::growSettingsChanged, this, [this] {
+    const auto followRule = [this] {
         // Another interval or pace is none of its business.
         const auto now = rule();
         if (!now || !m_traced || !(*now == *m_traced))
             follow();
-    });
+    };
+    connect(&workspace, &Workspace::growSettingsChanged, this, followRule);
+    connect(&workspace, &Workspace::editableChanged, this, followRule);
     connect(
         &workspace, &Workspace::documentChanged, this, [this](const core::DocumentChange& change) {
             using What = core::DocumentChange::What;
@@ -119,8 +121,9 @@ core::Result<core::ToleranceRule> ToleranceSection::rule() const
     const core::EditSession* session = m_workspace.session();
     if (!session)
         return core::failure(core::ErrorCode::InvalidField, QString());
-    return core::toleranceRule(
-        m_workspace.activeSegment(), criteriaOf(m_workspace.growSettings()), session->document());
+    core::GrowCriteria criteria = criteriaOf(m_workspace.growSettings());
+    criteria.editable = m_workspace.editableRange();
+    return core::toleranceRule(m_workspace.activeSegment(), criteria, session->document());
 }
 
 /// A session takes its questions with it.
@@ -275,6 +278,7 @@ void ToleranceSection::makeReal(int tolerance)
     settings.lower = volume->encoding.value(std::max(m_centre - tolerance, 0));
     settings.upper = volume->encoding.value(std::min(m_centre + tolerance, lastCode));
     core::GrowCriteria criteria = criteriaOf(settings);
+    criteria.editable = m_workspace.editableRange();
     // The others keep what they have: the tolerance was traced for this one alone.
     const int active = m_workspace.activeSegment();
     const std::uint8_t plane = m_workspace.growthPlane();

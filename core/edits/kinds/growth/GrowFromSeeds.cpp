@@ -5,6 +5,7 @@
 #include "core/edits/answers/EditDependencies.h"
 #include "core/edits/answers/EditEffects.h"
 #include "core/edits/answers/RowFacts.h"
+#include "core/edits/engine/EditableRanges.h"
 #include "core/edits/engine/EngineEdits.h"
 #include "core/edits/kinds/growth/GrowthParts.h"
 #include "core/edits/kinds/parts/GrowthPlane.h"
@@ -85,7 +86,7 @@ EditEffects effects(const GrowFromSeeds& edit)
     return {.task = engineTask<GrowFromSeeds>(),
         .standsOpen = opens<GrowFromSeeds>(),
         .fills = fillsNothing,
-        .boundToStudy = edit.box.has_value()};
+        .boundToStudy = edit.box || namesPlaces(edit.editable)};
 }
 
 Result<SpreadLabels> spreadLabels(const GrowFromSeeds& edit, const Document& document)
@@ -128,11 +129,24 @@ Result<SpreadLabels> spreadLabels(const GrowFromSeeds& edit, const Document& doc
     if (spread.seeds.count() < 2)
         return wrong(
             "segments", Clause::saying("at least two that are not locked are needed to compete"));
-    if (edit.box) {
+    if (edit.box)
         spread.box = boxBetween(*edit.box, volume.geometry);
-        if (spread.box->empty())
-            return wrong("box", Clause::saying("it lies outside the volume"));
+    if (edit.editable) {
+        const Result<GrowthRange> range =
+            growthRange(*edit.editable, plane, document, QStringLiteral("growFromSeeds"));
+        if (!range)
+            return tl::unexpected(range.error());
+        spread.range = *range;
+        if (edit.editable->box) {
+            const VoxelBox within = boxBetween(*edit.editable->box, volume.geometry);
+            spread.box = spread.box ? VoxelBox{glm::max(spread.box->minimum, within.minimum),
+                             glm::min(spread.box->maximum, within.maximum)}
+                                    : within;
+        }
     }
+    if (spread.box && spread.box->empty())
+        return wrong(edit.editable && edit.editable->box ? "editable.box" : "box",
+            Clause::saying("it lies outside the volume"));
     return spread;
 }
 

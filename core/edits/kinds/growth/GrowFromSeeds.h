@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/edits/answers/EditAnswers.h"
-#include "core/edits/kinds/parts/GrowBox.h"
+#include "core/edits/kinds/parts/EditableRange.h"
 
 #include <optional>
 #include <vector>
@@ -21,6 +21,9 @@ struct GrowFromSeeds {
     /// Modality units per millimetre of the path; none: a thousandth of the volume's range.
     std::optional<double> lengthCost{};
     bool overwriteUnlocked = false; ///< of segments that do not compete
+    /// Which voxels may change at all; all others are walls. With its box seeds outside take no
+    /// part.
+    std::optional<EditableRange> editable{};
     /// The label plane that they lie in (GrowthPlane.h).
     std::optional<int> plane{};
 };

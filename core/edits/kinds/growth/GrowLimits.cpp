@@ -110,14 +110,24 @@ Result<GrowLimits> growLimits(
         limits.passage = passageOf(*criteria.passage, volume.geometry);
     }
     limits.onlyVisible = criteria.onlyVisible;
-    if (criteria.box) {
+    const auto keepTo = [&](const std::optional<GrowBox>& box, const char* field) -> Result<void> {
+        if (!box)
+            return {};
         const Result<VoxelSpan> span =
-            voxelsOf(*criteria.box, volume.geometry, edit + QStringLiteral(".box"));
+            voxelsOf(*box, volume.geometry, edit + QLatin1Char('.') + QLatin1String(field));
         if (!span)
             return tl::unexpected(span.error());
+        limits.boxFrom = limits.boxed ? glm::max(limits.boxFrom, span->from) : span->from;
+        limits.boxTo = limits.boxed ? glm::min(limits.boxTo, span->to) : span->to;
         limits.boxed = true;
-        limits.boxFrom = span->from;
-        limits.boxTo = span->to;
+        return {};
+    };
+    if (const Result<void> kept = keepTo(criteria.box, "box"); !kept)
+        return tl::unexpected(kept.error());
+    if (criteria.editable) {
+        const Result<void> kept = keepTo(criteria.editable->box, "editable.box");
+        if (!kept)
+            return tl::unexpected(kept.error());
     }
     if (criteria.sigmas)
         limits.sigmas256 = int(std::floor(*criteria.sigmas * 256.0 + 0.5));

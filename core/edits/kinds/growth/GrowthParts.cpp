@@ -46,46 +46,6 @@ Result<std::bitset<256>> labelsIn(std::uint8_t plane, const std::vector<int>& se
     return labels;
 }
 
-/// Limits a growth to an editable range: its box narrows that of the growth, all else its voxels.
-Result<void> keepTo(
-    const EditableRange& range, const Document& document, const QString& edit, GrowBurst& burst)
-{
-    const QString field = edit + QStringLiteral(".editable");
-    const Volume& volume = document.volumes.front();
-    const Result<CodeInterval> codes =
-        codesBetween(field, range.lower, range.upper, volume.encoding);
-    if (!codes)
-        return tl::unexpected(codes.error());
-    GrowthRange kept{.lowCode = codes->low, .highCode = codes->high};
-    if (range.box) {
-        const Result<VoxelSpan> span =
-            voxelsOf(*range.box, volume.geometry, field + QStringLiteral(".box"));
-        if (!span)
-            return tl::unexpected(span.error());
-        GrowLimits& limits = burst.limits;
-        limits.boxFrom = limits.boxed ? glm::max(limits.boxFrom, span->from) : span->from;
-        limits.boxTo = limits.boxed ? glm::min(limits.boxTo, span->to) : span->to;
-        limits.boxed = true;
-    }
-    if (range.inside) {
-        const Result<std::bitset<256>> inside =
-            labelsIn(burst.plane, *range.inside, document, field + QStringLiteral(".inside"));
-        if (!inside)
-            return tl::unexpected(inside.error());
-        kept.closed = ~*inside;
-    }
-    if (range.outside) {
-        const Result<std::bitset<256>> outside =
-            labelsIn(burst.plane, *range.outside, document, field + QStringLiteral(".outside"));
-        if (!outside)
-            return tl::unexpected(outside.error());
-        kept.closed |= *outside;
-    }
-    if (kept != GrowthRange())
-        burst.range = kept;
-    return {};
-}
-
 } // namespace
 
 bool nothingMayChange(const Document& document, int plane)
@@ -146,9 +106,11 @@ Result<GrowBurst> burstOf(
     if (criteria.overwriteUnlocked)
         burst.overwritable = document.unlockedLabels(plane);
     if (criteria.editable) {
-        const Result<void> ranged = keepTo(*criteria.editable, document, edit, burst);
-        if (!ranged)
-            return tl::unexpected(ranged.error());
+        const Result<GrowthRange> range = growthRange(*criteria.editable, plane, document, edit);
+        if (!range)
+            return tl::unexpected(range.error());
+        if (*range != GrowthRange())
+            burst.range = *range;
     }
     burst.lockedLabels = document.lockedLabels(plane);
     if (nothingMayChange(document, plane))
@@ -176,6 +138,32 @@ Result<GrowBurst> burstOf(
 bool namesPlaces(const GrowCriteria& criteria)
 {
     return criteria.box || namesPlaces(criteria.editable);
+}
+
+Result<GrowthRange> growthRange(
+    const EditableRange& range, std::uint8_t plane, const Document& document, const QString& edit)
+{
+    const QString field = edit + QStringLiteral(".editable");
+    const Result<CodeInterval> codes =
+        codesBetween(field, range.lower, range.upper, document.volumes.front().encoding);
+    if (!codes)
+        return tl::unexpected(codes.error());
+    GrowthRange found{.lowCode = codes->low, .highCode = codes->high};
+    if (range.inside) {
+        const Result<std::bitset<256>> inside =
+            labelsIn(plane, *range.inside, document, field + QStringLiteral(".inside"));
+        if (!inside)
+            return tl::unexpected(inside.error());
+        found.closed = ~*inside;
+    }
+    if (range.outside) {
+        const Result<std::bitset<256>> outside =
+            labelsIn(plane, *range.outside, document, field + QStringLiteral(".outside"));
+        if (!outside)
+            return tl::unexpected(outside.error());
+        found.closed |= *outside;
+    }
+    return found;
 }
 
 std::optional<GuardRule> guardRule(const GrowGuard& guard, const VolumeGeometry& geometry)
@@ -251,7 +239,8 @@ RowTitle intervalTitle(const GrowCriteria& criteria, const Document& document)
 EditDependencies growthDependencies(const GrowCriteria& criteria, const DependencyFacts& row)
 {
     const std::uint8_t plane = growthPlaneOf(criteria.plane);
-    // The segments of its editable range lie in the same plane, and are asked where it looks anyway.
+    // The segments of its editable range lie in the same plane, and are asked where it looks
+    // anyway.
     if (row.trace.grownBeside)
         return dependsOn::SeedWords{
             .plane = plane, .coverage = criteria.onlyVisible, .beside = *row.trace.grownBeside};

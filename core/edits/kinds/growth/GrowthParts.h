@@ -5,6 +5,7 @@
 #include "core/edits/answers/EditAnswers.h"
 #include "core/edits/answers/EditDependencies.h"
 #include "core/growth/GrowthCommands.h"
+#include "core/growth/GrowthRange.h"
 #include "core/titles/RowTitle.h"
 
 #include <QString>
@@ -16,6 +17,7 @@
 namespace core {
 
 struct ChangeFacts;
+struct EditableRange;
 struct GrowCriteria;
 struct GrowGuard;
 
@@ -41,6 +43,12 @@ struct GrowGuard;
 
 /// Whether the criteria contain positions in the patient, which have no meaning in another study.
 [[nodiscard]] bool namesPlaces(const GrowCriteria& criteria);
+
+/// The voxels that a growth in a plane may take, of an editable range without its box.
+/// Errors: UnknownSegment, InvalidField (bounds in the wrong order; a segment of another plane,
+/// which no growth knows).
+[[nodiscard]] Result<GrowthRange> growthRange(
+    const EditableRange& range, std::uint8_t plane, const Document& document, const QString& edit);
 
 /// The rule by which a growth is watched, in integers; none: it is not watched.
 [[nodiscard]] std::optional<GuardRule> guardRule(

@@ -47,7 +47,8 @@ Result<ToleranceRule> toleranceRule(
         .label = growing->label,
         .connectivity = burst->connectivity,
         .limits = burst->limits,
-        .overwritable = burst->overwritable};
+        .overwritable = burst->overwritable,
+        .range = burst->range.value_or(GrowthRange())};
 }
 
 } // namespace core

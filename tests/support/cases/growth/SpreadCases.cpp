@@ -119,6 +119,7 @@ EngineCase randomSpreading(int number)
     const std::array<std::uint8_t, 6> some{1, 2, 3, 254, 255, 0};
     Bytes labels = noLabels(size);
     SpreadLabels spread = randomSpread(size, random);
+    Random ranges(std::uint32_t(45000 + number));
     for (int round = randomInt(random, 2, 7); round > 0; --round) {
         for (int i = randomInt(random, 0, 4); i > 0; --i)
             paintBox(labels, some[random() % some.size()], random, randomInt(random, 1, 5));
@@ -138,6 +139,8 @@ EngineCase randomSpreading(int number)
             spread = randomSpread(size, random);
         if (random() % 5 == 0)
             spread.box.reset();
+        if (number % 2)
+            spread.range = randomGrowthRange(tissueCode, ranges).value_or(core::GrowthRange());
         const bool commit = random() % 4 == 0;
         appendPreview(made.steps, spread, commit ? core::Ending::Commit : core::Ending::Rollback,
             random() % 5);

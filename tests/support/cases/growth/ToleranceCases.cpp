@@ -117,6 +117,9 @@ ToleranceScene randomToleranceScene(const glm::ivec3& size, Random& random)
             value = random() % 5 ? 0 : 200;
         scene.commands.push_back(SwapBricks{bricksOf(coverage, Field::Coverage, 1)});
     }
+    Random ranges(std::uint32_t(46000 + code));
+    if (ranges() % 2)
+        rule.range = randomGrowthRange(tissueCode, ranges).value_or(core::GrowthRange());
     return scene;
 }
 

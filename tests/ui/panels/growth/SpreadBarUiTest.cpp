@@ -94,6 +94,15 @@ private Q_SLOTS:
         QVERIFY(!fixture.enabled("spreadApply") && !fixture.enabled("spreadCancel"));
     }
 
+    void theEditableRangeIsKept()
+    {
+        SeededBar fixture;
+        QVERIFY(!fixture.bar.edit().editable);
+        fixture.workspace.setEditableSettings({.on = true, .byValue = true, .upper = 900.0});
+        QVERIFY(fixture.bar.edit().editable);
+        QCOMPARE(fixture.bar.edit().editable, fixture.workspace.editableRange());
+    }
+
     void showsAndCancels()
     {
         SeededBar fixture;

@@ -274,6 +274,27 @@ private Q_SLOTS:
         QVERIFY(fixture.bar.isVisible());
     }
 
+    /// What is traced is what comes of it: voxels that may not change are walls for both.
+    void theEditableRangeIsKept()
+    {
+        Traced fixture;
+        fixture.workspace.setEditableSettings({.on = true,
+            .byValue = true,
+            .lower = smallHead::ventricleHu,
+            .upper = smallHead::ventricleHu});
+        QVERIFY(QTest::qWaitFor([&fixture] {
+            fixture.session().poll();
+            return fixture.section.traced() && fixture.session().idle()
+                && fixture.bar.members().back() == smallHead::voxelsOf(smallHead::ventricleHu);
+        }));
+        fixture.drag({0});
+        fixture.settle();
+        QCOMPARE(fixture.voxels(), smallHead::voxelsOf(smallHead::ventricleHu));
+        const core::History& history = fixture.session().history();
+        QCOMPARE(core::growCriteriaOf(history.row(history.position()).edit)->editable,
+            fixture.workspace.editableRange());
+    }
+
     /// The tolerance was traced for one segment: seeds of others go on waiting.
     void othersStayAsTheyAre()
     {
