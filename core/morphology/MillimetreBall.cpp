@@ -122,11 +122,21 @@ std::vector<BallRow> ballRows(const MillimetreBall& ball, const glm::ivec3& box)
 
 std::int64_t voxelCount(const MillimetreBall& ball)
 {
+    return voxelCount(ball, 2 * ball.extent + 1);
+}
+
+std::int64_t voxelCount(const MillimetreBall& ball, const glm::ivec3& box)
+{
+    const int lastY = box.y == 1 ? 0 : ball.extent.y;
+    const int lastZ = box.z == 1 ? 0 : ball.extent.z;
     std::int64_t count = 0;
-    for (int z = -ball.extent.z; z <= ball.extent.z; ++z) {
-        for (int y = -ball.extent.y; y <= ball.extent.y; ++y) {
-            if (const std::optional<BallRow> row = rowAt(ball, y, z))
+    for (int z = -lastZ; z <= lastZ; ++z) {
+        for (int y = -lastY; y <= lastY; ++y) {
+            const std::optional<BallRow> row = rowAt(ball, y, z);
+            if (row && box.x > 1)
                 count += row->to - row->from + 1;
+            else if (row && row->from <= 0 && row->to >= 0)
+                ++count;
         }
     }
     return count;

@@ -65,5 +65,8 @@ struct BallRow {
 [[nodiscard]] std::vector<BallRow> ballRows(const MillimetreBall& ball, const glm::ivec3& box);
 /// The number of voxels of the whole ball.
 [[nodiscard]] std::int64_t voxelCount(const MillimetreBall& ball);
+/// The number of its voxels that can lie in a box around its middle: along an axis on which the box
+/// has a single voxel only those that make no step along it, so that it is a disc in one slice.
+[[nodiscard]] std::int64_t voxelCount(const MillimetreBall& ball, const glm::ivec3& box);
 
 } // namespace core

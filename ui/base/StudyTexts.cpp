@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/base/StudyTexts.h"
 
+#include "core/measure/MeasuredSize.h"
 #include "ui/base/NumberText.h"
 
 #include <QObject>
@@ -20,6 +21,25 @@ QString joined(QStringList parts)
 QString prefixed(const QString& prefix, const QString& value)
 {
     return value.isEmpty() ? QString() : prefix + value;
+}
+
+/// Whether nobody knows what a voxel of it comes to.
+bool isUnknownIn(const core::Volume& volume)
+{
+    return core::unknownSpacing(volume) != core::UnknownSpacing::Nothing;
+}
+
+QString voxelsText(std::int64_t voxels)
+{
+    return (voxels == 1 ? QObject::tr("%1 voxel") : QObject::tr("%1 voxels"))
+        .arg(countText(voxels));
+}
+
+/// @param sized by the mean distance of slices
+QString nearly(const core::Volume& volume, std::int64_t voxels, const QString& sized)
+{
+    return volume.geometry.slicePositions.empty() || voxels == 0 ? sized
+                                                                 : QObject::tr("≈ %1").arg(sized);
 }
 
 } // namespace
@@ -81,6 +101,29 @@ QString toleranceText(int tolerance, const core::Volume& volume)
     const double step = std::abs(volume.encoding.rescaleSlope * volume.encoding.storedStep);
     return QChar(0xB1)
         + valueText(step * double(tolerance), volume.unit, volume.maximum - volume.minimum);
+}
+
+QString volumeText(const core::Volume& volume, std::int64_t voxels)
+{
+    if (isUnknownIn(volume))
+        return voxelsText(voxels);
+    constexpr double mm3PerMl = 1000.0;
+    return nearly(
+        volume, voxels, volumeText(double(voxels) * volume.geometry.voxelVolumeMm3() / mm3PerMl));
+}
+
+QString millilitreText(const core::Volume& volume, std::int64_t voxels)
+{
+    if (isUnknownIn(volume) && voxels > 0)
+        return voxelsText(voxels);
+    return nearly(volume, voxels, millilitreText(voxels, volume.geometry.voxelVolumeMm3()));
+}
+
+QString countedText(const core::Volume& volume, std::int64_t voxels)
+{
+    if (isUnknownIn(volume))
+        return voxelsText(voxels);
+    return QObject::tr("%1, %2").arg(voxelsText(voxels), volumeText(volume, voxels));
 }
 
 QString positionText(const glm::dvec3& lps)

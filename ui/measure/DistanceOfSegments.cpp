@@ -79,9 +79,9 @@ private:
         if (gap->fromLps == gap->toLps)
             return m_workspace.say(QObject::tr("Nothing was measured: '%1' and '%2' touch")
                                        .arg(m_one.name, m_other.name));
-        const core::VolumeGeometry& geometry = m_workspace.volume()->geometry;
-        const core::AddMeasurement edit{.fromLps = core::truePlace(geometry, gap->fromLps),
-            .toLps = core::truePlace(geometry, gap->toLps)};
+        // The ends of the gap lie where views show them, and so do the points of measurements: on
+        // uneven slices only who measures asks for the true places.
+        const core::AddMeasurement edit{.fromLps = gap->fromLps, .toLps = gap->toLps};
         if (const auto kept = session->apply(edit); !kept)
             return m_workspace.fail(kept.error());
         const core::Measurement measured{.pointsLps = {edit.fromLps, edit.toLps}};

@@ -3,7 +3,6 @@
 
 #include "core/edits/kinds/segments/ChangeSegment.h"
 #include "core/session/past/FollowedInterval.h"
-#include "ui/base/NumberText.h"
 #include "ui/base/StudyTexts.h"
 #include "ui/workspace/ViewSteps.h"
 #include "ui/workspace/Workspace.h"
@@ -121,7 +120,7 @@ QVariant SegmentListModel::data(const QModelIndex& index, int role) const
     case ProtectedRole:
         return segment->uncarvable;
     case VolumeRole:
-        return millilitreText(segment->voxels, m_workspace.volume()->geometry.voxelVolumeMm3());
+        return millilitreText(*m_workspace.volume(), segment->voxels);
     case CodeRole:
         return segment->code.isSet()
             ? QStringList{segment->code.scheme, segment->code.value, segment->code.meaning}

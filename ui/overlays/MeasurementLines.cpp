@@ -25,12 +25,18 @@ constexpr double tickPixels = 5.0;
 constexpr double headPixels = 9.0; ///< of an arrow
 constexpr int circleCorners = 96;
 
-/// Whether a place lies in a slice, as far as its voxels can tell.
-bool liesIn(const gpu::SliceScene& slice, const glm::dvec3& lps, const glm::dvec3& spacingMm)
+/// Whether a place lies in a slice, as far as its voxels can tell: within half of what they are
+/// apart across that slice, however far they are apart along it.
+bool liesIn(
+    const gpu::SliceScene& slice, const glm::dvec3& lps, const core::VolumeGeometry& geometry)
 {
+    constexpr double roundingMm = 1e-3; // points are kept in 1/1024 mm
     const glm::dvec3 normal = glm::cross(slice.rightLps, slice.downLps);
-    const double reach = std::max({spacingMm.x, spacingMm.y, spacingMm.z}) / 2.0;
-    return std::abs(glm::dot(lps - slice.centreLps, normal)) <= reach;
+    double apart = 0.0;
+    for (int axis = 0; axis < 3; ++axis)
+        apart =
+            std::max(apart, std::abs(glm::dot(normal, glm::dvec3(geometry.indexToWorld[axis]))));
+    return std::abs(glm::dot(lps - slice.centreLps, normal)) <= apart / 2.0 + roundingMm;
 }
 
 QPointF unit(const QPointF& way)
@@ -277,7 +283,7 @@ bool isShown(
     return !slice || !workspace.volume()
         || std::all_of(measurement.pointsLps.begin(), measurement.pointsLps.end(),
             [&](const glm::dvec3& point) {
-                return liesIn(*slice, point, workspace.volume()->geometry.spacingMm());
+                return liesIn(*slice, point, workspace.volume()->geometry);
             });
 }
 

@@ -41,7 +41,7 @@ void SeenReadout::ask(const Place& place)
 {
     m_asking = true;
     const int asked = ++m_asked;
-    askWhatIsSeen(m_workspace, place.scene, {place.planeMm},
+    askWhatIsPointedAt(m_workspace, place.scene, {place.planeMm},
         [self = QPointer(this), asked](const core::Result<SeenVoxels>& seen) {
             if (!self)
                 return;

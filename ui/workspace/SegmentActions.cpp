@@ -22,6 +22,7 @@
 #include "core/session/questions/VoxelQuestions.h"
 #include "ui/base/NumberText.h"
 #include "ui/base/RowTitleText.h"
+#include "ui/base/StudyTexts.h"
 #include "ui/workspace/CuttingPlane.h"
 #include "ui/workspace/Workspace.h"
 
@@ -337,10 +338,9 @@ void splitByCurve(Workspace& workspace, const core::SplitByCurve& edit)
 QString partsText(const Workspace& workspace, const QString& name, std::int64_t voxels,
     const QString& otherName, std::int64_t otherVoxels)
 {
-    const double voxelMm3 = workspace.volume()->geometry.voxelVolumeMm3();
+    const core::Volume& volume = *workspace.volume();
     return QObject::tr("%1: %2 · %3: %4")
-        .arg(name, millilitreText(voxels, voxelMm3), otherName,
-            millilitreText(otherVoxels, voxelMm3));
+        .arg(name, millilitreText(volume, voxels), otherName, millilitreText(volume, otherVoxels));
 }
 
 void reshapeSegment(Workspace& workspace, const core::ReshapeSegment& edit, bool isOpen)

@@ -122,7 +122,13 @@ public:
     {
         const auto count = std::count_if(
             m_steps.begin(), m_steps.end(), [&](const glm::ivec3& step) { return is(at + step); });
-        return 2 * std::size_t(count) > m_steps.size();
+        // Where the volume has a single voxel along an axis, no step leads along it.
+        const auto possible =
+            std::count_if(m_steps.begin(), m_steps.end(), [this](const glm::ivec3& step) {
+                return (m_size.x > 1 || step.x == 0) && (m_size.y > 1 || step.y == 0)
+                    && (m_size.z > 1 || step.z == 0);
+            });
+        return 2 * count > possible;
     }
     [[nodiscard]] bool nearOwn(const glm::ivec3& at) const
     {
@@ -310,6 +316,33 @@ private Q_SLOTS:
             }
         }
         QVERIFY2(changed > 100, qPrintable(QString::number(changed)));
+    }
+
+    /// In a single slice the ball is a disc, which holes and spurs of a pixel do not fill by half:
+    /// of a ball most voxels would lie beside the slice.
+    void aSingleSliceIsSmoothed()
+    {
+        const glm::ivec3 size(20, 20, 1);
+        const core::VolumeGeometry geometry = plainGrid(size, glm::dvec3(1.0));
+        Labels labels(std::size_t(size.x * size.y * size.z), 0);
+        for (int y = 5; y < 15; ++y) {
+            for (int x = 5; x < 15; ++x)
+                labels[indexOf({x, y, 0}, size)] = 1;
+        }
+        const std::size_t hole = indexOf({9, 10, 0}, size);
+        const std::size_t spur = indexOf({15, 9, 0}, size);
+        labels[hole] = 0;
+        labels[spur] = 1;
+        const auto change = shaped(geometry, labels, ShapeOperation::Median, 1.5);
+        QVERIFY(change);
+        Labels expected = labels;
+        expected[hole] = 1;
+        expected[spur] = 0;
+        for (const int y : {5, 14}) {
+            for (const int x : {5, 14})
+                expected[indexOf({x, y, 0}, size)] = 0; // the block's corners
+        }
+        QVERIFY(after(labels, *change) == expected);
     }
 
     /// A radius that is a whole number of voxels reaches the last of them, whatever their spacing

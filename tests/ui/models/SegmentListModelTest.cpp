@@ -17,6 +17,7 @@
 #include <QtTest>
 
 #include <array>
+#include <utility>
 
 namespace segmentListModelTest {
 
@@ -169,6 +170,30 @@ private Q_SLOTS:
         QCOMPARE(fixture.session().document().segments[0].voxels, voxels);
         QCOMPARE(model.index(0).data(SegmentListModel::VolumeRole).toString(),
             ui::millilitreText(voxels, 1.5));
+    }
+
+    /// Millilitres that nobody has measured are not told, as in the panel Statistics.
+    void tellsVoxelsWhereVolumesAreUnknown()
+    {
+        const auto textOn = [](core::LoadedVolume volume) {
+            WorkspaceFixture fixture(std::move(volume));
+            SegmentListModel model(fixture.workspace);
+            fixture.apply(test::newSegment(QStringLiteral("Ventricle")));
+            fixture.apply(
+                test::thresholdOf(1, test::smallHead::ventricleHu, test::smallHead::ventricleHu));
+            return model.index(0).data(SegmentListModel::VolumeRole).toString();
+        };
+        const auto voxels = test::smallHead::voxelsOf(test::smallHead::ventricleHu);
+        core::LoadedVolume unknown = test::smallHead::volume();
+        unknown.volume.problems.push_back({.kind = core::VolumeProblem::Kind::AssumedSpacing,
+            .said = {core::ProblemCode::SpacingAssumed}});
+        QCOMPARE(
+            textOn(std::move(unknown)), QStringLiteral("%1 voxels").arg(ui::countText(voxels)));
+        core::LoadedVolume uneven = test::smallHead::volume();
+        for (int k = 0; k < test::smallHead::side; ++k)
+            uneven.volume.geometry.slicePositions.emplace_back(
+                -20.0, -20.0, k < test::smallHead::side / 2 ? k : 2.0 * k);
+        QCOMPARE(textOn(std::move(uneven)), QStringLiteral("≈ ") + ui::millilitreText(voxels, 1.5));
     }
 
     /// The interval that a segment follows, until its voxels are changed by anything else.

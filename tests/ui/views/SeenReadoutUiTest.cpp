@@ -130,6 +130,42 @@ private Q_SLOTS:
         }
     }
 
+    /// Where the volume steps back for a segment, the segment is pointed at, and the skull beside.
+    void segmentsAreSeenThroughWhatStepsBack_data()
+    {
+        QTest::addColumn<gpu::Context>("context");
+        QTest::newRow("cut away") << gpu::Context::CutAway;
+        QTest::newRow("translucent") << gpu::Context::Translucent;
+    }
+    void segmentsAreSeenThroughWhatStepsBack()
+    {
+        QFETCH(const gpu::Context, context);
+        ReadoutFixture fixture;
+        core::EditSession& session = *fixture.workspace.session();
+        QVERIFY(session.apply(test::ballMask(glm::ivec3(test::smallHead::side), 6.0)));
+        QVERIFY(session.settle());
+        ui::Workspace::VolumeDisplay display = fixture.workspace.volumeDisplay();
+        display.context = context;
+        display.contextOpacity = 0.25;
+        for (const gpu::RenderMode mode : {gpu::RenderMode::Surface, gpu::RenderMode::Mip}) {
+            display.mode = mode;
+            fixture.workspace.setVolumeDisplay(display);
+            fixture.hover({0.0, 0.0});
+            QVERIFY(fixture.distanceMm());
+            QVERIFY2(
+                *fixture.distanceMm() < 8.0, qPrintable(QString::number(*fixture.distanceMm())));
+            fixture.hover({0.0, -1.4 * 9.0 / fixture.view().context().mmPerPixel()});
+            QVERIFY(fixture.distanceMm());
+            QVERIFY2(
+                *fixture.distanceMm() > 12.5, qPrintable(QString::number(*fixture.distanceMm())));
+            // A segment that is hidden is none.
+            session.display().setSegmentVisible(1, false);
+            fixture.hover({0.0, 0.0});
+            QVERIFY(fixture.distanceMm() && *fixture.distanceMm() > 12.5);
+            session.display().setSegmentVisible(1, true);
+        }
+    }
+
     /// Wherever a piece is shown, what is pointed at on it means its true place.
     void onAPieceItIsTheTruePlace()
     {

@@ -23,6 +23,7 @@ public:
         {Code::MoveNote, QT_TR_NOOP("Move %1")},
         {Code::MoveUnknownMeasurement, QT_TR_NOOP("Move measurement %1")},
         {Code::DistanceOf, QT_TR_NOOP("distance %1 mm")},
+        {Code::DistanceOfVoxels, QT_TR_NOOP("distance %1 voxels")},
         {Code::AngleOf, QT_TR_NOOP("angle %1°")},
         {Code::EllipseOf, QT_TR_NOOP("ellipse %1")},
         {Code::RectangleOf, QT_TR_NOOP("rectangle %1")},

@@ -6,7 +6,7 @@
 #include "core/session/past/PastImports.h"
 #include "core/session/past/SegmentLayers.h"
 #include "core/sessionfile/SessionStudy.h"
-#include "ui/base/NumberText.h"
+#include "ui/base/StudyTexts.h"
 #include "ui/base/TabOrder.h"
 #include "ui/base/Theme.h"
 #include "ui/dialogs/export/ExportOptions.h"
@@ -186,7 +186,7 @@ void ExportDialog::showState()
         m_ticked->setText(tr("%1 of %2 ticked · %3")
                               .arg(segments.size())
                               .arg(m_segments->topLevelItemCount())
-                              .arg(millilitreText(voxels, volume->geometry.voxelVolumeMm3())));
+                              .arg(millilitreText(*volume, voxels)));
     QStringList uncoded;
     for (const core::Segment& segment : segments) {
         if (!segment.code.isSet())

@@ -8,7 +8,6 @@
 #include "core/edits/kinds/segments/ChangeSegment.h"
 #include "core/session/EditSession.h"
 #include "core/session/past/SeedStrokes.h"
-#include "ui/base/NumberText.h"
 #include "ui/base/StudyTexts.h"
 #include "ui/base/Theme.h"
 #include "ui/dialogs/CodeDialog.h"
@@ -18,6 +17,8 @@
 #include <QHeaderView>
 #include <QPixmap>
 #include <QStyledItemDelegate>
+
+#include <algorithm>
 
 namespace ui {
 
@@ -147,6 +148,9 @@ void ExportSegments::fill()
             m_unticked.set(choice.segment.label, !choice.chosen);
         addRow(choice);
     }
+    // Counts of voxels are longer than millilitres.
+    setColumnWidth(
+        VolumeColumn, std::max(columnWidth(VolumeColumn), sizeHintForColumn(VolumeColumn)));
     m_filling = false;
     Q_EMIT changed();
 }
@@ -174,8 +178,7 @@ void ExportSegments::addRow(const core::ExportChoice& choice)
     swatch.fill(QColor(segment.rgb));
     item->setIcon(NameColumn, QIcon(swatch));
     item->setCheckState(NameColumn, m_unticked.test(segment.label) ? Qt::Unchecked : Qt::Checked);
-    item->setText(VolumeColumn,
-        millilitreText(segment.voxels, m_workspace.volume()->geometry.voxelVolumeMm3()));
+    item->setText(VolumeColumn, millilitreText(*m_workspace.volume(), segment.voxels));
     item->setTextAlignment(VolumeColumn, Qt::AlignRight | Qt::AlignVCenter);
     item->setText(CodeColumn,
         segment.code.isSet() ? codeText(segment, m_codes[segment.label]) : tr("choose …"));

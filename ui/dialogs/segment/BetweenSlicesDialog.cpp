@@ -8,6 +8,7 @@
 #include "core/session/EditSession.h"
 #include "core/session/past/DrawnPlanes.h"
 #include "ui/base/NumberText.h"
+#include "ui/base/StudyTexts.h"
 #include "ui/base/Theme.h"
 #include "ui/dialogs/segment/PreviewRow.h"
 #include "ui/dialogs/segment/SegmentWorkRow.h"
@@ -196,7 +197,8 @@ std::vector<core::DrawnPlane> BetweenSlicesDialog::planesOfStrokes() const
     if (core::areAcrossOneAxis(planes, geometry))
         return {};
     // Rounded as in the row, so that what is told is what is filled.
-    return *core::quantised(core::FillBetweenSlices{.segment = label(), .planes = std::move(planes)})
+    return *core::quantised(
+        core::FillBetweenSlices{.segment = label(), .planes = std::move(planes)})
                 .get<core::FillBetweenSlices>()
                 .planes;
 }
@@ -219,12 +221,10 @@ void BetweenSlicesDialog::showFound()
         m_result->setText(isLooking() ? tr("Looking …") : QString());
         return;
     }
-    const double millilitres =
-        double(m_found->voxels) * workspace().volume()->geometry.voxelVolumeMm3() / 1000.0;
+    const QString filled = countedText(*workspace().volume(), m_found->voxels);
     if (m_found->planes) {
         m_drawn->setText(drawnText(*m_found->planes));
-        m_result->setText(tr("Fills what lies between: %1 voxels, %2")
-                              .arg(countText(m_found->voxels), volumeText(millilitres)));
+        m_result->setText(tr("Fills what lies between: %1").arg(filled));
         return;
     }
     if (!m_found->axis) {
@@ -235,9 +235,7 @@ void BetweenSlicesDialog::showFound()
     }
     const core::DrawnSlices& drawn = m_found->drawn.at(std::size_t(alongOf(*m_found->axis)));
     m_drawn->setText(drawnText(drawn));
-    m_result->setText(tr("Fills %1 empty slices: %2 voxels, %3")
-                          .arg(countText(drawn.emptySlices()), countText(m_found->voxels),
-                              volumeText(millilitres)));
+    m_result->setText(tr("Fills %1 empty slices: %2").arg(countText(drawn.emptySlices()), filled));
 }
 
 QString BetweenSlicesDialog::drawnText(const core::DrawnSlices& drawn) const

@@ -2,8 +2,8 @@
 #include "ui/dialogs/segment/PreviewRow.h"
 
 #include "core/document/Document.h"
-#include "core/volume/Volume.h"
 #include "ui/base/NumberText.h"
+#include "ui/base/StudyTexts.h"
 #include "ui/base/Theme.h"
 #include "ui/dialogs/segment/EditTrial.h"
 #include "ui/dialogs/segment/PreviewBox.h"
@@ -20,8 +20,7 @@ namespace {
 
 QString sizeText(const Workspace& workspace, std::int64_t voxels)
 {
-    constexpr double mm3PerMl = 1000.0;
-    return volumeText(double(voxels) * workspace.volume()->geometry.voxelVolumeMm3() / mm3PerMl);
+    return volumeText(*workspace.volume(), voxels);
 }
 
 /// "+": there are more of them than before.

@@ -3,7 +3,7 @@
 
 #include "core/session/EditSession.h"
 #include "core/session/past/FollowedInterval.h"
-#include "ui/base/NumberText.h"
+#include "ui/base/StudyTexts.h"
 #include "ui/base/Theme.h"
 #include "ui/dialogs/segment/EditTrial.h"
 #include "ui/dialogs/segment/IntervalSuggestions.h"
@@ -191,20 +191,16 @@ void ThresholdDialog::showState()
     SegmentDialog::showState();
     const core::Segment* about = segment();
     if (about) {
-        constexpr double mm3PerMl = 1000.0;
-        const double mlPerVoxel = workspace().volume()->geometry.voxelVolumeMm3() / mm3PerMl;
-        const auto sized = [mlPerVoxel](const QString& text, std::int64_t voxels) {
-            return text.arg(countText(voxels), volumeText(double(voxels) * mlPerVoxel));
+        const core::Volume& volume = *workspace().volume();
+        const auto preview = [&volume](std::int64_t voxels) {
+            return tr("Preview: %1").arg(countedText(volume, voxels));
         };
-        const QString preview = tr("Preview: %1 voxels, %2");
         // As wide as any count can be: a dialog that grows moves its buttons away.
-        const glm::ivec3 size = workspace().volume()->geometry.size;
-        const std::int64_t all = std::int64_t(size.x) * size.y * size.z;
-        m_now->setMinimumWidth(
-            QFontMetrics(theme::smallFont()).horizontalAdvance(sized(preview, all)));
-        QString text = sized(tr("Now: %1 voxels, %2"), about->voxels);
+        const auto all = std::int64_t(volume.geometry.voxelCount());
+        m_now->setMinimumWidth(QFontMetrics(theme::smallFont()).horizontalAdvance(preview(all)));
+        QString text = tr("Now: %1").arg(countedText(volume, about->voxels));
         if (const std::optional<std::int64_t> voxels = m_trial->voxels())
-            text.prepend(sized(preview, *voxels) + u'\n');
+            text.prepend(preview(*voxels) + u'\n');
         else if (m_trial->isCounting())
             text.prepend(tr("Preview: counting …") + u'\n');
         m_now->setText(text);

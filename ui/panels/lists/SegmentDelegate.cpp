@@ -9,19 +9,39 @@
 #include <QMouseEvent>
 #include <QPainter>
 
+#include <algorithm>
+
 namespace ui {
 
 namespace {
 
 constexpr int segmentNameLeft = 66;
 constexpr int lockWidth = 22;
-constexpr int volumeWidth = 74;
+constexpr int leastVolumeWidth = 74;
 constexpr int intervalWidth = 16;
 
-QRect nameRect(const QRect& row)
+bool isUnwritten(const QModelIndex& index)
+{
+    return index.data(SegmentListModel::UnwrittenRole).toBool();
+}
+
+QString sizeText(const QModelIndex& index)
+{
+    const QString size = index.data(SegmentListModel::VolumeRole).toString();
+    return isUnwritten(index) ? QStringLiteral("≠ ") + size : size;
+}
+
+/// A number that is cut off would be another one: voxels take room from the name.
+int volumeWidth(const QModelIndex& index)
+{
+    return std::max(
+        leastVolumeWidth, QFontMetrics(theme::smallFont()).horizontalAdvance(sizeText(index)) + 8);
+}
+
+QRect nameRect(const QRect& row, const QModelIndex& index)
 {
     return {row.left() + segmentNameLeft, row.top() + 3,
-        row.width() - segmentNameLeft - volumeWidth - lockWidth, 18};
+        row.width() - segmentNameLeft - volumeWidth(index) - lockWidth, 18};
 }
 
 bool followsInterval(const QModelIndex& index)
@@ -85,9 +105,10 @@ void SegmentDelegate::paint(
 
     painter->setFont(option.font);
     painter->setPen(visible ? theme::text : theme::secondary);
-    painter->drawText(nameRect(row), Qt::AlignLeft | Qt::AlignVCenter,
+    const QRect name = nameRect(row, index);
+    painter->drawText(name, Qt::AlignLeft | Qt::AlignVCenter,
         QFontMetrics(option.font)
-            .elidedText(index.data().toString(), Qt::ElideRight, nameRect(row).width()));
+            .elidedText(index.data().toString(), Qt::ElideRight, name.width()));
     const bool coded = !index.data(SegmentListModel::CodeRole).toStringList().isEmpty();
     painter->setFont(theme::smallFont());
     painter->setPen(coded ? theme::secondary : theme::caution);
@@ -100,12 +121,10 @@ void SegmentDelegate::paint(
     if (follows)
         painter->drawPixmap(intervalRect(row),
             tintedIcon(QStringLiteral("interval"), theme::accent, intervalWidth, ratio));
-    const bool unwritten = index.data(SegmentListModel::UnwrittenRole).toBool();
-    painter->setPen(unwritten ? theme::caution : theme::secondary);
-    const QRect volume(row.right() - lockWidth - volumeWidth, row.top() + 3, volumeWidth - 4, 18);
-    const QString millilitres = index.data(SegmentListModel::VolumeRole).toString();
-    painter->drawText(volume, Qt::AlignRight | Qt::AlignVCenter,
-        unwritten ? QStringLiteral("≠ ") + millilitres : millilitres);
+    painter->setPen(isUnwritten(index) ? theme::caution : theme::secondary);
+    const int width = volumeWidth(index);
+    const QRect volume(row.right() - lockWidth - width, row.top() + 3, width - 4, 18);
+    painter->drawText(volume, Qt::AlignRight | Qt::AlignVCenter, sizeText(index));
     const bool locked = index.data(SegmentListModel::LockedRole).toBool();
     const bool isProtected = index.data(SegmentListModel::ProtectedRole).toBool();
     // What is not on says where to click, to who is looking there.
@@ -164,9 +183,9 @@ bool SegmentDelegate::editorEvent(QEvent* event, QAbstractItemModel* model,
 }
 
 void SegmentDelegate::updateEditorGeometry(
-    QWidget* editor, const QStyleOptionViewItem& option, const QModelIndex&) const
+    QWidget* editor, const QStyleOptionViewItem& option, const QModelIndex& index) const
 {
-    editor->setGeometry(nameRect(option.rect).adjusted(-8, -2, 0, 4));
+    editor->setGeometry(nameRect(option.rect, index).adjusted(-8, -2, 0, 4));
 }
 
 } // namespace ui

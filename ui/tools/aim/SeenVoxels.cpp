@@ -41,7 +41,12 @@ struct Question {
     SeenVoxels seen; ///< of the rest of the volume
     std::vector<double> depthMm;
     std::vector<Way> ways;
-    std::function<void(const core::Result<SeenVoxels>&)> then;
+    std::vector<bool> onSegment; ///< points where a segment that is shown alone is met
+    /// The second one is onSegment.
+    std::function<void(const core::Result<SeenVoxels>&, const std::vector<bool>&)> then;
+
+    void fail(const core::Error& error) const { then(tl::unexpected(error), onSegment); }
+    void finish(const SeenVoxels& found) const { then(found, onSegment); }
 };
 
 glm::dvec3 forwardOf(const gpu::VolumeScene& scene)
@@ -146,6 +151,10 @@ void keepMembers(
         });
     }
     std::erase_if(ways, [](const Way& way) { return way.samples.empty(); });
+    for (const Way& way : ways) {
+        if (way.piece.id == 0)
+            question.onSegment[way.point] = true;
+    }
 }
 
 /// What of a piece is seen on a way, as the mode draws it; null: nothing.
@@ -206,7 +215,7 @@ void choose(Question& question, const std::vector<int>& codes)
         depth[way.point] = sample->depthMm;
         brightness[way.point] = sample->code;
     }
-    question.then(seen);
+    question.finish(seen);
 }
 
 void askCodes(Workspace& workspace, const std::shared_ptr<Question>& question)
@@ -221,7 +230,7 @@ void askCodes(Workspace& workspace, const std::shared_ptr<Question>& question)
     using Probes = std::vector<core::ProbedVoxel>;
     const auto take = [question](const core::Result<Probes>& probes) {
         if (!probes)
-            return question->then(tl::unexpected(probes.error()));
+            return question->fail(probes.error());
         std::size_t next = 0;
         for (Way& way : question->ways) {
             for (Sample& sample : way.samples)
@@ -248,22 +257,20 @@ void askMembers(Workspace& workspace, const std::shared_ptr<Question>& question)
     workspace.session()->questions().bricks({keys.begin(), keys.end()},
         [&workspace, question, grid](const core::Result<std::vector<core::BrickImage>>& bricks) {
             if (!bricks)
-                return question->then(tl::unexpected(bricks.error()));
+                return question->fail(bricks.error());
             {
                 const core::VoxelsAllowed singleOnes; // those on the ways, some thousand at most
                 keepMembers(*question, *bricks, grid);
             }
             if (question->ways.empty())
-                return question->then(question->seen);
+                return question->finish(question->seen);
             askCodes(workspace, question);
         });
 }
 
-} // namespace
-
-void askWhatIsSeen(Workspace& workspace, const gpu::VolumeScene& scene,
+void askQuestion(Workspace& workspace, const gpu::VolumeScene& scene,
     const std::vector<glm::dvec2>& planeMm,
-    const std::function<void(const core::Result<SeenVoxels>&)>& then)
+    const std::function<void(const core::Result<SeenVoxels>&, const std::vector<bool>&)>& then)
 {
     auto question = std::make_shared<Question>();
     question->scene = scene;
@@ -272,11 +279,12 @@ void askWhatIsSeen(Workspace& workspace, const gpu::VolumeScene& scene,
     question->segments = workspace.segmentDisplay().visible;
     question->volume = *workspace.volume();
     question->ways = waysThrough(scene, planeMm, workspace.session()->document());
+    question->onSegment.assign(planeMm.size(), false);
     question->then = then;
     workspace.session()->questions().pick(pickQuestion(scene, planeMm, *workspace.volume()),
         [&workspace, question](const core::Result<PickedVoxels>& picked) {
             if (!picked)
-                return question->then(tl::unexpected(picked.error()));
+                return question->fail(picked.error());
             question->seen.clear();
             for (const std::optional<glm::ivec3>& voxel : *picked)
                 question->seen.push_back(
@@ -288,8 +296,62 @@ void askWhatIsSeen(Workspace& workspace, const gpu::VolumeScene& scene,
                     glm::dot(lps - question->scene.targetLps, forwardOf(question->scene)));
             }
             if (question->ways.empty())
-                return question->then(question->seen);
+                return question->finish(question->seen);
             askMembers(workspace, question);
+        });
+}
+
+/// Whether the volume steps back for segments, but is drawn.
+bool stepsBack(const gpu::VolumeScene& scene)
+{
+    return scene.context == gpu::Context::CutAway
+        || (scene.context == gpu::Context::Translucent && scene.contextOpacity < 1.0f);
+}
+
+} // namespace
+
+void askWhatIsSeen(Workspace& workspace, const gpu::VolumeScene& scene,
+    const std::vector<glm::dvec2>& planeMm,
+    const std::function<void(const core::Result<SeenVoxels>&)>& then)
+{
+    askQuestion(workspace, scene, planeMm,
+        [then](const core::Result<SeenVoxels>& seen, const std::vector<bool>&) { then(seen); });
+}
+
+void askWhatIsPointedAt(Workspace& workspace, const gpu::VolumeScene& scene,
+    const std::vector<glm::dvec2>& planeMm,
+    const std::function<void(const core::Result<SeenVoxels>&)>& then)
+{
+    if (!stepsBack(scene))
+        return askWhatIsSeen(workspace, scene, planeMm, then);
+    gpu::VolumeScene alone = scene;
+    alone.context = gpu::Context::Hidden;
+    gpu::VolumeScene whole = scene;
+    whole.context = gpu::Context::Opaque;
+    askQuestion(workspace, alone, planeMm,
+        [&workspace, whole, planeMm, then](
+            const core::Result<SeenVoxels>& segments, const std::vector<bool>& onSegment) {
+            if (!segments)
+                return then(tl::unexpected(segments.error()));
+            std::vector<glm::dvec2> others;
+            for (std::size_t point = 0; point < planeMm.size(); ++point) {
+                if (!onSegment[point])
+                    others.push_back(planeMm[point]);
+            }
+            if (others.empty())
+                return then(segments);
+            askWhatIsSeen(workspace, whole, others,
+                [found = *segments, onSegment, then](const core::Result<SeenVoxels>& rest) {
+                    if (!rest)
+                        return then(tl::unexpected(rest.error()));
+                    SeenVoxels all = found;
+                    std::size_t next = 0;
+                    for (std::size_t point = 0; point < all.size(); ++point) {
+                        if (!onSegment[point])
+                            all[point] = (*rest)[next++];
+                    }
+                    then(all);
+                });
         });
 }
 

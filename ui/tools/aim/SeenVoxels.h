@@ -31,4 +31,12 @@ void askWhatIsSeen(Workspace& workspace, const gpu::VolumeScene& scene,
     const std::vector<glm::dvec2>& planeMm,
     const std::function<void(const core::Result<SeenVoxels>&)>& then);
 
+/// Asks what the user points at there. It differs from what is seen where the volume steps back for
+/// segments (translucent or cut away): there a ray that meets a shown segment means segments and
+/// pieces alone, whatever tissue lies in front of them. Tools that work on tissue ask for what is
+/// seen.
+void askWhatIsPointedAt(Workspace& workspace, const gpu::VolumeScene& scene,
+    const std::vector<glm::dvec2>& planeMm,
+    const std::function<void(const core::Result<SeenVoxels>&)>& then);
+
 } // namespace ui

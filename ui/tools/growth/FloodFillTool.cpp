@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/tools/growth/FloodFillTool.h"
 
+#include "core/edits/engine/SlicePlane.h"
 #include "core/edits/kinds/filling/FloodFill.h"
 #include "core/session/SegmentWork.h"
 #include "ui/base/StudyTexts.h"
 #include "ui/base/Theme.h"
-#include "ui/geometry/ViewPlane.h"
 #include "ui/menus/EditableButton.h"
 #include "ui/tools/aim/CursorLabel.h"
 #include "ui/tools/common/SeedOptions.h"
@@ -22,24 +22,22 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace ui {
 
 namespace {
 
-/// Across the slice that a view shows.
-glm::dvec3 normalOf(const ViewContext& view)
+/// The axis across the voxels that a view shows as one slice; none: the slice lies oblique to them.
+/// A standard plane of the patient does so too if the volume was acquired tilted.
+std::optional<core::SliceAxis> shownAxis(
+    const core::VolumeGeometry& geometry, const ViewContext& view)
 {
     const auto& slice = std::get<gpu::SliceScene>(view.scene);
-    return glm::cross(slice.rightLps, slice.downLps);
-}
-
-/// Whether the slice is one of voxels.
-bool liesAlongVoxels(const ViewContext& view)
-{
-    constexpr double parallel = 0.9999;
-    const glm::dvec3 normal = glm::abs(normalOf(view));
-    return std::max({normal.x, normal.y, normal.z}) > parallel;
+    const glm::dvec3 normal = glm::normalize(glm::cross(slice.rightLps, slice.downLps));
+    const std::optional<core::SlicePlane::OnGrid> onGrid =
+        core::slicePlane(geometry, normal, slice.centreLps).onGrid;
+    return onGrid ? std::optional(core::SliceAxis(onGrid->axis)) : std::nullopt;
 }
 
 /// The widgets of the option bar.
@@ -214,7 +212,9 @@ void FloodFillTool::press(const PointerSample& sample, const ViewContext& view)
         .erase = m_erases};
     if (!geometry.contains(glm::ivec3(glm::floor(geometry.toIndex(edit.placeLps) + 0.5))))
         return m_workspace.say(tr("Click inside the volume"));
-    if (!m_settings.in3D && !liesAlongVoxels(view))
+    if (!m_settings.in3D)
+        edit.within = shownAxis(geometry, view);
+    if (!m_settings.in3D && !edit.within)
         return m_workspace.say(
             tr("An oblique slice has no voxels of its own: choose “in 3D” to fill from here"));
     if (m_erases && m_workspace.session()->document().segments.empty())
@@ -227,8 +227,6 @@ void FloodFillTool::press(const PointerSample& sample, const ViewContext& view)
     if (!label)
         return m_workspace.fail(label.error());
     edit.segment = *label;
-    if (!m_settings.in3D)
-        edit.within = axisAlong(geometry, normalOf(view));
     if (!m_erases) {
         edit.tolerance = m_settings.tolerance;
         edit.overwriteUnlocked =
@@ -271,7 +269,7 @@ void FloodFillTool::paintOverlay(QPainter& painter, const ViewContext& view) con
     painter.setBrush(toolColour());
     painter.setPen(Qt::NoPen);
     painter.drawEllipse(cursor(), 2.0, 2.0);
-    const bool isPossible = m_settings.in3D || liesAlongVoxels(view);
+    const bool isPossible = m_settings.in3D || shownAxis(m_workspace.volume()->geometry, view);
     QStringList lines{isPossible ? action(m_erases) : tr("on an oblique slice only “in 3D”")};
     const QString reach = m_settings.in3D ? tr("in 3D") : tr("in the slice");
     if (m_erases) {

@@ -187,8 +187,8 @@ void CuttingPlaneTool::point(const QPointF& pixel, const ViewContext& view)
 {
     if (view.isSlice())
         return take(view.toLps(pixel));
-    askWhatIsSeen(m_workspace, std::get<gpu::VolumeScene>(view.scene), {view.toViewPlaneMm(pixel)},
-        [self = QPointer(this)](const core::Result<SeenVoxels>& seen) {
+    askWhatIsPointedAt(m_workspace, std::get<gpu::VolumeScene>(view.scene),
+        {view.toViewPlaneMm(pixel)}, [self = QPointer(this)](const core::Result<SeenVoxels>& seen) {
             if (!self || !self->m_workspace.volume())
                 return;
             if (!seen)

@@ -369,7 +369,7 @@ void MeasureTool::measureWhatIsSeen(const core::Measurement& drawn, const ViewCo
     std::vector<glm::dvec2> places;
     for (const glm::dvec3& point : drawn.pointsLps)
         places.push_back(view.toViewPlaneMm(view.toPixel(point)));
-    askWhatIsSeen(m_workspace, std::get<gpu::VolumeScene>(view.scene), places,
+    askWhatIsPointedAt(m_workspace, std::get<gpu::VolumeScene>(view.scene), places,
         [tool = QPointer<MeasureTool>(this), drawn](const core::Result<SeenVoxels>& seen) {
             if (!tool)
                 return;

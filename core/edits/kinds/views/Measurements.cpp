@@ -69,16 +69,33 @@ TitleArgument volumeTitle(const MeasuredSize& size)
         .arguments = {TitleDecimal{.value = size.volume.value_or(0.0) / mm3PerMl, .decimals = 2}}});
 }
 
+MeasuredSize sizeOf(const Measurement& measurement, const Document& document)
+{
+    if (!document.volumes.empty())
+        return measuredSize(measurement, document.volumes.front());
+    MeasuredSize size;
+    if (measurement.kind == Measurement::Kind::Distance)
+        size.length = measurement.lengthMm();
+    return size;
+}
+
+/// "distance 12.5 mm", or voxels.
+RowTitle lengthTitle(const MeasuredSize& size)
+{
+    const double length = size.length.value_or(0.0);
+    return size.inVoxels
+        ? RowTitle{.code = RowTitleCode::DistanceOfVoxels, .arguments = {oneDecimal(length)}}
+        : RowTitle{.code = RowTitleCode::DistanceOf, .arguments = {inMm(length)}};
+}
+
 /// What it is and comes to: "ellipse 120.4 mm²".
 RowTitle whatItIs(const Measurement& measurement, const Document& document)
 {
     using Kind = Measurement::Kind;
-    const MeasuredSize size = document.volumes.empty()
-        ? MeasuredSize()
-        : measuredSize(measurement, document.volumes.front());
+    const MeasuredSize size = sizeOf(measurement, document);
     switch (measurement.kind) {
     case Kind::Distance:
-        return {.code = RowTitleCode::DistanceOf, .arguments = {inMm(measurement.lengthMm())}};
+        return lengthTitle(size);
     case Kind::Angle:
         return {.code = RowTitleCode::AngleOf,
             .arguments = {oneDecimal(size.angleDegrees.value_or(0.0))}};
@@ -138,10 +155,15 @@ EditEffects effects(const AddMeasurement&)
     return documentEffects(DocumentChange::What::Measurements, true);
 }
 
-RowTitle rowTitle(const AddMeasurement& edit, const RowFacts&)
+RowTitle rowTitle(const AddMeasurement& edit, const RowFacts& row)
 {
-    return {.code = RowTitleCode::Measure,
-        .arguments = {inMm(glm::distance(edit.fromLps, edit.toLps))}};
+    const Measurement measured{.kind = Measurement::Kind::Distance,
+        .pointsLps = {edit.fromLps, edit.toLps},
+        .projected = edit.projected.value_or(false)};
+    const MeasuredSize size = sizeOf(measured, row.document);
+    if (size.inVoxels)
+        return {.code = RowTitleCode::MeasureThat, .arguments = {asArgument(lengthTitle(size))}};
+    return {.code = RowTitleCode::Measure, .arguments = {inMm(size.length.value_or(0.0))}};
 }
 
 EditDependencies dependencies(const AddMeasurement&, const DependencyFacts& row)
@@ -263,10 +285,12 @@ RowTitle rowTitle(const RemoveMeasurement& edit, const RowFacts& row)
     if (!measurement)
         return {.code = RowTitleCode::RemoveUnknownMeasurement,
             .arguments = {TitleNumber{edit.measurement}}};
-    if (measurement->kind != Measurement::Kind::Distance)
+    const MeasuredSize size = sizeOf(*measurement, row.document);
+    if (measurement->kind != Measurement::Kind::Distance || size.inVoxels)
         return {.code = RowTitleCode::RemoveNote,
             .arguments = {asArgument(whatItIs(*measurement, row.document))}};
-    return {.code = RowTitleCode::RemoveMeasurement, .arguments = {inMm(measurement->lengthMm())}};
+    return {
+        .code = RowTitleCode::RemoveMeasurement, .arguments = {inMm(size.length.value_or(0.0))}};
 }
 
 EditDependencies dependencies(const RemoveMeasurement&, const DependencyFacts& row)

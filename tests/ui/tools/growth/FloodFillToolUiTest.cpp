@@ -23,6 +23,7 @@
 #include <algorithm>
 #include <array>
 #include <memory>
+#include <set>
 #include <vector>
 
 namespace floodFillToolUiTest {
@@ -239,6 +240,45 @@ private Q_SLOTS:
         QCOMPARE(fixture.rows(), std::size_t(2));
         QVERIFY(!fixture.lastEdit().within);
         QCOMPARE(fixture.labels(), Fixture::filledBy(fixture.lastEdit()));
+    }
+
+    /// The standard planes lie oblique to the voxels of a tilted acquisition; planes along its
+    /// voxels hold one slice of them, and the fill stays in that.
+    void ofATiltedAcquisitionItFillsTheSliceThatIsShown()
+    {
+        test::WindowFixture fixture(test::oblique());
+        const core::VolumeGeometry& geometry = fixture.workspace.volume()->geometry;
+        ui::FloodFillTool tool(fixture.workspace);
+        fixture.workspace.setActiveTool(&tool);
+        tool.setSettings({.in3D = false, .corners = false, .tolerance = 10.0});
+        const glm::dvec3 middle(32.0, 24.0, 20.0);
+        QSignalSpy said(&fixture.workspace, &ui::Workspace::said);
+        fixture.workspace.setCrosshairLps(fixture.place(middle));
+        ui::ImageView& axial = fixture.window.views().axial();
+        test::WindowFixture::click(axial, fixture.pixel(axial, middle));
+        QVERIFY(fixture.session().settle());
+        QCOMPARE(fixture.rows(), std::size_t(0));
+        QCOMPARE(said.size(), 1);
+        QVERIFY(said.back().front().toString().contains(QStringLiteral("choose “in 3D”")));
+
+        ui::ViewContext acquired = axial.context();
+        auto& scene = std::get<gpu::SliceScene>(acquired.scene);
+        scene.centreLps = fixture.place(middle);
+        scene.rightLps = geometry.direction()[0];
+        scene.downLps = geometry.direction()[1];
+        ui::PointerSample sample;
+        sample.position = acquired.toPixel(fixture.place(middle));
+        tool.press(sample, acquired);
+        QVERIFY(fixture.session().settle());
+        QCOMPARE(fixture.rows(), std::size_t(2)); // a segment for it, and the fill
+        const auto edit = fixture.session().history().rows().back().edit.get<core::FloodFill>();
+        QVERIFY(edit.within == core::SliceAxis::K);
+        // Codes grow with the column: the fill takes 21 columns of one slice.
+        const std::set<std::array<int, 3>> filled = fixture.voxels();
+        QCOMPARE(filled.size(), std::size_t(21) * std::size_t(geometry.size.y));
+        for (const std::array<int, 3>& voxel : filled)
+            QCOMPARE(voxel[2], 20);
+        fixture.workspace.setActiveTool(nullptr);
     }
 
     /// What a dialog previews is no reason to wait, and Esc is not about it.
