@@ -9,6 +9,7 @@
 #include <QHash>
 #include <QJsonArray>
 #include <QJsonDocument>
+#include <QRegularExpression>
 #include <QSet>
 
 #include <array>
@@ -27,6 +28,7 @@ using core::Result;
 struct ListEntry {
     QString where;
     QJsonObject fields;
+    QHash<QString, QString> cells{}; ///< of a table, variables only
 };
 
 /// A list of a million studies has some hundred bytes for each.
@@ -46,9 +48,13 @@ Result<QByteArray> bytesOf(const QString& path)
 }
 
 /// A cell that reads as a number is one, so that it can stand for a number of the recipe. JSON has
-/// none that are infinite or undefined: "nan" is a word.
+/// none that are infinite or undefined: "nan" is a word. So is what names something: whole numbers
+/// with a zero in front, or longer than a number keeps.
 QJsonValue valueOf(const QString& cell)
 {
+    static const QRegularExpression name(QStringLiteral("^[-+]?(0\\d|\\d{16,}$)"));
+    if (name.match(cell).hasMatch())
+        return cell;
     bool isNumber = false;
     const double number = cell.toDouble(&isNumber);
     return isNumber && std::isfinite(number) ? QJsonValue(number) : QJsonValue(cell);
@@ -104,8 +110,10 @@ Result<std::vector<ListEntry>> entriesOfTable(const QString& path, QChar between
         ListEntry entry{where, {}};
         for (qsizetype i = 0; i < row.size(); ++i) {
             const QString cell = row[i].trimmed();
-            entry.fields[columns[i]] =
-                isColumnOfOurs(columns[i]) ? QJsonValue(cell) : valueOf(cell);
+            const bool isOurs = isColumnOfOurs(columns[i]);
+            entry.fields[columns[i]] = isOurs ? QJsonValue(cell) : valueOf(cell);
+            if (!isOurs)
+                entry.cells[columns[i]] = cell;
         }
         entries.push_back(std::move(entry));
     }
@@ -294,6 +302,7 @@ Result<std::vector<BatchStudy>> readStudyList(const QString& path)
                                          : QStringLiteral("; a column 'name' tells them apart")));
         places.insert(found.name, entry.where);
         found.variables = fields;
+        found.cells = entry.cells;
         studies.push_back(std::move(found));
     }
     return studies;

@@ -36,6 +36,7 @@ class StudyListTest : public QObject {
 private Q_SLOTS:
     void init() { test::failOnUnexpectedMessages(); }
     void numbersAreNumbers();
+    void namesOfDigitsAreTexts();
     void theTableKeepsItsName();
     void anythingIsReadOrRefused_data();
     void anythingIsReadOrRefused();
@@ -52,6 +53,22 @@ void StudyListTest::numbersAreNumbers()
     for (const auto& [name, word] :
         {std::pair("b", "nan"), {"c", "-inf"}, {"d", "1e400"}, {"e", "infinity"}})
         QCOMPARE(variables[QLatin1String(name)], QJsonValue(QLatin1String(word)));
+}
+
+/// Only as a text they stay what they are. Any cell is also kept as it was written.
+void StudyListTest::namesOfDigitsAreTexts()
+{
+    const auto studies =
+        read("a.csv", "study,a,b,c,d,e,f,g\nx.nii,0012,0,0.5,-0.5,1.50,1234567890123456,4711\n");
+    QVERIFY(studies);
+    const BatchStudy& study = studies->front();
+    const std::pair<const char*, QJsonValue> rows[] = {{"a", QStringLiteral("0012")}, {"b", 0.0},
+        {"c", 0.5}, {"d", -0.5}, {"e", 1.5}, {"f", QStringLiteral("1234567890123456")},
+        {"g", 4711.0}};
+    for (const auto& [name, value] : rows)
+        QCOMPARE(study.variables[QLatin1String(name)], value);
+    QCOMPARE(study.cells[QStringLiteral("e")], QStringLiteral("1.50"));
+    QVERIFY(!study.cells.contains(QStringLiteral("study")));
 }
 
 void StudyListTest::theTableKeepsItsName()
