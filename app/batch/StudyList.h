@@ -27,7 +27,7 @@ struct BatchStudy {
 };
 
 /// Reads the studies of a batch: from a list (CSV, TSV or JSON), or from a folder, each entry of
-/// which is a study.
+/// which is a study, but for what lies beside studies by its name (scan.json, a.raw, readme.txt).
 ///
 /// The first line of a table has the names of the columns; JSON is a list of objects with these
 /// names as keys, or of paths. "study" is required; "name", "session", "series", "repair" and
@@ -36,7 +36,10 @@ struct BatchStudy {
 /// ("0012" is a name). Paths are relative to the list. Without a name a study is named after its
 /// file, without extension. Errors: FileNotFound, FileUnreadable (with the line or entry),
 /// FolderEmpty.
-[[nodiscard]] core::Result<std::vector<BatchStudy>> readStudyList(const QString& path);
+/// @param results the folder for the batch's results: the entry of a folder of studies that is it
+/// or has it inside is no study
+[[nodiscard]] core::Result<std::vector<BatchStudy>> readStudyList(
+    const QString& path, const QString& results = QString());
 
 /// Splits a table into rows of cells, with quotes as in RFC 4180. @p between separates cells. For
 /// lists, and for statistics. Errors: InvalidField with the line, counted from 1.

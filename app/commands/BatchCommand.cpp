@@ -45,7 +45,8 @@ Result<std::vector<StudyTask>> tasksOf(const Arguments& arguments, int retries)
     const Result<RecipeTemplate> recipe = RecipeTemplate::read(recipeFile);
     if (!recipe)
         return tl::unexpected(recipe.error());
-    Result<std::vector<BatchStudy>> studies = readStudyList(arguments.value("studies"));
+    Result<std::vector<BatchStudy>> studies =
+        readStudyList(arguments.value("studies"), arguments.value("into"));
     if (!studies)
         return tl::unexpected(studies.error());
     QStringList options;

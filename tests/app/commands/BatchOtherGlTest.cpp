@@ -36,6 +36,7 @@ private Q_SLOTS:
     void init();
     void anotherSeriesIsDoneOnlyByForce();
     void otherOptionsLikewise();
+    void resultsAmongTheStudiesAreNone();
 };
 
 void BatchOtherGlTest::write(const QString& file, const QByteArray& text)
@@ -142,6 +143,27 @@ void BatchOtherGlTest::otherOptionsLikewise()
     QCOMPARE(back.status, 1);
     QVERIFY2(
         back.complaint.contains(key("other options (--with-images)")), qPrintable(back.complaint));
+}
+
+void BatchOtherGlTest::resultsAmongTheStudiesAreNone()
+{
+    QVERIFY(QDir().mkpath(path("studies")));
+    for (const char* each : {"studies/a.nii.gz", "studies/b.nii.gz"}) {
+        core::LoadedVolume study = test::smallStudy();
+        study.codes[0] = std::uint16_t(study.codes[0] + each[8]); // another study each
+        QVERIFY(test::writeStudy(path(each), study));
+    }
+    write(path("studies/a.json"), "{}");
+    const QStringList words{key("batch"),
+        recipe("plain.json", {{key("edits"), test::toJson({test::addSegment("Part")})}}),
+        key("--studies"), path("studies"), key("--into"), path("studies/out")};
+    for (const char* expected : {"done", "was done"}) {
+        const Outcome outcome = burin(words);
+        QVERIFY2(outcome.status == 0, qPrintable(outcome.complaint));
+        QCOMPARE(outcome.lines.size(), 2);
+        for (const QJsonObject& line : outcome.lines)
+            QCOMPARE(line[key("state")].toString(), key(expected));
+    }
 }
 
 BURIN_TEST(BatchOtherGlTest)
