@@ -209,6 +209,8 @@ Result<RecipeExport> exportFromJson(const QJsonValue& json)
         if (!seg)
             return tl::unexpected(seg.error());
         made.seg = *seg;
+    }
+    if (made.what == RecipeExport::What::Segments && factsOf(made.format).holdsCodes) {
         Result<std::map<QString, SegCodes>> codes = takeCodes(object);
         if (!codes)
             return tl::unexpected(codes.error());

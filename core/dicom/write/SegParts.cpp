@@ -16,13 +16,18 @@
 
 namespace core {
 
+SegCodes codesIn(const SegSettings& settings, int label, const CodedConcept& category)
+{
+    const auto found = settings.codes.find(label);
+    SegCodes codes = found == settings.codes.end() ? SegCodes() : found->second;
+    if (!codes.category.isSet())
+        codes.category = category;
+    return codes;
+}
+
 SegCodes segCodesOf(const SegContent& content, const Segment& segment)
 {
-    const auto found = content.settings.codes.find(segment.label);
-    SegCodes codes = found == content.settings.codes.end() ? SegCodes() : found->second;
-    if (!codes.category.isSet())
-        codes.category = content.category;
-    return codes;
+    return codesIn(content.settings, segment.label, content.category);
 }
 
 Result<void> checkSegCodes(const Segment& segment, const SegCodes& codes)

@@ -28,4 +28,8 @@ struct SegSettings {
     std::map<int, SegCodes> codes{}; ///< by label
 };
 
+/// The codes of a segment, with the category for all segments where it has none of its own.
+[[nodiscard]] SegCodes codesIn(
+    const SegSettings& settings, int label, const CodedConcept& category);
+
 } // namespace core

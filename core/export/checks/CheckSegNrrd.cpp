@@ -9,6 +9,7 @@
 #include <cmath>
 #include <optional>
 #include <set>
+#include <utility>
 
 namespace core {
 
@@ -52,20 +53,59 @@ QString comparable(const QString& text, bool inTag)
     return plain;
 }
 
-/// The type that the tags of a segment name; nothing where there is none.
-std::optional<CodedConcept> codeOf(const QString& tags)
+/// What the tags of a segment name.
+struct NamedCodes {
+    CodedConcept type;
+    SegCodes others;
+};
+
+/// Nothing if the tags are not as they should be; empty codes if there is no terminology.
+std::optional<NamedCodes> codesOf(const QString& tags)
 {
     const QString name = QStringLiteral("TerminologyEntry:");
     for (const QString& tag : tags.split(QLatin1Char('|'))) {
         if (!tag.startsWith(name))
             continue;
         const QStringList parts = tag.mid(name.size()).split(QLatin1Char('~'));
-        const QStringList code = parts.value(2).split(QLatin1Char('^'));
-        if (parts.size() != 7 || code.size() != 3)
+        if (parts.size() != 7)
             return std::nullopt;
-        return CodedConcept{.scheme = code[0], .value = code[1], .meaning = code[2]};
+        NamedCodes codes;
+        for (const auto& [part, code] : {std::pair(1, &codes.others.category),
+                 std::pair(2, &codes.type), std::pair(3, &codes.others.modifier),
+                 std::pair(5, &codes.others.region), std::pair(6, &codes.others.regionModifier)}) {
+            const QStringList entry = parts[part].split(QLatin1Char('^'));
+            if (entry.size() != 3)
+                return std::nullopt;
+            *code = {.scheme = entry[0], .value = entry[1], .meaning = entry[2]};
+        }
+        return codes;
     }
-    return CodedConcept{};
+    return NamedCodes{};
+}
+
+/// As it can stand in a tag.
+CodedConcept comparable(const CodedConcept& code)
+{
+    return {.scheme = comparable(code.scheme, true),
+        .value = comparable(code.value, true),
+        .meaning = comparable(code.meaning, true)};
+}
+
+/// Whether the tags of a segment name its codes and no others.
+bool namesCodes(const QString& tags, const Segment& segment, const SegCodes& expected)
+{
+    const std::optional<NamedCodes> named = codesOf(tags);
+    if (!named)
+        return false;
+    const SegCodes& others = named->others;
+    if (!segment.code.isSet())
+        return !named->type.isSet() && !others.category.isSet();
+    const CodedConcept regionModifier =
+        expected.region.isSet() ? comparable(expected.regionModifier) : CodedConcept();
+    return named->type == comparable(segment.code)
+        && (!expected.category.isSet() || others.category == comparable(expected.category))
+        && others.modifier == comparable(expected.modifier)
+        && others.region == comparable(expected.region) && others.regionModifier == regionModifier;
 }
 
 /// The layer that the header names for a segment; −1 if there is no such layer.
@@ -78,7 +118,7 @@ int layerNamed(const Keys& keys, const QByteArray& prefix, int layers)
 
 /// What a segment's keys say that is not so, as a word; empty if all is.
 Clause differenceOfSegment(const Keys& keys, const QByteArray& prefix, const Segment& segment,
-    const QString& extent, int layers)
+    const SegCodes& codes, const QString& extent, int layers)
 {
     if (valueOf(keys, prefix + "Name") != comparable(segment.name, false))
         return QStringLiteral("name");
@@ -90,12 +130,7 @@ Clause differenceOfSegment(const Keys& keys, const QByteArray& prefix, const Seg
         return QStringLiteral("extent");
     if (colourOf(valueOf(keys, prefix + "Color")) != (segment.rgb & 0xffffffU))
         return QStringLiteral("colour");
-    CodedConcept code;
-    if (segment.code.isSet())
-        code = {.scheme = comparable(segment.code.scheme, true),
-            .value = comparable(segment.code.value, true),
-            .meaning = comparable(segment.code.meaning, true)};
-    if (codeOf(valueOf(keys, prefix + "Tags")) != code)
+    if (!namesCodes(valueOf(keys, prefix + "Tags"), segment, codes))
         return QStringLiteral("code");
     return {};
 }
@@ -112,7 +147,10 @@ Clause differenceOfKeys(const Keys& keys, const ExportExpectation& expected, int
         const QString id = valueOf(keys, prefix + "ID");
         if (id.isEmpty() || !ids.insert(id).second)
             return Clause::saying("the ID of segment %1", i + 1);
-        const Clause what = differenceOfSegment(keys, prefix, expected.segments[i], extent, layers);
+        const Segment& segment = expected.segments[i];
+        const auto codes = expected.segmentCodes.find(segment.label);
+        const Clause what = differenceOfSegment(keys, prefix, segment,
+            codes == expected.segmentCodes.end() ? SegCodes() : codes->second, extent, layers);
         if (!what.isEmpty())
             return Clause::saying("the %1 of segment %2", what, i + 1);
     }

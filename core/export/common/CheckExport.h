@@ -3,6 +3,8 @@
 
 #include "core/export/common/ExportMask.h"
 
+#include <map>
+
 namespace core {
 
 /// What an exported file must contain.
@@ -17,6 +19,9 @@ struct ExportExpectation {
     std::span<const ImportedVoxels> imported{}; ///< for statistics
     const Deidentifier* deidentifier = nullptr;
     std::span<const Measurement> measurements{}; ///< for a report
+    /// The codes besides the type, by label, for a 3D Slicer segmentation. A category that is not
+    /// set is not compared.
+    std::map<int, SegCodes> segmentCodes{};
 };
 
 /// Opens a DICOM SEG and the files of the volume's slices and checks, from their headers alone:

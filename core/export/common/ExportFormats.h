@@ -42,6 +42,7 @@ struct ExportFormatFacts {
     bool namesSourceImages = false; ///< available only if dicomSegObstacle() is empty
     bool isSurface = false; ///< a MeshSpace must be chosen
     bool isSeg = false; ///< a DICOM SEG: SegSettings apply, and every segment needs a code
+    bool holdsCodes = false; ///< SegCodes of segments apply, where they have a type
     bool isStatistics = false; ///< numbers about segments; needs ExportRequest::codes
 };
 

@@ -163,6 +163,9 @@ Result<StagedExport> stageOn(const Volume& volume, const ExportRequest& request,
     if (!written)
         return tl::unexpected(renamed(written.error(), *staged, request.file));
     report.written = *written + report.written;
+    std::map<int, SegCodes> segmentCodes;
+    for (const Segment& segment : selection->segments)
+        segmentCodes[segment.label] = codesIn(request.seg, segment.label, request.category);
     const ExportExpectation expected{.volume = volume,
         .segments = selection->segments,
         .planes = request.planes,
@@ -172,7 +175,8 @@ Result<StagedExport> stageOn(const Volume& volume, const ExportRequest& request,
         .codes = request.codes,
         .imported = request.imported,
         .deidentifier = request.deidentifier.get(),
-        .measurements = request.measurements};
+        .measurements = request.measurements,
+        .segmentCodes = std::move(segmentCodes)};
     const auto checked = check(staged->path(), expected, progress);
     if (!checked)
         return tl::unexpected(renamed(checked.error(), *staged, request.file));

@@ -123,6 +123,14 @@ void ExportSegNrrdFaultsTest::faultInTheFileIsCaught_data()
     word("another extent", "Segment0_Extent:=0 10", "Segment0_Extent:=1 10");
     word("another code", "Segment0_Tags:=Term", "Segment0_Tags:=Other");
     word("another meaning", "^89546000^Skull", "^89546000^Liver");
+    word("another category", "~SCT^85756007^Tissue~", "~SCT^123037004^Anatomical Structure~");
+    word("another side", "~SCT^7771000^Left~", "~SCT^24028007^Right~");
+    word("no side", "~SCT^7771000^Left~", "~^^~");
+    word("another region", "~SCT^10200004^Liver~", "~SCT^78961009^Spleen~");
+    word("no part of the region", "~SCT^24028007^Right|", "~^^|");
+    word("one part less", "~SCT^24028007^Right|", "|");
+    word("a side that no segment has", "~SCT^89546000^Skull~^^~",
+        "~SCT^89546000^Skull~SCT^7771000^Left~");
     word("one ID twice", "Segment_2", "Segment_1");
     word("a segment more", "Segment0_ID:=", "Segment2_ID:=Segment_3\nSegment0_ID:=");
     word("another representation", "MasterRepresentation:=Binary labelmap",
@@ -141,14 +149,27 @@ void ExportSegNrrdFaultsTest::faultInTheFileIsCaught()
 {
     QFETCH(Alter, change);
     const QString file = m_folder.filePath(QStringLiteral("mask.seg.nrrd"));
+    // The first segment has all codes that there are, the second one its type alone.
+    const auto code = [](const char* value, const char* meaning) {
+        return core::CodedConcept{.scheme = QStringLiteral("SCT"),
+            .value = QLatin1String(value),
+            .meaning = QLatin1String(meaning)};
+    };
+    const std::map<int, core::SegCodes> codes{{1,
+        {.category = code("85756007", "Tissue"),
+            .modifier = code("7771000", "Left"),
+            .region = code("10200004", "Liver"),
+            .regionModifier = code("24028007", "Right")}}};
     QVERIFY(core::exportMask(m_volume,
         {.format = core::ExportFormat::SegNrrd,
             .file = file,
             .force = true,
             .segments = m_segments,
-            .planes = m_planes},
+            .planes = m_planes,
+            .seg = {.codes = codes}},
         {}));
-    const core::ExportExpectation expected{m_volume, m_segments, m_planes};
+    const core::ExportExpectation expected{
+        .volume = m_volume, .segments = m_segments, .planes = m_planes, .segmentCodes = codes};
     // The way through the test alone is no fault.
     alter(file, [](QByteArray&, QByteArray&) {});
     QVERIFY(core::checkSegNrrdExport(file, expected, {}));
