@@ -107,15 +107,16 @@ int runHistory(const Arguments& arguments)
     const bool asJson = arguments.has("json");
     const bool asRecipe = arguments.has("as-recipe");
     const QString target = arguments.value("report");
-    if (int(asJson) + int(asRecipe) + int(!target.isEmpty()) > 1)
-        return reportUsageError(
-            "history", QStringLiteral("--json, --as-recipe and --report exclude each other"));
+    const bool deidentified = arguments.has("deidentified");
+    if (int(asJson) + int(asRecipe) + int(!target.isEmpty()) + int(deidentified) > 1)
+        return reportUsageError("history",
+            QStringLiteral("--json, --as-recipe, --report and --deidentified exclude each other"));
     if (!target.isEmpty() && !ui::auditNameProblem(target).isEmpty())
         return reportUsageError(
             "history", QStringLiteral("--report: ") + ui::auditNameProblem(target));
 
     const QString path = arguments.rest().first();
-    if (arguments.has("deidentified")) {
+    if (deidentified) {
         const auto options = datesFrom(arguments.value("dates"));
         if (!options)
             return reportUsageError("history",

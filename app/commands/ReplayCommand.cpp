@@ -244,7 +244,7 @@ QString readExport(const Arguments& arguments, Task& task)
     }
     QJsonObject words{{QStringLiteral("format"), format}, {QStringLiteral("file"), file}};
     if (arguments.has("space"))
-        words[QStringLiteral("space")] = arguments.value("space");
+        words[QStringLiteral("space")] = arguments.value("space").toUpper();
     for (const char* wish : {"deidentify", "deflated"}) {
         if (arguments.has(wish))
             words[QLatin1String(wish)] = true;

@@ -65,6 +65,10 @@ private Q_SLOTS:
         QVERIFY(slicer.lines.last()[key("written")].toString().contains(key("3D Slicer")));
         QCOMPARE(slicer.lines.last()[key("sha256")].toString().size(), 64);
         QCOMPARE(voxels("replayed4.seg.nrrd"), voxels("at4.nii.gz"));
+        // Axes are named as the help names them.
+        const Outcome surface = burin({key("replay"), path("a.burin"), key("--export"),
+            path("a.stl"), key("--space"), key("ras")});
+        QVERIFY2(surface.status == 0, qPrintable(surface.complaint));
         QCOMPARE(exported("4", "replayed4.nrrd").status, 2);
         QCOMPARE(exported("12", "no.nii.gz").status, 2);
         QCOMPARE(exported("4", "replayed4.nii.gz").status, 1); // exists
