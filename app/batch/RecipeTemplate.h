@@ -11,7 +11,8 @@ namespace app {
 /// A recipe with placeholders for a batch. `${NAME}` stands for the value that a study of the list
 /// has in its column NAME; `${name}`, `${study}` and `${folder}` (the folder for the study's
 /// results) are always defined. A text that consists of one placeholder only takes the value's
-/// type, so it can become a number.
+/// type, so it can become a number; but where the recipe has a text (a name, a code, a file), and
+/// within longer texts, the cell of a table stands as it was written.
 class RecipeTemplate {
 public:
     /// Errors: FileUnreadable, InvalidRecipe.

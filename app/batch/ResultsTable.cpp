@@ -23,7 +23,8 @@ QByteArray cell(QString text)
     return '"' + bytes.replace("\"", "\"\"") + '"';
 }
 
-/// Numbers of the segments, by "SEGMENT NUMBER".
+/// Numbers of the segments, by "SEGMENT NUMBER"; of segments that share a name, by "SEGMENT (LABEL)
+/// NUMBER".
 QMap<QString, QString> numbersOf(const QJsonObject& record, const QString& folder)
 {
     QMap<QString, QString> numbers;
@@ -38,12 +39,19 @@ QMap<QString, QString> numbersOf(const QJsonObject& record, const QString& folde
             continue;
         const QStringList& columns = rows->front();
         const qsizetype segment = columns.indexOf(QStringLiteral("name"));
+        const qsizetype label = columns.indexOf(QStringLiteral("label"));
         const qsizetype first = columns.indexOf(QStringLiteral("unit")) + 1;
         if (segment < 0 || first == 0)
             continue;
+        QMap<QString, int> segmentsOfName;
+        for (auto row = rows->begin() + 1; row != rows->end(); ++row)
+            ++segmentsOfName[row->value(segment)];
         for (auto row = rows->begin() + 1; row != rows->end(); ++row) {
+            QString about = row->value(segment);
+            if (segmentsOfName.value(about) > 1)
+                about += QStringLiteral(" (%1)").arg(row->value(label));
             for (qsizetype i = first; i < std::min(columns.size(), row->size()); ++i)
-                numbers[row->value(segment) + QLatin1Char(' ') + columns[i]] = (*row)[i];
+                numbers[about + QLatin1Char(' ') + columns[i]] = (*row)[i];
         }
     }
     return numbers;
@@ -61,8 +69,14 @@ QByteArray resultsTable(const std::vector<StudyTask>& tasks)
     QMap<QString, bool> columns;
     for (const StudyTask& task : tasks) {
         Line line{StudyResults::record(task.folder), {}};
-        if (line.record.value(QStringLiteral("state")).toString() == QLatin1String("done"))
-            line.numbers = numbersOf(line.record, task.folder);
+        if (line.record.value(QStringLiteral("state")).toString() == QLatin1String("done")) {
+            // What the batch refuses to take for its own is nothing to count with.
+            if (const QString why = whyOther(task, line.record); !why.isEmpty())
+                line.record = {{QStringLiteral("state"), QStringLiteral("other")},
+                    {QStringLiteral("failure"), why}};
+            else
+                line.numbers = numbersOf(line.record, task.folder);
+        }
         for (auto number = line.numbers.constBegin(); number != line.numbers.constEnd(); ++number)
             columns[number.key()] = true;
         lines.push_back(std::move(line));

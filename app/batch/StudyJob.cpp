@@ -9,6 +9,7 @@
 #include <QJsonArray>
 #include <QJsonDocument>
 
+#include <algorithm>
 #include <csignal>
 #include <utility>
 
@@ -27,7 +28,59 @@ QString now()
     return QDateTime::currentDateTimeUtc().toString(Qt::ISODateWithMs);
 }
 
+QString sha256Of(const QByteArray& recipe)
+{
+    return QString::fromLatin1(
+        QCryptographicHash::hash(recipe, QCryptographicHash::Sha256).toHex());
+}
+
+/// Those of which the results depend.
+QStringList decisive(QStringList options)
+{
+    if (const qsizetype author = options.indexOf(QLatin1String("--author")); author >= 0)
+        options.remove(author, std::min<qsizetype>(2, options.size() - author));
+    return options;
+}
+
+/// What was asked for, for a sentence about it.
+QString shown(const QString& words)
+{
+    return words.isEmpty() ? QStringLiteral("none") : words;
+}
+
 } // namespace
+
+QString whyOther(const StudyTask& task, const QJsonObject& record)
+{
+    const QString study = record.value(QStringLiteral("study")).toString();
+    if (study != task.study.path)
+        return QStringLiteral("it holds results of another study, %1").arg(study);
+    if (record.value(QStringLiteral("recipeSha256")).toString() != sha256Of(task.recipe))
+        return QStringLiteral("it holds results of another recipe");
+    const struct {
+        const char* key;
+        const QString& asked;
+        const char* what;
+    } fields[] = {{"series", task.study.series, "another series"},
+        {"repair", task.study.repair, "another repair"},
+        {"spacing", task.study.spacing, "another spacing"},
+        {"session", task.study.session, "another session file"}};
+    for (const auto& field : fields) {
+        const QJsonValue made = record.value(QLatin1String(field.key));
+        if (made.isString() && made.toString() != field.asked)
+            return QStringLiteral("it holds results of %1 (%2)")
+                .arg(QLatin1String(field.what), shown(made.toString()));
+    }
+    const QJsonValue options = record.value(QStringLiteral("options"));
+    QStringList made;
+    for (const QJsonArray list = options.toArray(); const QJsonValue& each : list)
+        made += each.toString();
+    made = decisive(made);
+    if (options.isArray() && made != decisive(task.options))
+        return QStringLiteral("it holds results of other options (%1)")
+            .arg(shown(made.join(QLatin1Char(' '))));
+    return {};
+}
 
 StudyJob::StudyJob(StudyTask task, StudyResults results)
     : m_task(std::move(task))
@@ -43,13 +96,14 @@ Result<void> StudyJob::begin()
     m_record = {
         {QStringLiteral("name"), m_task.study.name},
         {QStringLiteral("study"), m_task.study.path},
+        {QStringLiteral("series"), m_task.study.series},
+        {QStringLiteral("repair"), m_task.study.repair},
+        {QStringLiteral("spacing"), m_task.study.spacing},
         {QStringLiteral("variables"), m_task.study.variables},
         {QStringLiteral("state"), QStringLiteral("begun")},
         {QStringLiteral("program"), QStringLiteral("burin " BURIN_VERSION)},
         {QStringLiteral("recipe"), m_task.recipePath},
-        {QStringLiteral("recipeSha256"),
-            QString::fromLatin1(
-                QCryptographicHash::hash(m_task.recipe, QCryptographicHash::Sha256).toHex())},
+        {QStringLiteral("recipeSha256"), sha256Of(m_task.recipe)},
         {QStringLiteral("options"), QJsonArray::fromStringList(m_task.options)},
         {QStringLiteral("session"), m_task.study.session},
         {QStringLiteral("begun"), now()},

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/batch/StudyList.h"
 
+#include "core/archive/ArchiveReader.h"
 #include "core/base/files/ReadableFile.h"
+#include "core/study/FileFormats.h"
 
 #include <QDir>
 #include <QFile>
@@ -9,8 +11,10 @@
 #include <QHash>
 #include <QJsonArray>
 #include <QJsonDocument>
+#include <QRegularExpression>
 #include <QSet>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
@@ -27,6 +31,7 @@ using core::Result;
 struct ListEntry {
     QString where;
     QJsonObject fields;
+    QHash<QString, QString> cells{}; ///< of a table, variables only
 };
 
 /// A list of a million studies has some hundred bytes for each.
@@ -46,9 +51,13 @@ Result<QByteArray> bytesOf(const QString& path)
 }
 
 /// A cell that reads as a number is one, so that it can stand for a number of the recipe. JSON has
-/// none that are infinite or undefined: "nan" is a word.
+/// none that are infinite or undefined: "nan" is a word. So is what names something: whole numbers
+/// with a zero in front, or longer than a number keeps.
 QJsonValue valueOf(const QString& cell)
 {
+    static const QRegularExpression name(QStringLiteral("^[-+]?(0\\d|\\d{16,}$)"));
+    if (name.match(cell).hasMatch())
+        return cell;
     bool isNumber = false;
     const double number = cell.toDouble(&isNumber);
     return isNumber && std::isfinite(number) ? QJsonValue(number) : QJsonValue(cell);
@@ -104,8 +113,10 @@ Result<std::vector<ListEntry>> entriesOfTable(const QString& path, QChar between
         ListEntry entry{where, {}};
         for (qsizetype i = 0; i < row.size(); ++i) {
             const QString cell = row[i].trimmed();
-            entry.fields[columns[i]] =
-                isColumnOfOurs(columns[i]) ? QJsonValue(cell) : valueOf(cell);
+            const bool isOurs = isColumnOfOurs(columns[i]);
+            entry.fields[columns[i]] = isOurs ? QJsonValue(cell) : valueOf(cell);
+            if (!isOurs)
+                entry.cells[columns[i]] = cell;
         }
         entries.push_back(std::move(entry));
     }
@@ -152,16 +163,6 @@ Result<std::vector<ListEntry>> entriesOfJson(const QString& path)
     return entries;
 }
 
-Result<std::vector<ListEntry>> entriesOfFolder(const QString& path)
-{
-    std::vector<ListEntry> entries;
-    const QStringList names =
-        QDir(path).entryList(QDir::Files | QDir::Dirs | QDir::NoDotAndDotDot, QDir::Name);
-    for (const QString& name : names)
-        entries.push_back({name, {{QStringLiteral("study"), name}}});
-    return entries;
-}
-
 /// Without the ending that tells the format: scan.nii.gz is "scan", but a folder 1.2.3 keeps all.
 QString nameOf(const QString& study)
 {
@@ -173,6 +174,70 @@ QString nameOf(const QString& study)
         name.chop(3);
     const qsizetype dot = name.lastIndexOf(QLatin1Char('.'));
     return dot > 0 ? name.left(dot) : name;
+}
+
+/// The same place has the same name, also one that does not exist yet.
+QString resolved(const QString& path)
+{
+    QFileInfo info(QDir::cleanPath(QDir().absoluteFilePath(path)));
+    QStringList missing;
+    while (!info.exists() && !info.isRoot()) {
+        missing.prepend(info.fileName());
+        info.setFile(info.path());
+    }
+    return QDir::cleanPath(QDir(info.canonicalFilePath()).filePath(missing.join(QLatin1Char('/'))));
+}
+
+/// Whether a folder is, or has in it, that with the results of the batch, or is one of them.
+bool isOfResults(const QString& folder, const QString& results)
+{
+    const QString place = resolved(folder);
+    const QString into = resolved(results);
+    if (into == place || into.startsWith(place + QLatin1Char('/')))
+        return true;
+    const QDir inside(folder);
+    return inside.exists(QStringLiteral("lock")) && inside.exists(QStringLiteral("record.json"));
+}
+
+/// Whether a file has no images of its own, by its name: it tells of a study, or is the part of one
+/// that its header names.
+bool isCompanion(const QString& file)
+{
+    const QString name =
+        file.endsWith(QLatin1String(".gz"), Qt::CaseInsensitive) ? file.chopped(3) : file;
+    static constexpr std::array endings{
+        ".json", ".bval", ".bvec", ".raw", ".zraw", ".txt", ".csv", ".tsv", ".md"};
+    return std::any_of(endings.begin(), endings.end(), [&name](const char* ending) {
+        return name.endsWith(QLatin1String(ending), Qt::CaseInsensitive);
+    });
+}
+
+/// Each file and folder, but for results and for what lies beside studies. Of files that differ in
+/// their endings alone (scan.nii.gz, scan.json) those count that are volumes or archives.
+Result<std::vector<ListEntry>> entriesOfFolder(const QString& path, const QString& results)
+{
+    const QDir folder(path);
+    const auto isVolume = [&folder](const QString& name) {
+        const QString file = folder.filePath(name);
+        return QFileInfo(file).isFile() && (core::fileFormatOf(file) || core::isArchive(file));
+    };
+    const QStringList names =
+        folder.entryList(QDir::Files | QDir::Dirs | QDir::NoDotAndDotDot, QDir::Name);
+    QSet<QString> ofVolumes;
+    for (const QString& name : names) {
+        if (isVolume(name))
+            ofVolumes.insert(nameOf(folder.filePath(name)));
+    }
+    std::vector<ListEntry> entries;
+    for (const QString& name : names) {
+        const QString file = folder.filePath(name);
+        const bool isStudy = QFileInfo(file).isDir()
+            ? results.isEmpty() || !isOfResults(file, results)
+            : isVolume(name) || !(isCompanion(name) || ofVolumes.contains(nameOf(file)));
+        if (isStudy)
+            entries.push_back({name, {{QStringLiteral("study"), name}}});
+    }
+    return entries;
 }
 
 /// Why something cannot be a file's name among the results; empty: it can.
@@ -230,13 +295,13 @@ Result<std::vector<QStringList>> readTable(const QString& text, QChar between)
     return rows;
 }
 
-Result<std::vector<BatchStudy>> readStudyList(const QString& path)
+Result<std::vector<BatchStudy>> readStudyList(const QString& path, const QString& results)
 {
     const QFileInfo info(path);
     if (!info.exists())
         return failure(ErrorCode::FileNotFound, path);
     const QString ending = info.suffix().toLower();
-    const Result<std::vector<ListEntry>> entries = info.isDir() ? entriesOfFolder(path)
+    const Result<std::vector<ListEntry>> entries = info.isDir() ? entriesOfFolder(path, results)
         : ending == QLatin1String("json")                       ? entriesOfJson(path)
         : ending == QLatin1String("tsv") ? entriesOfTable(path, QLatin1Char('\t'))
         : ending == QLatin1String("csv")
@@ -250,6 +315,10 @@ Result<std::vector<BatchStudy>> readStudyList(const QString& path)
             ? failure(ErrorCode::FolderEmpty, path)
             : failure(ErrorCode::FileUnreadable, path, QStringLiteral("it lists no study"));
     const QDir beside(info.isDir() ? path : info.absolutePath());
+    const QString apart = info.isDir()
+        ? QStringLiteral("; a list of them with a column 'name' tells them apart")
+        : ending == QLatin1String("json") ? QStringLiteral("; a 'name' tells them apart")
+                                          : QStringLiteral("; a column 'name' tells them apart");
     std::vector<BatchStudy> studies;
     QHash<QString, QString> places;
     for (const ListEntry& entry : *entries) {
@@ -289,11 +358,10 @@ Result<std::vector<BatchStudy>> readStudyList(const QString& path)
                 QStringLiteral("the session's name '%1' must end in .burin").arg(found.session));
         if (const auto earlier = places.constFind(found.name); earlier != places.constEnd())
             return wrong(QStringLiteral("%1 has the name '%2' too%3")
-                             .arg(*earlier, found.name,
-                                 isNamed ? QString()
-                                         : QStringLiteral("; a column 'name' tells them apart")));
+                             .arg(*earlier, found.name, isNamed ? QString() : apart));
         places.insert(found.name, entry.where);
         found.variables = fields;
+        found.cells = entry.cells;
         studies.push_back(std::move(found));
     }
     return studies;

@@ -3,6 +3,7 @@
 
 #include "core/base/Result.h"
 
+#include <QHash>
 #include <QJsonObject>
 #include <QString>
 
@@ -20,17 +21,25 @@ struct BatchStudy {
     QString spacing;
     /// Values for placeholders of the recipe, by name: texts, numbers, true and false.
     QJsonObject variables{};
+    /// The cells of a table as they stand there, by name of the variable. A variable that is a
+    /// number has lost how it was written ("1.50").
+    QHash<QString, QString> cells{};
 };
 
 /// Reads the studies of a batch: from a list (CSV, TSV or JSON), or from a folder, each entry of
-/// which is a study.
+/// which is a study, but for what lies beside studies by its name (scan.json, a.raw, readme.txt).
 ///
 /// The first line of a table has the names of the columns; JSON is a list of objects with these
 /// names as keys, or of paths. "study" is required; "name", "session", "series", "repair" and
-/// "spacing" are optional; any other column is a variable of the recipe. Paths are relative to the
-/// list. Without a name a study is named after its file, without extension. Errors: FileNotFound,
-/// FileUnreadable (with the line or entry), FolderEmpty.
-[[nodiscard]] core::Result<std::vector<BatchStudy>> readStudyList(const QString& path);
+/// "spacing" are optional; any other column is a variable of the recipe. A cell of a table that
+/// reads as a number is one, unless it has a zero in front or more digits than a number keeps
+/// ("0012" is a name). Paths are relative to the list. Without a name a study is named after its
+/// file, without extension. Errors: FileNotFound, FileUnreadable (with the line or entry),
+/// FolderEmpty.
+/// @param results the folder for the batch's results: the entry of a folder of studies that is it
+/// or has it inside is no study
+[[nodiscard]] core::Result<std::vector<BatchStudy>> readStudyList(
+    const QString& path, const QString& results = QString());
 
 /// Splits a table into rows of cells, with quotes as in RFC 4180. @p between separates cells. For
 /// lists, and for statistics. Errors: InvalidField with the line, counted from 1.

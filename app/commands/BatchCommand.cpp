@@ -11,7 +11,6 @@
 #include "ui/base/ErrorText.h"
 
 #include <QCoreApplication>
-#include <QCryptographicHash>
 #include <QDir>
 #include <QEventLoop>
 #include <QHash>
@@ -46,7 +45,8 @@ Result<std::vector<StudyTask>> tasksOf(const Arguments& arguments, int retries)
     const Result<RecipeTemplate> recipe = RecipeTemplate::read(recipeFile);
     if (!recipe)
         return tl::unexpected(recipe.error());
-    Result<std::vector<BatchStudy>> studies = readStudyList(arguments.value("studies"));
+    Result<std::vector<BatchStudy>> studies =
+        readStudyList(arguments.value("studies"), arguments.value("into"));
     if (!studies)
         return tl::unexpected(studies.error());
     QStringList options;
@@ -82,20 +82,6 @@ Result<std::vector<StudyTask>> tasksOf(const Arguments& arguments, int retries)
             .retries = retries});
     }
     return tasks;
-}
-
-/// Whether what is finished there was made otherwise than this task says; why.
-QString whyOther(const StudyTask& task)
-{
-    const QJsonObject record = StudyResults::record(task.folder);
-    const QString hash = QString::fromLatin1(
-        QCryptographicHash::hash(task.recipe, QCryptographicHash::Sha256).toHex());
-    if (record.value(QStringLiteral("study")).toString() != task.study.path)
-        return QStringLiteral("it holds results of another study, %1")
-            .arg(record.value(QStringLiteral("study")).toString());
-    if (record.value(QStringLiteral("recipeSha256")).toString() != hash)
-        return QStringLiteral("it holds results of another recipe");
-    return {};
 }
 
 /// Does the studies that are not finished, some at a time.
@@ -149,7 +135,7 @@ private:
             return m_waiting.push_back(std::move(task));
         // Asked under the lock: who had it before may have finished it.
         if (StudyResults::isDone(task.folder)) {
-            const QString other = whyOther(task);
+            const QString other = whyOther(task, StudyResults::record(task.folder));
             if (other.isEmpty())
                 return tell(task, "was done", {});
             if (!m_force)
@@ -265,7 +251,9 @@ const Command batchCommand{.name = "batch",
         {"only", "NAME", "carries out this study of the list alone, and writes no table"},
         {"list", nullptr, "lists the studies, and does nothing"},
         {"table", nullptr, "writes results.csv from what is finished, and does nothing else"},
-        {"force", nullptr, "carries out again studies that were finished with another recipe"},
+        {"force", nullptr,
+            "carries out again studies that were finished with another recipe, series, repair, "
+            "spacing or option"},
         {"with-images", nullptr,
             "puts the study's images, and with them who the patient is, into each session"},
         {"apply-elsewhere", nullptr,

@@ -1,21 +1,34 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/commands/HistoryCommand.h"
 
+#include "app/end/CommandTermination.h"
 #include "app/steps/Arguments.h"
 #include "app/steps/JsonLine.h"
 #include "app/steps/SessionProblems.h"
+#include "app/steps/SteadySession.h"
+#include "core/base/files/StagedFile.h"
+#include "core/export/common/ExportMask.h"
+#include "core/export/common/ImportedSegments.h"
+#include "core/session/EditSession.h"
+#include "core/session/past/PastImports.h"
+#include "core/session/questions/VoxelQuestions.h"
 #include "core/sessionfile/DeidentifySession.h"
 #include "core/sessionfile/HistoryListing.h"
 #include "core/sessionfile/SessionFile.h"
 #include "core/sessionfile/SessionSalvage.h"
 #include "core/sessionfile/SessionStudy.h"
+#include "gpu/engine/GpuEngine.h"
+#include "ui/report/AuditSegments.h"
 #include "ui/report/WriteAudit.h"
 #include "ui/texts/SessionTexts.h"
 
 #include <QJsonDocument>
 
 #include <cstdio>
+#include <map>
 #include <optional>
+#include <utility>
+#include <vector>
 
 namespace app {
 
@@ -40,7 +53,62 @@ void printTable(const core::SessionContents& contents)
     }
 }
 
-int writeReport(const QString& path, const QString& target, bool force)
+/// Measures the segments where the session stands, as the window does for its report. The labels
+/// come of the steps, which an engine carries out or reads; nothing is written.
+core::Result<ui::AuditSegments> measuredSegments(
+    const QString& path, const Arguments& arguments, const core::Progress& progress)
+{
+    const core::Result<core::SessionContents> contents = core::checkSession(path);
+    if (!contents)
+        return tl::unexpected(contents.error());
+    if (!contents->isWhole())
+        return core::failure(
+            core::ErrorCode::SessionDamaged, path, ui::problemTexts(*contents).front());
+    const core::Result<core::LoadedVolume> study = core::loadSessionStudy(
+        path, contents->source, arguments.value("study"), arguments.value("series"), progress);
+    if (!study)
+        return tl::unexpected(study.error());
+    reportNotFromStudy(study->notFromStudy, path);
+    SteadySession steady;
+    if (const core::Result<void> started = steady.start(); !started)
+        return tl::unexpected(started.error());
+    const auto look = [&](gpu::GpuEngine& engine) -> core::Result<SteadySession::Session> {
+        engine.setVolumeGeometry(study->volume.geometry, study->volume.encoding);
+        return core::EditSession::view(engine.edits(), core::LoadedVolume(*study), path,
+            QStringLiteral("it is only looked at"));
+    };
+    if (const core::Result<void> opened = steady.open(look, look); !opened)
+        return tl::unexpected(opened.error());
+    std::map<std::uint8_t, std::vector<std::uint8_t>> labels;
+    const core::Result<void> read = steady.carryOut([&]() -> core::Result<void> {
+        core::EditSession& session = steady.session();
+        for (const std::uint8_t plane : session.document().labelPlanes()) {
+            auto bytes = session.questions().labels(plane);
+            if (!bytes)
+                return tl::unexpected(bytes.error());
+            labels[plane] = *std::move(bytes);
+        }
+        return {};
+    });
+    if (!read)
+        return tl::unexpected(read.error());
+    const core::EditSession& session = steady.session();
+    core::ExportRequest request;
+    request.segments = session.document().segments;
+    for (const auto& [plane, bytes] : labels)
+        request.planes.push_back({.plane = plane, .labels = bytes});
+    request.codes = study->codes;
+    request.imported = core::importedAs(request.segments, core::doneImports(session.history()),
+        study->volume.geometry.voxelCount());
+    core::Result<ui::AuditSegments> measured = ui::auditSegments(study->volume, request, progress);
+    if (measured)
+        measured->position = session.history().position();
+    return measured;
+}
+
+/// @param segments null: the report says nothing of them
+int writeReport(
+    const QString& path, const QString& target, bool force, const ui::AuditSegments* segments)
 {
     // A report also tells of a damaged session what is left of it.
     const auto opened = core::SessionFile::open(path, core::SessionFile::Access::SoundPart);
@@ -53,12 +121,26 @@ int writeReport(const QString& path, const QString& target, bool force)
         return reportFailure(waited.error());
     if (!report)
         return reportFailure(report.error());
-    if (const core::Result<void> written = ui::writeAudit(*report, target, force); !written)
+    if (const core::Result<void> written = ui::writeAudit(*report, target, force, segments);
+        !written)
         return reportFailure(written.error());
     // A report of damage is a report, but nobody should take it for a clean one.
     for (const core::Error& error : report->damage)
         reportFailure(error);
     return report->damage.empty() ? 0 : 1;
+}
+
+int writeReportWithVolumes(const QString& path, const QString& target, const Arguments& arguments)
+{
+    const bool force = arguments.has("force");
+    if (const core::Result<void> fits = core::checkFileTarget(target, force); !fits)
+        return reportFailure(fits.error());
+    CommandTermination termination;
+    const core::Result<ui::AuditSegments> segments =
+        measuredSegments(path, arguments, termination.progress());
+    if (!segments)
+        return termination.status(reportFailure(segments.error()));
+    return termination.status(writeReport(path, target, force, &*segments));
 }
 
 /// @param dates "remove", "keep" or days to shift by; empty: removed
@@ -107,15 +189,24 @@ int runHistory(const Arguments& arguments)
     const bool asJson = arguments.has("json");
     const bool asRecipe = arguments.has("as-recipe");
     const QString target = arguments.value("report");
-    if (int(asJson) + int(asRecipe) + int(!target.isEmpty()) > 1)
-        return reportUsageError(
-            "history", QStringLiteral("--json, --as-recipe and --report exclude each other"));
+    const bool deidentified = arguments.has("deidentified");
+    if (int(asJson) + int(asRecipe) + int(!target.isEmpty()) + int(deidentified) > 1)
+        return reportUsageError("history",
+            QStringLiteral("--json, --as-recipe, --report and --deidentified exclude each other"));
     if (!target.isEmpty() && !ui::auditNameProblem(target).isEmpty())
         return reportUsageError(
             "history", QStringLiteral("--report: ") + ui::auditNameProblem(target));
 
+    if (arguments.has("volumes") && target.isEmpty())
+        return reportUsageError("history", QStringLiteral("--volumes is for --report"));
+    for (const char* where : {"study", "series"}) {
+        if (arguments.has(where) && !arguments.has("volumes"))
+            return reportUsageError(
+                "history", QStringLiteral("--%1 is for --volumes").arg(QLatin1String(where)));
+    }
+
     const QString path = arguments.rest().first();
-    if (arguments.has("deidentified")) {
+    if (deidentified) {
         const auto options = datesFrom(arguments.value("dates"));
         if (!options)
             return reportUsageError("history",
@@ -126,7 +217,9 @@ int runHistory(const Arguments& arguments)
     if (arguments.has("dates"))
         return reportUsageError("history", QStringLiteral("--dates is for --deidentified"));
     if (!target.isEmpty())
-        return writeReport(path, target, arguments.has("force"));
+        return arguments.has("volumes")
+            ? writeReportWithVolumes(path, target, arguments)
+            : writeReport(path, target, arguments.has("force"), nullptr);
     const core::Result<core::SessionContents> checked = core::checkSession(path);
     if (!checked)
         return reportFailure(checked.error());
@@ -147,7 +240,8 @@ int runHistory(const Arguments& arguments)
 
 const Command historyCommand{.name = "history",
     .words = "FILE.burin",
-    .usage = "FILE.burin [--json | --as-recipe | --report OUT.html|OUT.pdf [--force]"
+    .usage = "FILE.burin [--json | --as-recipe | --report OUT.html|OUT.pdf [--volumes"
+             " [--study PATH] [--series UID]] [--force]"
              " | --deidentified OUT.burin [--dates remove|keep|DAYS] [--force]]",
     .summary = "tells what was done in a session, branches included, or writes it as a recipe for "
                "burin run, as an audit report, or as a copy of the session without who the patient "
@@ -155,6 +249,11 @@ const Command historyCommand{.name = "history",
     .options = {{"json", nullptr, "prints it as JSON"},
         {"as-recipe", nullptr, "prints it as a recipe for burin run"},
         {"report", "OUT.html|OUT.pdf", "writes an audit report"},
+        {"volumes", nullptr,
+            "also measures the segments for that report, which needs the study, or its images in "
+            "the session, and the graphics driver"},
+        {"study", "PATH", "where the study is, if not where the session says"},
+        {"series", "UID", "which series or volume of the study"},
         {"deidentified", "OUT.burin", "writes a copy without who the patient is, for others"},
         {"dates", "remove|keep|DAYS",
             "what happens to dates in that copy; DAYS moves them by this number of days"},

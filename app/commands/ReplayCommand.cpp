@@ -96,18 +96,20 @@ void printAgreement(
 }
 
 struct Task {
-    std::optional<core::RowId> to; ///< none: every row, branches included
+    std::optional<core::RowId> to; ///< where the user wants it to stop; none: nothing was said
+    core::RowId exportAt = 0; ///< the row whose state is exported
     std::vector<core::RecipeExport> exports;
     bool force = false;
     bool verify = false;
 };
 
-/// The rows to carry out. Their parents come first, as ids ascend.
+/// The rows to carry out: all, branches included, or those that lead to the one that is asked for.
+/// Their parents come first, as ids ascend.
 std::vector<core::RowId> rowsOf(const core::SessionContents& contents, const Task& task)
 {
-    if (task.to)
+    if (task.to || !task.verify)
         return core::History::restored(contents.rows, contents.visited, contents.position)
-            .pathTo(*task.to);
+            .pathTo(task.to.value_or(task.exportAt));
     std::vector<core::RowId> all;
     for (const core::HistoryRow& row : contents.rows)
         all.push_back(row.id);
@@ -130,6 +132,12 @@ int replayRows(const Recorded& recorded, core::LoadedVolume volume, const Task& 
     };
     // On a path rows are numbered anew; here is what became of each.
     std::map<core::RowId, core::RowId> replayed{{0, 0}};
+    bool allReplayed = false;
+    const auto goToExported = [&](core::EditSession& session) -> Result<void> {
+        if (const Result<void> moved = session.goTo(replayed.at(task.exportAt)); !moved)
+            return moved;
+        return session.settle();
+    };
     std::optional<core::LoadedVolume> study = std::move(volume);
     // It is kept in no file: what was done of it is done again.
     const auto begin = [&](gpu::GpuEngine& engine) -> Result<SteadySession::Session> {
@@ -146,6 +154,10 @@ int replayRows(const Recorded& recorded, core::LoadedVolume volume, const Task& 
                 continue;
             if (const Result<void> done = replay(rowOf(id), replayed, recorded, **begun); !done)
                 return tl::unexpected(done.error());
+        }
+        if (begun && allReplayed) {
+            if (const Result<void> moved = goToExported(**begun); !moved)
+                return tl::unexpected(moved.error());
         }
         return begun;
     };
@@ -173,12 +185,18 @@ int replayRows(const Recorded& recorded, core::LoadedVolume volume, const Task& 
     if (unfinished > 0)
         std::fprintf(stderr, "; %d were not finished when the session was left", unfinished);
     std::fprintf(stderr, "\n");
+    if (!task.exports.empty()) {
+        allReplayed = true;
+        const Result<void> moved = steady.carryOut([&] { return goToExported(steady.session()); });
+        if (!moved)
+            return reportFailure(moved.error());
+    }
     if (const Result<void> exported =
             exportFiles(task.exports, steady, task.force, readStudy, progress);
         !exported)
         return reportFailure(exported.error());
     const bool lost = !task.to && recorded.contents.damage;
-    return lost || (task.verify && damaged > 0) ? 1 : 0;
+    return task.verify && (lost || damaged > 0) ? 1 : 0;
 }
 
 /// Why the rows that are asked for cannot be carried out: they are lost with others.
@@ -226,7 +244,7 @@ QString readExport(const Arguments& arguments, Task& task)
     }
     QJsonObject words{{QStringLiteral("format"), format}, {QStringLiteral("file"), file}};
     if (arguments.has("space"))
-        words[QStringLiteral("space")] = arguments.value("space");
+        words[QStringLiteral("space")] = arguments.value("space").toUpper();
     for (const char* wish : {"deidentify", "deflated"}) {
         if (arguments.has(wish))
             words[QLatin1String(wish)] = true;
@@ -267,8 +285,7 @@ QString readTask(const Arguments& arguments, const core::SessionContents& conten
     }
     if (!arguments.has("export"))
         return {};
-    if (!task.to)
-        task.to = contents.position;
+    task.exportAt = task.to.value_or(contents.position);
     return readExport(arguments, task);
 }
 
@@ -324,8 +341,9 @@ const Command replayCommand{.name = "replay",
                "who the patient is, --deflated makes a DICOM SEG smaller",
     .options =
         std::vector<Option>{{"verify", nullptr, "compares every hash"},
-            {"to", "ROW", "stops at this row"},
-            {"export", "FILE", "writes the masks of that state"},
+            {"to", "ROW", "carries out only what leads to this row, and stops there"},
+            {"export", "FILE",
+                "writes the masks of that state; without --to, of where the session stands"},
             {"format", "FORMAT",
                 "the format of that file, if its ending does not say; coverage is what a layer "
                 "carves, carved-volume the study without what is carved"},

@@ -277,8 +277,15 @@ int run(core::Recipe recipe, const Arguments& arguments, CommandTermination& ter
         return reportFailure(started.error());
     SessionPlan plan;
     const core::SessionSource source = core::SessionSource::of(loaded->volume);
-    const auto readStudy = [&source](const QString& session) {
-        return core::loadSessionStudy(session, source);
+    // Where the user says that it is; the session may not be allowed to send anybody there.
+    const auto readStudy = [&](const QString& session) {
+        Result<core::LoadedVolume> study = core::loadSessionStudy(
+            session, source, arguments.value("study"), arguments.value("series"));
+        if (study || study.error().code == core::ErrorCode::Cancelled)
+            return study;
+        // It has gone meanwhile: the session may know another place, or hold the images.
+        Result<core::LoadedVolume> other = core::loadSessionStudy(session, source);
+        return other ? std::move(other) : std::move(study);
     };
     QString openFile = place; ///< of the session, closed or open
     const auto setOrigin = [author = arguments.value("author")](core::EditSession& session) {

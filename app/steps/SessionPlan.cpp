@@ -104,34 +104,6 @@ SessionPlan planAround(const QString& damaged, const core::SessionContents& cont
     return plan;
 }
 
-/// With what lies beside it: all of it, or nothing. (QFile::rename() copies where it must not.)
-core::Result<void> rename(const QString& from, const QString& to)
-{
-    const auto renames = [](const QString& before, const QString& after) {
-        return std::rename(
-                   QFile::encodeName(before).constData(), QFile::encodeName(after).constData())
-            == 0;
-    };
-    QStringList renamed;
-    for (const char* suffix : {"-wal", "-journal", ""}) {
-        const QLatin1String part(suffix);
-        if (!QFileInfo::exists(from + part))
-            continue;
-        if (!QFileInfo::exists(to + part) && renames(from + part, to + part)) {
-            renamed += part;
-            continue;
-        }
-        const int failed = errno;
-        const int error = QFileInfo::exists(to + part) ? EEXIST : failed;
-        for (const QString& each : renamed)
-            renames(to + each, from + each);
-        return core::failure(core::ErrorCode::FileUnwritable, from,
-            QStringLiteral("it cannot be renamed to '%1': %2")
-                .arg(QFileInfo(to).fileName(), core::systemReason(error)));
-    }
-    return {};
-}
-
 core::Result<SessionPlan> aroundDamage(const QString& file, const core::SessionContents& contents)
 {
     const QFileInfo info(file);
@@ -153,10 +125,10 @@ core::Result<SessionPlan> aroundDamage(const QString& file, const core::SessionC
     core::removeSession(target);
     if (const auto salvaged = core::salvageSession(file, contents, target); !salvaged)
         return tl::unexpected(salvaged.error());
-    core::Result<void> renamed = rename(file, aside);
+    core::Result<void> renamed = renameSession(file, aside);
     if (renamed) {
-        renamed = rename(target, file);
-        if (!renamed && !rename(aside, file))
+        renamed = renameSession(target, file);
+        if (!renamed && !renameSession(aside, file))
             renamed.error().arguments.set(1,
                 QStringLiteral("%1; the damaged session is in '%2' now")
                     .arg(renamed.error().arguments.value(1), QFileInfo(aside).fileName()));
@@ -169,6 +141,34 @@ core::Result<SessionPlan> aroundDamage(const QString& file, const core::SessionC
 }
 
 } // namespace
+
+// Not by QFile::rename(), which copies where it must not.
+core::Result<void> renameSession(const QString& from, const QString& to)
+{
+    const auto renames = [](const QString& before, const QString& after) {
+        return std::rename(
+                   QFile::encodeName(before).constData(), QFile::encodeName(after).constData())
+            == 0;
+    };
+    QStringList renamed;
+    for (const char* suffix : {"-wal", "-shm", "-journal", ""}) {
+        const QLatin1String part(suffix);
+        if (!QFileInfo::exists(from + part))
+            continue;
+        if (!QFileInfo::exists(to + part) && renames(from + part, to + part)) {
+            renamed += part;
+            continue;
+        }
+        const int failed = errno;
+        const int error = QFileInfo::exists(to + part) ? EEXIST : failed;
+        for (const QString& each : renamed)
+            renames(to + each, from + each);
+        return core::failure(core::ErrorCode::FileUnwritable, from,
+            QStringLiteral("it cannot be renamed to '%1': %2")
+                .arg(QFileInfo(to).fileName(), core::systemReason(error)));
+    }
+    return {};
+}
 
 core::Result<SessionPlan> planFor(const QString& file, core::SessionContents contents, bool redo)
 {
@@ -205,7 +205,7 @@ core::Result<std::unique_ptr<core::EditSession>> openPlanned(core::EditEngine& e
 core::Result<void> withdraw(const SessionPlan& plan, const QString& file)
 {
     core::removeSession(plan.file);
-    return plan.damaged == file ? core::Result<void>() : rename(plan.damaged, file);
+    return plan.damaged == file ? core::Result<void>() : renameSession(plan.damaged, file);
 }
 
 } // namespace app

@@ -44,6 +44,10 @@ struct SessionPlan {
 [[nodiscard]] core::Result<std::unique_ptr<core::EditSession>> openPlanned(core::EditEngine& engine,
     core::LoadedVolume loaded, const SessionPlan& plan, const std::function<void()>& wakeUp = {});
 
+/// Renames a closed session with what SQLite left beside it, which a new session of its name would
+/// take for its own: all of it, or nothing. Errors: FileUnwritable, with the reason.
+[[nodiscard]] core::Result<void> renameSession(const QString& from, const QString& to);
+
 /// Undoes what planFor() has done about a damaged file.
 /// @pre the plan's file is not in use
 /// Errors: FileUnwritable, naming the damaged file where it is if it could not get its name back.

@@ -240,8 +240,8 @@ void Application::beginAnew(const QString& path, const QString& series)
         QStringLiteral("%1-%2.burin")
             .arg(file.completeBaseName(),
                 QDateTime::currentDateTime().toString(QStringLiteral("yyyyMMdd-HHmmss"))));
-    if (!QFile::rename(old, beside))
-        m_workspace->fail({core::ErrorCode::FileUnwritable, {old}});
+    if (const core::Result<void> renamed = renameSession(old, beside); !renamed)
+        m_workspace->fail(renamed.error());
     else if (path == demonstrationFolder())
         openDemonstration();
     else
@@ -280,10 +280,12 @@ void Application::showWhyNot(
         tr("Put it aside and start a new session"), [this, file, path, series] {
             const QString time =
                 QDateTime::currentDateTime().toString(QStringLiteral("yyyyMMdd-HHmmss"));
-            if (QFile::rename(file, file + QStringLiteral(".aside-") + time))
+            const core::Result<void> renamed =
+                renameSession(file, file + QStringLiteral(".aside-") + time);
+            if (renamed)
                 m_window->opener().open(path, series);
             else
-                m_workspace->fail({core::ErrorCode::FileUnwritable, {file}});
+                m_workspace->fail(renamed.error());
         });
 }
 

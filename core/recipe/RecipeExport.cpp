@@ -30,6 +30,14 @@ Result<QString> takeText(QJsonObject& object, const char* name)
     return value.toString();
 }
 
+/// One of some words, or the usual one where there is none; the caller tells which words there are.
+/// What is no text is none of them.
+QString takeWord(QJsonObject& object, const char* name, const char* usual)
+{
+    const QJsonValue value = object.take(QLatin1String(name));
+    return value.isUndefined() ? QString(QLatin1String(usual)) : value.toString();
+}
+
 /// A flag that may be missing.
 Result<bool> takeFlag(QJsonObject& object, const char* name)
 {
@@ -61,6 +69,11 @@ Result<std::map<QString, SegCodes>> takeCodes(QJsonObject& object)
         return wrongField("codes", Clause::saying("must be an object, an entry a segment's name"));
     const QJsonObject entries = value.toObject();
     for (auto entry = entries.constBegin(); entry != entries.constEnd(); ++entry) {
+        if (!entry->isObject())
+            return wrongField("codes",
+                Clause::saying("'%1' must be an object with category, modifier, region or "
+                               "regionModifier",
+                    entry.key()));
         QJsonObject fields = entry->toObject();
         SegCodes& codes = all[entry.key()];
         for (const auto& [name, target] : {std::pair("category", &codes.category),
@@ -132,8 +145,7 @@ Result<SegSettings> takeSegSettings(QJsonObject& object)
     if (!deflated)
         return tl::unexpected(deflated.error());
     settings.deflated = *deflated;
-    const QString algorithm =
-        object.take(QStringLiteral("algorithm")).toString(QStringLiteral("semiautomatic"));
+    const QString algorithm = takeWord(object, "algorithm", "semiautomatic");
     if (algorithm == QLatin1String("manual"))
         settings.algorithm = SegAlgorithm::Manual;
     else if (algorithm == QLatin1String("automatic"))
@@ -217,7 +229,7 @@ Result<RecipeExport> exportFromJson(const QJsonValue& json)
         made.codes = *std::move(codes);
     }
     if (made.what == RecipeExport::What::Segments && factsOf(made.format).isSurface) {
-        const QString space = object.take(QStringLiteral("space")).toString(QStringLiteral("LPS"));
+        const QString space = takeWord(object, "space", "LPS");
         if (space != QLatin1String("LPS") && space != QLatin1String("RAS"))
             return failure(ErrorCode::InvalidField, QStringLiteral("export.space"),
                 Clause::saying("must be \"LPS\" or \"RAS\""));

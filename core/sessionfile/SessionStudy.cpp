@@ -7,6 +7,7 @@
 
 #include <QDir>
 #include <QFileInfo>
+#include <QRegularExpression>
 
 #include <algorithm>
 #include <iterator>
@@ -35,9 +36,13 @@ bool isOfASession(const QString& path)
         && std::any_of(std::begin(ofTheSystem), std::end(ofTheSystem),
             [&first](const char* name) { return first == QLatin1String(name); }))
         return false;
-    // Sticks and discs are mounted below /run/media.
-    if (first == QLatin1String("run"))
-        return path.startsWith(QLatin1String("/run/media/"));
+    // Sticks and discs are mounted below /run/media, other computers that a file manager shows
+    // below /run/user/1000/gvfs.
+    if (first == QLatin1String("run")) {
+        static const QRegularExpression mounted(
+            QStringLiteral("^/run/(media/|user/[0-9]+/gvfs/.)"));
+        return mounted.match(path).hasMatch();
+    }
     return first != QLatin1String("proc") && first != QLatin1String("sys")
         && first != QLatin1String("dev");
 }

@@ -7,6 +7,7 @@
 
 #include <QDir>
 #include <QFile>
+#include <QFileInfo>
 #include <QSet>
 #include <QTemporaryDir>
 #include <QTest>
@@ -33,10 +34,17 @@ class StudyListTest : public QObject {
         return app::readStudyList(file.fileName());
     }
 
+    static void make(const QDir& folder, const QStringList& names);
+    /// FILE=NAME of each.
+    [[nodiscard]] static QStringList namesOf(const Result<std::vector<BatchStudy>>& studies);
+
 private Q_SLOTS:
     void init() { test::failOnUnexpectedMessages(); }
     void numbersAreNumbers();
+    void namesOfDigitsAreTexts();
     void theTableKeepsItsName();
+    void whatLiesBesideStudiesIsNone();
+    void resultsAreNoStudies();
     void anythingIsReadOrRefused_data();
     void anythingIsReadOrRefused();
 };
@@ -54,12 +62,85 @@ void StudyListTest::numbersAreNumbers()
         QCOMPARE(variables[QLatin1String(name)], QJsonValue(QLatin1String(word)));
 }
 
+/// Only as a text they stay what they are. Any cell is also kept as it was written.
+void StudyListTest::namesOfDigitsAreTexts()
+{
+    const auto studies =
+        read("a.csv", "study,a,b,c,d,e,f,g\nx.nii,0012,0,0.5,-0.5,1.50,1234567890123456,4711\n");
+    QVERIFY(studies);
+    const BatchStudy& study = studies->front();
+    const std::pair<const char*, QJsonValue> rows[] = {{"a", QStringLiteral("0012")}, {"b", 0.0},
+        {"c", 0.5}, {"d", -0.5}, {"e", 1.5}, {"f", QStringLiteral("1234567890123456")},
+        {"g", 4711.0}};
+    for (const auto& [name, value] : rows)
+        QCOMPARE(study.variables[QLatin1String(name)], value);
+    QCOMPARE(study.cells[QStringLiteral("e")], QStringLiteral("1.50"));
+    QVERIFY(!study.cells.contains(QStringLiteral("study")));
+}
+
 void StudyListTest::theTableKeepsItsName()
 {
     const auto refused = read("a.csv", "study,name\nx.nii,results.csv\n");
     QVERIFY(!refused);
     QVERIFY2(refused.error().arguments.value(1).startsWith(QStringLiteral("line 2: the name")),
         qPrintable(refused.error().arguments.value(1)));
+}
+
+/// Files, and folders where a name ends in a slash.
+void StudyListTest::make(const QDir& folder, const QStringList& names)
+{
+    for (const QString& name : names) {
+        const QString path = folder.filePath(name);
+        QVERIFY(QDir().mkpath(name.endsWith(u'/') ? path : QFileInfo(path).path()));
+        QFile file(path);
+        if (!name.endsWith(u'/'))
+            QVERIFY(file.open(QIODevice::WriteOnly) && file.write("any") == 3);
+    }
+}
+
+QStringList StudyListTest::namesOf(const Result<std::vector<BatchStudy>>& studies)
+{
+    QStringList names;
+    for (const BatchStudy& study : studies.value_or(std::vector<BatchStudy>()))
+        names += QFileInfo(study.path).fileName() + u'=' + study.name;
+    return names;
+}
+
+void StudyListTest::whatLiesBesideStudiesIsNone()
+{
+    const QTemporaryDir folder;
+    make(QDir(folder.path()),
+        {QStringLiteral("a.nii.gz"), QStringLiteral("a.json"), QStringLiteral("a.bval"),
+            QStringLiteral("b.mhd"), QStringLiteral("b.raw"), QStringLiteral("c.nhdr"),
+            QStringLiteral("c.raw.gz"), QStringLiteral("c.png"), QStringLiteral("ct/"),
+            QStringLiteral("image"), QStringLiteral("readme.txt"), QStringLiteral("studies.csv")});
+    const QStringList expected{QStringLiteral("a.nii.gz=a"), QStringLiteral("b.mhd=b"),
+        QStringLiteral("c.nhdr=c"), QStringLiteral("ct=ct"), QStringLiteral("image=image")};
+    QCOMPARE(namesOf(app::readStudyList(folder.path())), expected);
+
+    // Two volumes of one name are told apart by a list, not by a column that no folder has.
+    make(QDir(folder.path()), {QStringLiteral("a.nrrd")});
+    const auto refused = app::readStudyList(folder.path());
+    QVERIFY(!refused);
+    const QString why = refused.error().arguments.value(1);
+    QVERIFY2(why.contains(QStringLiteral("a list of them")), qPrintable(why));
+}
+
+void StudyListTest::resultsAreNoStudies()
+{
+    const QTemporaryDir folder;
+    const QDir here(folder.path());
+    make(here, {QStringLiteral("a.nii"), QStringLiteral("b/1.dcm"), QStringLiteral("out/it/x")});
+    const QStringList both{QStringLiteral("a.nii=a"), QStringLiteral("b=b")};
+    for (const char* into : {"out", "out/it", "out/it/new", "./out/"})
+        QCOMPARE(
+            namesOf(app::readStudyList(folder.path(), here.filePath(QLatin1String(into)))), both);
+    const QStringList all = both + QStringList{QStringLiteral("out=out")};
+    QCOMPARE(
+        namesOf(app::readStudyList(folder.path(), here.filePath(QStringLiteral("other")))), all);
+    // Results right beside the studies: each has the name of its own.
+    make(here, {QStringLiteral("a/lock"), QStringLiteral("a/record.json")});
+    QCOMPARE(namesOf(app::readStudyList(folder.path(), folder.path())), all);
 }
 
 void StudyListTest::anythingIsReadOrRefused_data()

@@ -79,7 +79,9 @@ void CommandHelpTest::wordsAreUnderstood_data()
     row("history a b", "burin history: it needs one session file");
     row("history -- --json a", "burin history: it needs one session file");
     row("history a.burin --report=a.pdf --json",
-        "burin history: --json, --as-recipe and --report exclude each other");
+        "burin history: --json, --as-recipe, --report and --deidentified exclude each other");
+    row("history a.burin --report a.pdf --deidentified b.burin",
+        "burin history: --json, --as-recipe, --report and --deidentified exclude each other");
     row("run r.json -with-nothing", "burin run: unknown option -with-nothing");
     row("replay a.burin --fill -1000", "burin replay: --verify or --export is missing");
 }

@@ -10,6 +10,7 @@
 #include "tests/reference/ReferenceEngine.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/fixtures/CommandFixture.h"
+#include "tests/support/program/FileBytes.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/CutEdits.h"
 #include "tests/support/scenes/PlainEdits.h"
@@ -234,6 +235,28 @@ private Q_SLOTS:
         QCOMPARE(noSession.status, 1);
         QVERIFY(noSession.complaint.contains(study()));
         QVERIFY(!QFile::exists(path("c.pdf")) && !QFile::exists(path("b.pdf")));
+    }
+
+    /// As the window's report does, where the study is at hand.
+    void reportsTellVolumesWhereAsked()
+    {
+        const QString made = recipe("r.json", {{key("edits"), toJson(test::manyEdits())}});
+        QCOMPARE(run(made, "a.burin").status, 0);
+        const auto report = [this](const char* file, const QStringList& more = {}) {
+            const Outcome outcome = burin(
+                QStringList{key("history"), path("a.burin"), key("--report"), path(file)} + more);
+            return std::pair(outcome.status, QString::fromUtf8(test::bytesOf(path(file))));
+        };
+        const auto plain = report("plain.html");
+        QVERIFY(plain.first == 0 && !plain.second.contains(key("As they stand after step ")));
+        const auto measured = report("measured.html", {key("--volumes")});
+        QCOMPARE(measured.first, 0);
+        for (const char* words : {"As they stand after step ", "Brain", " mL, "})
+            QVERIFY2(measured.second.contains(key(words)), words);
+        const auto nowhere = report("no.html", {key("--volumes"), key("--study"), path("nowhere")});
+        QVERIFY(nowhere.first == 1 && nowhere.second.isEmpty());
+        QCOMPARE(report("no.html", {key("--study"), study()}).first, 2);
+        QCOMPARE(burin({key("history"), path("a.burin"), key("--volumes")}).status, 2);
     }
 
     /// By the window's rule: after the first step, after every ten, at the end.

@@ -4,6 +4,7 @@
 #include "tests/support/fixtures/CommandFixture.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/SmallStudy.h"
+#include "tests/support/series/SessionFiles.h"
 
 #include <QFile>
 #include <QJsonDocument>
@@ -21,6 +22,13 @@ using test::toJson;
 /// `burin replay`.
 class ReplayCommandGlTest : public QObject, protected test::CommandFixture {
     Q_OBJECT
+
+    /// The values of an exported file; empty if it cannot be read.
+    [[nodiscard]] std::vector<std::uint16_t> voxels(const char* file) const
+    {
+        const Result<LoadedVolume> volume = loadVolume(path(file));
+        return volume ? volume->codes : std::vector<std::uint16_t>();
+    }
 
 private Q_SLOTS:
     void initTestCase() { QVERIFY(prepareStudy()); }
@@ -49,10 +57,6 @@ private Q_SLOTS:
         const Outcome fourth = exported("4", "replayed4.nii.gz");
         QVERIFY2(fourth.status == 0, qPrintable(fourth.complaint));
         QCOMPARE(exported("10", "replayed10.nii.gz").status, 0);
-        const auto voxels = [this](const char* file) {
-            const Result<LoadedVolume> volume = loadVolume(path(file));
-            return volume ? volume->codes : std::vector<std::uint16_t>();
-        };
         QVERIFY(!voxels("at4.nii.gz").empty());
         QCOMPARE(voxels("replayed4.nii.gz"), voxels("at4.nii.gz"));
         QVERIFY(voxels("replayed10.nii.gz") != voxels("at4.nii.gz"));
@@ -61,9 +65,52 @@ private Q_SLOTS:
         QVERIFY(slicer.lines.last()[key("written")].toString().contains(key("3D Slicer")));
         QCOMPARE(slicer.lines.last()[key("sha256")].toString().size(), 64);
         QCOMPARE(voxels("replayed4.seg.nrrd"), voxels("at4.nii.gz"));
+        // Axes are named as the help names them.
+        const Outcome surface = burin({key("replay"), path("a.burin"), key("--export"),
+            path("a.stl"), key("--space"), key("ras")});
+        QVERIFY2(surface.status == 0, qPrintable(surface.complaint));
         QCOMPARE(exported("4", "replayed4.nrrd").status, 2);
         QCOMPARE(exported("12", "no.nii.gz").status, 2);
         QCOMPARE(exported("4", "replayed4.nii.gz").status, 1); // exists
+    }
+
+    /// An export does not make less of the verification: branches, and what is lost.
+    void everyRowIsVerifiedBesidesAnExport()
+    {
+        QJsonArray steps = toJson(test::manyEdits());
+        steps.append(goTo(4));
+        for (const QJsonValue& each : toJson({test::growBrain(), test::drillAt(3)}))
+            steps.append(each);
+        steps.append(goTo(4));
+        const QJsonObject mask{{key("format"), key("nifti")}, {key("file"), path("at4.nii.gz")}};
+        const Outcome made =
+            run(recipe("r.json", {{key("edits"), steps}, {key("export"), QJsonArray{mask}}}),
+                "a.burin");
+        QVERIFY2(made.status == 0, qPrintable(made.complaint));
+        QVERIFY(test::runSql(
+            path("a.burin"), QStringLiteral("UPDATE row SET name='Another' WHERE id=13")));
+
+        const Outcome both = burin({key("replay"), path("a.burin"), key("--verify"),
+            key("--export"), path("both.nii.gz")});
+        QCOMPARE(both.status, 1); // row 13 is lost
+        QList<int> rows;
+        for (const QJsonObject& line : both.lines) {
+            if (line.contains(key("row")))
+                rows += line[key("row")].toInt();
+        }
+        QCOMPARE(rows, (QList<int>{1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12}));
+        QVERIFY(!voxels("at4.nii.gz").empty());
+        QCOMPARE(voxels("both.nii.gz"), voxels("at4.nii.gz"));
+
+        // Who asks for one state asks for nothing else.
+        const Outcome to12 = burin({key("replay"), path("a.burin"), key("--verify"), key("--to"),
+            key("12"), key("--export"), path("at12.nii.gz")});
+        QVERIFY2(to12.status == 0, qPrintable(to12.complaint));
+        QVERIFY(voxels("at12.nii.gz") != voxels("at4.nii.gz"));
+        const Outcome only =
+            burin({key("replay"), path("a.burin"), key("--export"), path("only.nii.gz")});
+        QVERIFY2(only.status == 0, qPrintable(only.complaint));
+        QCOMPARE(voxels("only.nii.gz"), voxels("at4.nii.gz"));
     }
 
     void replayExportsWhatWasCarved()
@@ -89,10 +136,6 @@ private Q_SLOTS:
         for (const Outcome& outcome : {exported("coverage1.nii.gz", coverage + toFirst),
                  exported("coverage2.nii", coverage), exported("carved1.nii", carved + toFirst)})
             QVERIFY2(outcome.status == 0, qPrintable(outcome.complaint));
-        const auto voxels = [this](const char* file) {
-            const Result<LoadedVolume> volume = loadVolume(path(file));
-            return volume ? volume->codes : std::vector<std::uint16_t>();
-        };
         QVERIFY(!voxels("coverage.nii.gz").empty() && !voxels("carved.nii").empty());
         QCOMPARE(voxels("coverage1.nii.gz"), voxels("coverage.nii.gz"));
         QVERIFY(voxels("coverage2.nii") != voxels("coverage.nii.gz"));

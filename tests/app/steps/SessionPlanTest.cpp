@@ -161,6 +161,25 @@ private Q_SLOTS:
             qPrintable(withdrawn.error().arguments.value(1)));
         QCOMPARE(test::fingerprint(plan->damaged), before);
     }
+
+    void whatLiesBesideItGoesAlongOrNothingDoes()
+    {
+        const auto write = [this](const char* name) {
+            QFile file(path(name));
+            return file.open(QIODevice::WriteOnly) && file.write("any") == 3;
+        };
+        for (const char* name : {"a.burin-wal", "a.burin-shm", "b.burin-journal", "c.burin-wal"})
+            QVERIFY(write(name));
+        QVERIFY(app::renameSession(path("a.burin"), path("b.burin")));
+        const QStringList renamed{QStringLiteral("b.burin"), QStringLiteral("b.burin-journal"),
+            QStringLiteral("b.burin-shm"), QStringLiteral("b.burin-wal"),
+            QStringLiteral("c.burin-wal")};
+        QCOMPARE(files(), renamed);
+        const Result<void> refused = app::renameSession(path("b.burin"), path("c.burin"));
+        QVERIFY(!refused);
+        QCOMPARE(refused.error().code, ErrorCode::FileUnwritable);
+        QCOMPARE(files(), renamed);
+    }
 };
 
 BURIN_TEST(SessionPlanTest)

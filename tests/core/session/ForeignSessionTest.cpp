@@ -249,6 +249,16 @@ private Q_SLOTS:
         QVERIFY(studyPlaces(m_path, source).isEmpty());
         source.path = m_folder->path();
         QCOMPARE(studyPlaces(m_path, source).value(0), m_folder->path());
+        // Below /run only what is mounted there; a copy of it beside the session tells.
+        const QString beside = m_folder->filePath(QStringLiteral("farStudy"));
+        QVERIFY(QDir().mkpath(beside));
+        for (const auto& [path, isFollowed] :
+            {std::pair("/run/user/1000/gvfs/smb:share/farStudy", true),
+                {"/run/media/stick/farStudy", true}, {"/run/user/1000/farStudy", false},
+                {"/run/user/gvfs/farStudy", false}, {"/run/systemd/farStudy", false}}) {
+            source.path = QLatin1String(path);
+            QCOMPARE(studyPlaces(m_path, source), isFollowed ? QStringList{beside} : QStringList());
+        }
     }
 
     /// Nor is a folder searched for long that only a session has named.

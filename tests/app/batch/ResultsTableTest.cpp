@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/batch/ResultsTable.h"
+#include "tests/support/faults/FailingLog.h"
+#include "tests/support/program/TestProgram.h"
+
+#include <QCryptographicHash>
+#include <QDir>
+#include <QFile>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <memory>
+
+namespace resultsTableTest {
+
+using app::StudyTask;
+
+/// The table of a batch, from records and statistics that lie in its folders.
+class ResultsTableTest : public QObject {
+    Q_OBJECT
+
+    std::unique_ptr<QTemporaryDir> m_folder;
+
+    [[nodiscard]] StudyTask task() const;
+    /// Writes that the task was done, with statistics that have these lines.
+    void writeDone(const StudyTask& task, const QByteArray& statistics) const;
+    /// The table of the one task: names of its columns, with their values.
+    [[nodiscard]] QMap<QString, QString> rowOf(const StudyTask& task) const;
+
+private Q_SLOTS:
+    void init();
+    void whatIsDoneHasItsNumbers();
+    void whatIsOfAnotherBatchHasNone();
+    void segmentsOfOneNameHaveColumnsOfTheirOwn();
+};
+
+StudyTask ResultsTableTest::task() const
+{
+    return {.study = {.path = QStringLiteral("/data/ct"),
+                .name = QStringLiteral("one"),
+                .session = QStringLiteral("session.burin"),
+                .series = QStringLiteral("2.25.1")},
+        .folder = m_folder->filePath(QStringLiteral("one")),
+        .recipe = "{}",
+        .recipePath = QStringLiteral("/data/recipe.json"),
+        .options = {QStringLiteral("--author"), QStringLiteral("Somebody")}};
+}
+
+void ResultsTableTest::writeDone(const StudyTask& task, const QByteArray& statistics) const
+{
+    const QJsonObject record{{QStringLiteral("state"), QStringLiteral("done")},
+        {QStringLiteral("study"), task.study.path}, {QStringLiteral("series"), task.study.series},
+        {QStringLiteral("recipeSha256"),
+            QString::fromLatin1(
+                QCryptographicHash::hash(task.recipe, QCryptographicHash::Sha256).toHex())},
+        {QStringLiteral("options"), QJsonArray::fromStringList(task.options)},
+        {QStringLiteral("stateHash"), QStringLiteral("abc")}, {QStringLiteral("seconds"), 1.5},
+        {QStringLiteral("exports"),
+            QJsonArray{QJsonObject{{QStringLiteral("file"), QStringLiteral("numbers.csv")}}}}};
+    QVERIFY(QDir().mkpath(task.folder));
+    const auto write = [&task](const char* name, const QByteArray& text) {
+        QFile file(QDir(task.folder).filePath(QLatin1String(name)));
+        return file.open(QIODevice::WriteOnly) && file.write(text) == text.size();
+    };
+    QVERIFY(write("record.json", QJsonDocument(record).toJson()));
+    QVERIFY(write("numbers.csv",
+        "label,name,codingScheme,code,meaning,unit,voxels,volumeMl\r\n" + statistics));
+}
+
+QMap<QString, QString> ResultsTableTest::rowOf(const StudyTask& task) const
+{
+    QMap<QString, QString> row;
+    const auto rows =
+        app::readTable(QString::fromUtf8(app::resultsTable({task})), QLatin1Char(','));
+    if (!rows || rows->size() != 2)
+        return row;
+    for (qsizetype i = 0; i < rows->front().size(); ++i)
+        row[rows->front()[i]] = rows->back().value(i);
+    return row;
+}
+
+void ResultsTableTest::init()
+{
+    test::failOnUnexpectedMessages();
+    m_folder = std::make_unique<QTemporaryDir>();
+}
+
+void ResultsTableTest::whatIsDoneHasItsNumbers()
+{
+    StudyTask same = task();
+    writeDone(same, "1,Bone,,,,HU,10,0.5\r\n2,Brain,,,,HU,20,1.25\r\n");
+    same.options.last() = QStringLiteral("Another");
+    const QMap<QString, QString> row = rowOf(same);
+    QCOMPARE(row[QStringLiteral("state")], QStringLiteral("done"));
+    QCOMPARE(row[QStringLiteral("stateHash")], QStringLiteral("abc"));
+    QCOMPARE(row[QStringLiteral("Bone volumeMl")], QStringLiteral("0.5"));
+    QCOMPARE(row[QStringLiteral("Brain volumeMl")], QStringLiteral("1.25"));
+}
+
+void ResultsTableTest::whatIsOfAnotherBatchHasNone()
+{
+    writeDone(task(), "1,Bone,,,,HU,10,0.5\r\n");
+    StudyTask another = task();
+    another.recipe = "{ }";
+    StudyTask anotherSeries = task();
+    anotherSeries.study.series = QStringLiteral("2.25.2");
+    for (const auto& [asked, why] :
+        {std::pair(another, "another recipe"), {anotherSeries, "another series (2.25.1)"}}) {
+        const QMap<QString, QString> row = rowOf(asked);
+        QCOMPARE(row[QStringLiteral("state")], QStringLiteral("other"));
+        QVERIFY2(row[QStringLiteral("failure")].contains(QLatin1String(why)),
+            qPrintable(row[QStringLiteral("failure")]));
+        QCOMPARE(row[QStringLiteral("stateHash")], QString());
+        QCOMPARE(row[QStringLiteral("seconds")], QString());
+        QVERIFY(!row.contains(QStringLiteral("Bone volumeMl")));
+    }
+}
+
+void ResultsTableTest::segmentsOfOneNameHaveColumnsOfTheirOwn()
+{
+    writeDone(task(),
+        "1,Metastasis,,,,HU,10,0.5\r\n2,Metastasis,,,,HU,20,1.25\r\n3,Liver,,,,HU,30,1500\r\n");
+    const QMap<QString, QString> row = rowOf(task());
+    QCOMPARE(row[QStringLiteral("Metastasis (1) volumeMl")], QStringLiteral("0.5"));
+    QCOMPARE(row[QStringLiteral("Metastasis (2) volumeMl")], QStringLiteral("1.25"));
+    QCOMPARE(row[QStringLiteral("Liver volumeMl")], QStringLiteral("1500"));
+    QVERIFY(!row.contains(QStringLiteral("Metastasis volumeMl")));
+}
+
+BURIN_TEST(ResultsTableTest)
+
+} // namespace resultsTableTest
+
+#include "ResultsTableTest.moc"

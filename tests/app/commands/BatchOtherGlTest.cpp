@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tests/support/faults/FailingLog.h"
+#include "tests/support/fixtures/CommandFixture.h"
+#include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/PlainEdits.h"
+#include "tests/support/scenes/SmallStudy.h"
+#include "tests/support/series/SyntheticSeries.h"
+
+#include <QDir>
+#include <QFile>
+#include <QJsonDocument>
+#include <QTest>
+
+namespace batchOtherGlTest {
+
+using test::burin;
+using test::key;
+using test::Outcome;
+
+/// What is finished counts only for the very batch that asks for it: the same study, series, repair
+/// and options. Each study of the list is the folder with two series.
+class BatchOtherGlTest : public QObject, protected test::CommandFixture {
+    Q_OBJECT
+
+    QTemporaryDir m_series;
+
+    static void write(const QString& file, const QByteArray& text);
+    [[nodiscard]] QJsonObject record() const;
+    void writeRecord(const QJsonObject& record) const;
+    /// Runs the batch on this series of the study.
+    [[nodiscard]] Outcome batch(const char* series, const QStringList& more = {}) const;
+    [[nodiscard]] static QString state(const Outcome& outcome);
+
+private Q_SLOTS:
+    void initTestCase();
+    void init();
+    void anotherSeriesIsDoneOnlyByForce();
+    void otherOptionsLikewise();
+    void resultsAmongTheStudiesAreNone();
+};
+
+void BatchOtherGlTest::write(const QString& file, const QByteArray& text)
+{
+    QFile written(file);
+    if (!written.open(QIODevice::WriteOnly) || written.write(text) != text.size())
+        qFatal("cannot write %s", qPrintable(file));
+}
+
+QJsonObject BatchOtherGlTest::record() const
+{
+    QFile file(path("out/one/record.json"));
+    return file.open(QIODevice::ReadOnly) ? QJsonDocument::fromJson(file.readAll()).object()
+                                          : QJsonObject();
+}
+
+void BatchOtherGlTest::writeRecord(const QJsonObject& record) const
+{
+    write(path("out/one/record.json"), QJsonDocument(record).toJson());
+}
+
+Outcome BatchOtherGlTest::batch(const char* series, const QStringList& more) const
+{
+    write(path("studies.csv"),
+        "study,name,series\n" + m_series.path().toUtf8() + ",one," + QByteArray(series) + '\n');
+    return burin(QStringList{key("batch"), path("batch.json"), key("--studies"),
+                     path("studies.csv"), key("--into"), path("out")}
+        + more);
+}
+
+QString BatchOtherGlTest::state(const Outcome& outcome)
+{
+    return outcome.lines.isEmpty() ? QString() : outcome.lines.last()[key("state")].toString();
+}
+
+void BatchOtherGlTest::initTestCase()
+{
+    for (const char* uid : {"2.25.11", "2.25.12"}) {
+        test::SyntheticSeries series;
+        series.seriesUid = key(uid);
+        QCOMPARE(test::writeSeries(series, m_series.filePath(key(uid))).size(), series.size.z);
+    }
+}
+
+void BatchOtherGlTest::init()
+{
+    test::failOnUnexpectedMessages();
+    makeFolder();
+    const QString made = recipe("batch.json",
+        {{key("edits"),
+             test::toJson({test::addSegment("Part"), test::paintAt(1, {{4, 4, 55}}, 3.0)})},
+            {key("export"),
+                QJsonArray{
+                    QJsonObject{{key("format"), key("csv")}, {key("file"), key("part.csv")}}}}});
+    QVERIFY(!made.isEmpty());
+}
+
+void BatchOtherGlTest::anotherSeriesIsDoneOnlyByForce()
+{
+    const auto seriesDone = [this] { return record()[key("source")][key("seriesUid")].toString(); };
+    const Outcome done = batch("2.25.11");
+    QVERIFY2(done.status == 0, qPrintable(done.complaint));
+    QCOMPARE(state(done), key("done"));
+    QCOMPARE(seriesDone(), key("2.25.11"));
+    QCOMPARE(state(batch("2.25.11")), key("was done"));
+
+    const Outcome refused = batch("2.25.12");
+    QCOMPARE(refused.status, 1);
+    QCOMPARE(state(refused), key("failed"));
+    QVERIFY2(refused.complaint.contains(key("another series (2.25.11)"))
+            && refused.complaint.contains(key("--force")),
+        qPrintable(refused.complaint));
+    QCOMPARE(seriesDone(), key("2.25.11"));
+
+    const Outcome forced = batch("2.25.12", {key("--force")});
+    QVERIFY2(forced.status == 0, qPrintable(forced.complaint));
+    QCOMPARE(state(forced), key("done"));
+    QCOMPARE(seriesDone(), key("2.25.12"));
+    QCOMPARE(record()[key("series")].toString(), key("2.25.12"));
+
+    // What the record of an older batch does not tell is no reason to refuse.
+    QJsonObject older = record();
+    for (const char* each : {"series", "repair", "spacing"})
+        older.remove(key(each));
+    writeRecord(older);
+    QCOMPARE(state(batch("2.25.12")), key("was done"));
+}
+
+void BatchOtherGlTest::otherOptionsLikewise()
+{
+    QVERIFY(batch("2.25.11").status == 0);
+    const QStringList options{key("--with-images")};
+    const Outcome refused = batch("2.25.11", options);
+    QCOMPARE(refused.status, 1);
+    QVERIFY2(
+        refused.complaint.contains(key("other options (none)")), qPrintable(refused.complaint));
+    const Outcome forced = batch("2.25.11", options + QStringList{key("--force")});
+    QVERIFY2(forced.status == 0, qPrintable(forced.complaint));
+    QCOMPARE(state(forced), key("done"));
+    // Who it is that asks makes no other results.
+    QCOMPARE(state(batch("2.25.11", options + QStringList{key("--author"), key("Somebody")})),
+        key("was done"));
+    const Outcome back = batch("2.25.11");
+    QCOMPARE(back.status, 1);
+    QVERIFY2(
+        back.complaint.contains(key("other options (--with-images)")), qPrintable(back.complaint));
+}
+
+void BatchOtherGlTest::resultsAmongTheStudiesAreNone()
+{
+    QVERIFY(QDir().mkpath(path("studies")));
+    for (const char* each : {"studies/a.nii.gz", "studies/b.nii.gz"}) {
+        core::LoadedVolume study = test::smallStudy();
+        study.codes[0] = std::uint16_t(study.codes[0] + each[8]); // another study each
+        QVERIFY(test::writeStudy(path(each), study));
+    }
+    write(path("studies/a.json"), "{}");
+    const QStringList words{key("batch"),
+        recipe("plain.json", {{key("edits"), test::toJson({test::addSegment("Part")})}}),
+        key("--studies"), path("studies"), key("--into"), path("studies/out")};
+    for (const char* expected : {"done", "was done"}) {
+        const Outcome outcome = burin(words);
+        QVERIFY2(outcome.status == 0, qPrintable(outcome.complaint));
+        QCOMPARE(outcome.lines.size(), 2);
+        for (const QJsonObject& line : outcome.lines)
+            QCOMPARE(line[key("state")].toString(), key(expected));
+    }
+}
+
+BURIN_TEST(BatchOtherGlTest)
+
+} // namespace batchOtherGlTest
+
+#include "BatchOtherGlTest.moc"
