@@ -78,12 +78,12 @@ QString writeAll(QFile& file, const char* bytes, qint64 size)
 
 } // namespace
 
-ObjectIntake::ObjectIntake(
-    const DownloadFolder& folder, const QSet<QString>& awaited, int total, const Progress& progress)
+ObjectIntake::ObjectIntake(const DownloadFolder& folder, const QSet<QString>& awaited,
+    bool takesAll, const Progress& progress)
     : m_folder(folder)
-    , m_takesAll(awaited.isEmpty())
+    , m_takesAll(takesAll)
     , m_missing(awaited)
-    , m_total(total)
+    , m_total(takesAll ? 0 : int(awaited.size()))
     , m_progress(progress)
 {
 }

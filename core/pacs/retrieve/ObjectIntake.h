@@ -22,8 +22,9 @@ class Association;
 /// damaged or were not requested are refused. Only for sources of core/pacs.
 class ObjectIntake {
 public:
-    /// @param awaited SOP instance UIDs; empty: all objects
-    ObjectIntake(const DownloadFolder& folder, const QSet<QString>& awaited, int total,
+    /// @param awaited SOP instance UIDs
+    /// @param takesAll whether other objects are taken too, since not all of them are known
+    ObjectIntake(const DownloadFolder& folder, const QSet<QString>& awaited, bool takesAll,
         const Progress& progress);
 
     /// Receives the object of a C-STORE request and answers. An error ends the transfer: those of
@@ -43,7 +44,7 @@ private:
     const DownloadFolder& m_folder;
     bool m_takesAll;
     QSet<QString> m_missing;
-    int m_total;
+    int m_total; ///< 0: unknown
     std::atomic<int> m_received = 0; ///< read while a listener receives objects
     std::optional<Error> m_refusal;
     const Progress& m_progress;

@@ -14,8 +14,6 @@
 #include <dcmtk/dcmdata/dctk.h>
 #include <dcmtk/dcmnet/dimse.h>
 
-#include <QSet>
-
 #include <algorithm>
 #include <cstring>
 #include <utility>
@@ -185,11 +183,12 @@ Result<Conclusion> fetch(const PacsNode& node, const RetrievePlan& plan, ObjectI
     return conclusion;
 }
 
-/// @param told of objects that nobody could list before
+/// @param total of objects; 0: nobody could list them before
 tl::unexpected<Error> incomplete(
     const PacsNode& node, const ObjectIntake& intake, const Conclusion& conclusion, qsizetype total)
 {
-    const qsizetype missing = std::max(intake.missing().size(), qsizetype(conclusion.failed));
+    const qsizetype missing =
+        std::max({qsizetype(1), intake.missing().size(), qsizetype(conclusion.failed)});
     if (!intake.refusal() && conclusion.status != 0 && intake.received() == 0) {
         return failure(ErrorCode::NodeFailed, node.name(), Clause::saying("the download"),
             statusText(conclusion.status));
@@ -212,14 +211,18 @@ Result<Retrieved> retrieve(const PacsNode& node, const RetrieveWish& wish, const
 {
     return retrieveInto(target, listingOf(node, progress), wish,
         [&](const RetrievePlan& plan, const DownloadFolder& folder) -> Result<int> {
-            const QSet<QString> awaited = plan.awaited();
-            ObjectIntake intake(folder, awaited, int(awaited.size()), progress);
+            ObjectIntake intake(folder, plan.missing(), !plan.isKnown(), progress);
             const Result<Conclusion> conclusion = fetch(node, plan, intake, way, progress);
             if (!conclusion)
                 return tl::unexpected<Error>(conclusion.error());
+            // Of a series that is not listed only the node can tell whether all of it came.
+            const bool toldBad =
+                conclusion->status != 0 && (!plan.isKnown() || intake.received() == 0);
             if (!intake.missing().isEmpty() || conclusion->failed > 0 || intake.refusal()
-                || (intake.received() == 0 && conclusion->status != 0))
-                return incomplete(node, intake, *conclusion, plan.instances().size());
+                || toldBad) {
+                return incomplete(
+                    node, intake, *conclusion, plan.isKnown() ? plan.instances().size() : 0);
+            }
             return intake.received();
         });
 }

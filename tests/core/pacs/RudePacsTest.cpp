@@ -101,14 +101,16 @@ QByteArray word(std::uint16_t value)
     return QByteArray(1, char(value & 0xff)) + QByteArray(1, char(value >> 8));
 }
 
-/// "I am at work": a response to C-GET or C-FIND with the status pending and no data.
-QByteArray pending(std::uint16_t field, const QByteArray& classUid)
+constexpr std::uint16_t atWork = 0xff00; ///< the status "pending"
+
+/// A response to C-GET or C-FIND with this status and no data.
+QByteArray response(std::uint16_t field, const QByteArray& classUid, std::uint16_t status)
 {
     QByteArray uid = classUid;
     if (uid.size() % 2 != 0)
         uid.append('\0');
     const QByteArray rest = element(0x0002, uid) + element(0x0100, word(field))
-        + element(0x0120, word(1)) + element(0x0800, word(0x0101)) + element(0x0900, word(0xff00));
+        + element(0x0120, word(1)) + element(0x0800, word(0x0101)) + element(0x0900, word(status));
     QByteArray size(4, '\0');
     size[0] = char(rest.size() & 0xff);
     return command(element(0x0000, size) + rest);
@@ -139,6 +141,7 @@ private Q_SLOTS:
     void echoes();
     void searches_data();
     void searches();
+    void imagesThatNobodyLists();
     void handshakes();
     void downloadsThatNeverCome();
     void slowDownloadsComeThrough();
@@ -236,14 +239,14 @@ void RudePacsTest::searches_data()
     QTest::newRow("is at work for ever") << Talk([](const Client& client) {
         client.say(accepted(client.hear()));
         client.hear();
-        const QByteArray again = pending(0x8020, "1.2.840.10008.5.1.4.1.2.2.1");
+        const QByteArray again = response(0x8020, "1.2.840.10008.5.1.4.1.2.2.1", atWork);
         while (client.say(again))
             QTest::qSleep(200);
     });
     QTest::newRow("drips an answer") << Talk([](const Client& client) {
         client.say(accepted(client.hear()));
         client.hear();
-        client.drip(pending(0x8020, "1.2.840.10008.5.1.4.1.2.2.1"), 300);
+        client.drip(response(0x8020, "1.2.840.10008.5.1.4.1.2.2.1", atWork), 300);
         client.beSilent();
     });
 }
@@ -260,6 +263,25 @@ void RudePacsTest::searches()
     QVERIFY2(found.error().code == ErrorCode::NodeTimeout
             || found.error().code == ErrorCode::NodeNonsense,
         qPrintable(ui::errorText(found.error())));
+}
+
+/// Nodes may not support the search for images: what they hold is not known then, and that is no
+/// error.
+void RudePacsTest::imagesThatNobodyLists()
+{
+    const test::RudeServer server([](const Client& client) {
+        client.say(accepted(client.hear()));
+        client.hear();
+        client.say(response(0x8020, "1.2.840.10008.5.1.4.1.2.2.1", 0xa900));
+        client.beSilent();
+    });
+    const auto found = core::findInstances(
+        node(server), QStringLiteral("2.25.1"), QStringLiteral("2.25.2"), core::Progress());
+    VERIFY_DONE(found);
+    QVERIFY(found->empty());
+    // Of studies it is one.
+    const auto studies = core::findStudies(node(server), {}, 10, core::Progress());
+    VERIFY_ERROR(studies, ErrorCode::NodeFailed);
 }
 
 /// Inside of TLS nobody asks on the way.

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/dicomweb/WebRetrieve.h"
+#include "tests/support/faults/FailingLog.h"
+#include "tests/support/program/TestProgram.h"
+#include "tests/support/series/SyntheticSeries.h"
+#include "tests/support/series/VerifyResult.h"
+#include "tests/support/servers/WebArchive.h"
+#include "tests/support/servers/WebServer.h"
+
+#include <QDir>
+#include <QFileInfo>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <memory>
+#include <optional>
+
+namespace dicomWebHabitsTest {
+
+using core::ErrorCode;
+using test::WebArchive;
+using test::WebReply;
+
+/// What web servers of the field do that is no fault of theirs, or a small one: whoever asks them
+/// gets all of it nevertheless, or is told what is missing.
+class DicomWebHabitsTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase();
+    void init();
+    void unlistedSeries_data();
+    void unlistedSeries();
+    void listedSeriesThatIsNotThere();
+
+private:
+    [[nodiscard]] static core::WebNode node(const test::WebServer& server);
+    /// As a server answers that holds both series, and lists the objects only of the first.
+    [[nodiscard]] WebReply answer(const QByteArray& line, const WebReply& ofUnlisted) const;
+    [[nodiscard]] QString target() const { return m_folder->filePath(QStringLiteral("got")); }
+    [[nodiscard]] core::Result<core::Retrieved> getStudy(const test::WebServer& server) const
+    {
+        return core::retrieve(node(server), {.studyUid = m_listed.studyUid, .seriesUid = {}},
+            target(), core::Progress());
+    }
+
+    QTemporaryDir m_sent;
+    test::SyntheticSeries m_listed;
+    test::SyntheticSeries m_unlisted;
+    QStringList m_files; ///< of the first
+    std::optional<WebArchive> m_first;
+    std::optional<WebArchive> m_second;
+    std::unique_ptr<QTemporaryDir> m_folder;
+};
+
+void DicomWebHabitsTest::initTestCase()
+{
+    m_listed.size = {16, 16, 3};
+    m_unlisted.size = {16, 16, 2};
+    m_unlisted.seriesUid = QStringLiteral("2.25.815");
+    m_files = test::writeSeries(m_listed, m_sent.filePath(QStringLiteral("first")));
+    m_first.emplace(m_files);
+    m_second.emplace(test::writeSeries(m_unlisted, m_sent.filePath(QStringLiteral("second"))));
+}
+
+void DicomWebHabitsTest::init()
+{
+    test::failOnUnexpectedMessages();
+    m_folder = std::make_unique<QTemporaryDir>();
+}
+
+core::WebNode DicomWebHabitsTest::node(const test::WebServer& server)
+{
+    core::WebNode one;
+    one.url = server.url();
+    one.firstPauseMs = 10;
+    one.timeoutSeconds = 20;
+    return one;
+}
+
+WebReply DicomWebHabitsTest::answer(const QByteArray& line, const WebReply& ofUnlisted) const
+{
+    const bool isSecond = line.contains(m_unlisted.seriesUid.toLatin1());
+    if (isSecond && line.contains("/instances?"))
+        return ofUnlisted;
+    if (line.contains("/series?") && line.contains("offset=0")) {
+        const auto series = [](const QString& uid) {
+            return "{\"0020000E\":{\"vr\":\"UI\",\"Value\":[\"" + uid.toLatin1() + "\"]}}";
+        };
+        return {
+            .body = "[" + series(m_listed.seriesUid) + "," + series(m_unlisted.seriesUid) + "]"};
+    }
+    return (isSecond ? m_second : m_first)->answer(line);
+}
+
+void DicomWebHabitsTest::unlistedSeries_data()
+{
+    QTest::addColumn<int>("status");
+    QTest::addColumn<QByteArray>("body");
+    QTest::newRow("an empty list") << 200 << QByteArray("[]");
+    QTest::newRow("nothing") << 204 << QByteArray();
+    QTest::newRow("no such page") << 404 << QByteArray();
+    QTest::newRow("names that are none")
+        << 200 << QByteArray("[{\"00080018\":{\"vr\":\"UI\",\"Value\":[\"no UID\"]}}]");
+}
+
+/// Objects of a series may come although none are listed; the other series come as ever.
+void DicomWebHabitsTest::unlistedSeries()
+{
+    QFETCH(int, status);
+    QFETCH(QByteArray, body);
+    const test::WebServer server([&](const QByteArray& line, const QByteArray&) {
+        return answer(line, {.status = status, .body = body});
+    });
+    const auto got = getStudy(server);
+    VERIFY_DONE(got);
+    QCOMPARE(got->received, 5);
+    QCOMPARE(QDir(target()).entryList({QStringLiteral("*.dcm")}, QDir::Files).size(), 5);
+}
+
+/// What is listed and does not come is missing, whatever else came.
+void DicomWebHabitsTest::listedSeriesThatIsNotThere()
+{
+    const test::WebServer server([&](const QByteArray& line, const QByteArray&) {
+        const bool isLost = WebArchive::asksForObjects(line)
+            && line.contains("/series/" + m_listed.seriesUid.toLatin1());
+        return isLost ? WebReply{.status = 404, .contentType = "text/plain"}
+                      : answer(line, {.body = "[]"});
+    });
+    const auto got = getStudy(server);
+    VERIFY_ERROR(got, ErrorCode::TransferIncomplete);
+    QCOMPARE(got.error().arguments.value(1), QStringLiteral("3"));
+    QVERIFY(!QFileInfo::exists(target()));
+}
+
+BURIN_TEST(DicomWebHabitsTest)
+
+} // namespace dicomWebHabitsTest
+
+#include "DicomWebHabitsTest.moc"
