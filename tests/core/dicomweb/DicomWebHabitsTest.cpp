@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/dicomweb/WebRetrieve.h"
+#include "core/dicomweb/WebSend.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/series/SyntheticSeries.h"
@@ -14,6 +15,7 @@
 
 #include <memory>
 #include <optional>
+#include <vector>
 
 namespace dicomWebHabitsTest {
 
@@ -32,6 +34,9 @@ private Q_SLOTS:
     void unlistedSeries_data();
     void unlistedSeries();
     void listedSeriesThatIsNotThere();
+    void storageIsLedToALogin();
+    void storageWithoutTheWord_data();
+    void storageWithoutTheWord();
 
 private:
     [[nodiscard]] static core::WebNode node(const test::WebServer& server);
@@ -131,6 +136,65 @@ void DicomWebHabitsTest::listedSeriesThatIsNotThere()
     VERIFY_ERROR(got, ErrorCode::TransferIncomplete);
     QCOMPARE(got.error().arguments.value(1), QStringLiteral("3"));
     QVERIFY(!QFileInfo::exists(target()));
+}
+
+/// A login that ran out: servers lead to a page where people log in, which is there.
+void DicomWebHabitsTest::storageIsLedToALogin()
+{
+    const test::WebServer server([](const QByteArray& line, const QByteArray&) {
+        return line.startsWith("POST ") ? WebReply{.status = 302,
+                   .contentType = "text/plain",
+                   .moreHeaders = "Location: /dicom-web/login\r\n"}
+                                        : WebReply{.contentType = "text/html", .body = "<html>"};
+    });
+    const auto sent = core::sendFiles(node(server), m_files, core::Progress());
+    VERIFY_ERROR(sent, ErrorCode::NodeFailed);
+    QVERIFY2(ui::errorText(sent.error()).contains(QLatin1String("HTTP 302")),
+        qPrintable(ui::errorText(sent.error())));
+    QCOMPARE(server.questions(), std::vector<QByteArray>{"POST /dicom-web/studies"});
+}
+
+void DicomWebHabitsTest::storageWithoutTheWord_data()
+{
+    QTest::addColumn<QByteArray>("type");
+    QTest::addColumn<QByteArray>("body");
+    QTest::addColumn<bool>("isStored");
+    QTest::addColumn<int>("expected");
+    const auto row = [](const char* name, const char* type, const char* body,
+                         std::optional<ErrorCode> expected) {
+        QTest::newRow(name) << QByteArray(type) << QByteArray(body) << !expected
+                            << int(expected.value_or(ErrorCode::Internal));
+    };
+    const char* json = "application/dicom+json";
+    row("nothing in JSON", json, "{}", ErrorCode::NodeFailed);
+    row("an empty list of stored objects", json, R"({"00081199":{"vr":"SQ","Value":[]}})",
+        ErrorCode::NodeFailed);
+    row("no JSON", json, "stored", ErrorCode::NodeFailed);
+    row("a page for people", "text/html; charset=utf-8", "<html>", ErrorCode::NodeNonsense);
+    row("an object in a list", json, R"([{"00081199":{"vr":"SQ","Value":[{}]}}])", {});
+    row("XML", "application/dicom+xml", "<NativeDicomModel/>", {});
+    row("nothing at all", "application/dicom+json", "", {});
+    row("nothing at all, as HTML", "text/html", "", {});
+}
+
+/// HTTP 200 alone does not mean that an object was stored.
+void DicomWebHabitsTest::storageWithoutTheWord()
+{
+    QFETCH(QByteArray, type);
+    QFETCH(QByteArray, body);
+    QFETCH(bool, isStored);
+    QFETCH(int, expected);
+    const test::WebServer server([&](const QByteArray&, const QByteArray&) {
+        return WebReply{.contentType = type, .body = body};
+    });
+    const auto sent = core::sendFiles(node(server), m_files, core::Progress());
+    if (isStored) {
+        VERIFY_DONE(sent);
+        QCOMPARE(sent->sent, 3);
+    } else {
+        VERIFY_ERROR(sent, ErrorCode(expected));
+        QCOMPARE(server.questions().size(), std::size_t(1));
+    }
 }
 
 BURIN_TEST(DicomWebHabitsTest)
