@@ -127,6 +127,9 @@ Result<std::uint16_t> ObjectIntake::write(
         trouble = file.errorString();
     const Result<void> received =
         association.receiveData(context, [&](const char* bytes, std::size_t size) {
+            ++m_pieces;
+            if (m_onPiece)
+                m_onPiece();
             // A disk that is full now may take the next bytes: a file with a hole.
             if (trouble.isEmpty())
                 trouble = writeAll(file, bytes, qint64(size));

@@ -10,7 +10,9 @@
 
 #include <atomic>
 #include <cstdint>
+#include <functional>
 #include <optional>
+#include <utility>
 
 struct T_DIMSE_C_StoreRQ;
 
@@ -32,6 +34,11 @@ public:
     [[nodiscard]] Result<void> take(
         Association& association, std::uint8_t context, const T_DIMSE_C_StoreRQ& request);
 
+    /// To be called, on the thread that receives, for each piece of a requested object; while
+    /// nothing is received.
+    void setOnPiece(std::function<void()> onPiece) { m_onPiece = std::move(onPiece); }
+    /// How many pieces of requested objects have come.
+    [[nodiscard]] std::int64_t pieces() const { return m_pieces; }
     [[nodiscard]] int received() const { return m_received; }
     [[nodiscard]] const QSet<QString>& missing() const { return m_missing; }
     /// Why the first damaged object was refused.
@@ -46,6 +53,8 @@ private:
     QSet<QString> m_missing;
     int m_total; ///< 0: unknown
     std::atomic<int> m_received = 0; ///< read while a listener receives objects
+    std::atomic<std::int64_t> m_pieces = 0; ///< likewise
+    std::function<void()> m_onPiece;
     std::optional<Error> m_refusal;
     const Progress& m_progress;
 };

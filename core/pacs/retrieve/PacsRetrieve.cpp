@@ -15,6 +15,7 @@
 #include <dcmtk/dcmnet/dimse.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <cstring>
 #include <utility>
 #include <vector>
@@ -63,19 +64,20 @@ struct Conclusion {
 };
 
 /// A request under way: takes what comes until the node has said its last word on it. One that says
-/// again and again that it is at work, and sends no object, is given up.
+/// again and again that it is at work, and sends nothing of an object, is given up.
 /// @param stores the node stores on this association
 Result<void> follow(
     Association& association, ObjectIntake& intake, bool stores, Conclusion& conclusion)
 {
     const PacsNode& node = association.node();
     const Patience::Seconds longest = Patience::ofQuestion(node.timeoutSeconds);
-    auto lastObject = Patience::Clock::now();
-    int received = intake.received();
+    auto lastPiece = Patience::Clock::now();
+    std::int64_t known = intake.pieces();
     for (;;) {
-        if (std::exchange(received, intake.received()) != intake.received())
-            lastObject = Patience::Clock::now();
-        if (Patience::Clock::now() - lastObject > longest)
+        const std::int64_t pieces = intake.pieces();
+        if (std::exchange(known, pieces) != pieces)
+            lastPiece = Patience::Clock::now();
+        if (Patience::Clock::now() - lastPiece > longest)
             return failure(ErrorCode::NodeTimeout, node.name(), QString::number(longest.count()),
                 Clause::saying("it says that it is at work, and sends nothing"));
         std::uint8_t context = 0;
@@ -154,6 +156,9 @@ Result<Conclusion> fetch(const PacsNode& node, const RetrievePlan& plan, ObjectI
         return tl::unexpected<Error>(context.error());
     std::unique_ptr<MoveListener> listener;
     if (way.movePort) {
+        // Nodes need not say on this connection that they are at work (PS3.4 C.4.2.3): what comes
+        // on the other one says it.
+        intake.setOnPiece([&control = *association] { control.notePassed(); });
         Result<std::unique_ptr<MoveListener>> listening =
             MoveListener::start(node, *way.movePort, intake);
         if (!listening)
