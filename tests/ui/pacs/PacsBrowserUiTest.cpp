@@ -83,6 +83,7 @@ private Q_SLOTS:
     void datesAreChecked();
     void openCopiesStay();
     void sourcesAreKept();
+    void halfOfTlsIsCompleted();
     void masksAreSent();
 
 private:
@@ -473,6 +474,27 @@ void PacsBrowserUiTest::sourcesAreKept()
     QCOMPARE(kept[0].address(), QStringLiteral("PACS@10.0.0.7:104"));
     QCOMPARE(kept[1].name, QStringLiteral("Cloud"));
     QCOMPARE(std::get<core::WebNode>(kept[1].node).login.password, QStringLiteral("secret"));
+}
+
+/// A source of before that has a certificate and no authority is there, and asks for it.
+void PacsBrowserUiTest::halfOfTlsIsCompleted()
+{
+    const core::PacsNode node{.aeTitle = QStringLiteral("PACS"),
+        .host = QStringLiteral("10.0.0.7"),
+        .tls = {.authorityFile = {},
+            .certificateFile = QStringLiteral("/keys/own.pem"),
+            .keyFile = QStringLiteral("/keys/own.key")}};
+    ui::setPacsSources({{.name = QStringLiteral("Archive"), .node = node, .movePort = {}}});
+    ui::SourcesDialog dialog;
+    dialog.show();
+    QCOMPARE(child<QListWidget>(dialog, "sourcesList").count(), 1);
+    QCOMPARE(child<QLineEdit>(dialog, "sourceCertificate").text(), QStringLiteral("/keys/own.pem"));
+    auto& ok = *dialog.findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok);
+    QVERIFY(!ok.isEnabled());
+    QVERIFY(child<QLabel>(dialog, "sourcesState").text().contains(QLatin1String("authority")));
+    child<QLineEdit>(dialog, "sourceAuthority").setText(QStringLiteral("/keys/ca.pem"));
+    QVERIFY(ok.isEnabled());
+    QCOMPARE(child<QLabel>(dialog, "sourcesState").text(), QString());
 }
 
 void PacsBrowserUiTest::masksAreSent()
