@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "core/dicomweb/WebQuery.h"
 #include "core/dicomweb/WebRetrieve.h"
 #include "core/dicomweb/WebSend.h"
 #include "tests/support/faults/FailingLog.h"
@@ -13,6 +14,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -37,6 +39,7 @@ private Q_SLOTS:
     void storageIsLedToALogin();
     void storageWithoutTheWord_data();
     void storageWithoutTheWord();
+    void pagesHaveALimit();
 
 private:
     [[nodiscard]] static core::WebNode node(const test::WebServer& server);
@@ -195,6 +198,45 @@ void DicomWebHabitsTest::storageWithoutTheWord()
         VERIFY_ERROR(sent, ErrorCode(expected));
         QCOMPARE(server.questions().size(), std::size_t(1));
     }
+}
+
+/// Servers of the field refuse questions for more than 200 results.
+void DicomWebHabitsTest::pagesHaveALimit()
+{
+    const auto numberIn = [](const QByteArray& line, const char* name) {
+        const QByteArray key = QByteArray(name) + '=';
+        return line.mid(line.indexOf(key) + key.size()).split('&').front().toInt();
+    };
+    const test::WebServer server([&](const QByteArray& line, const QByteArray&) {
+        const int limit = numberIn(line, "limit");
+        const int offset = numberIn(line, "offset");
+        if (limit > 200)
+            return WebReply{.status = 400, .contentType = "text/plain", .body = "too many"};
+        const QByteArray tag = line.contains("/instances?") ? "00080018" : "0020000D";
+        QByteArrayList entries;
+        for (int i = offset; i < std::min(offset + limit, 450); ++i) {
+            entries.append("{\"" + tag + "\":{\"vr\":\"UI\",\"Value\":[\"1.2."
+                + QByteArray::number(i) + "\"]}}");
+        }
+        return WebReply{.body = "[" + entries.join(',') + "]"};
+    });
+    const auto all = core::findStudies(node(server), {}, 1000, core::Progress());
+    VERIFY_DONE(all);
+    QCOMPARE(all->hits.size(), std::size_t(450));
+    QVERIFY(!all->more);
+    const auto some = core::findStudies(node(server), {}, 300, core::Progress());
+    VERIFY_DONE(some);
+    QCOMPARE(some->hits.size(), std::size_t(300));
+    QVERIFY(some->more);
+    QCOMPARE(some->hits.back().studyUid, QStringLiteral("1.2.299"));
+    const auto exactly = core::findStudies(node(server), {}, 450, core::Progress());
+    VERIFY_DONE(exactly);
+    QCOMPARE(exactly->hits.size(), std::size_t(450));
+    QVERIFY(!exactly->more);
+    const auto instances = core::findInstances(
+        node(server), QStringLiteral("1.2"), QStringLiteral("1.2.3"), core::Progress());
+    VERIFY_DONE(instances);
+    QCOMPARE(instances->size(), std::size_t(450));
 }
 
 BURIN_TEST(DicomWebHabitsTest)
