@@ -211,9 +211,11 @@ QNetworkRequest WebConnection::Exchange::request(
     request.setRawHeader("Accept-Encoding", "identity");
     if (!m_parts.authorization.isEmpty())
         request.setRawHeader("Authorization", m_parts.authorization);
-    // Elsewhere nobody should learn the login.
-    request.setAttribute(
-        QNetworkRequest::RedirectPolicyAttribute, QNetworkRequest::SameOriginRedirectPolicy);
+    // Elsewhere nobody should learn the login. What is posted and led on would become a question:
+    // its answer, a page for people to log in, would be taken for that of the storage.
+    request.setAttribute(QNetworkRequest::RedirectPolicyAttribute,
+        m_isPost ? QNetworkRequest::ManualRedirectPolicy
+                 : QNetworkRequest::SameOriginRedirectPolicy);
     request.setAttribute(QNetworkRequest::Http2AllowedAttribute, false);
     request.setAttribute(
         QNetworkRequest::CacheLoadControlAttribute, QNetworkRequest::AlwaysNetwork);
@@ -224,8 +226,8 @@ QNetworkRequest WebConnection::Exchange::request(
 WebConnection::Outcome WebConnection::Exchange::run(
     const QByteArray& path, const QByteArray& accept, const QString* file)
 {
-    QNetworkRequest asked = request(path, accept);
     m_isPost = file != nullptr;
+    QNetworkRequest asked = request(path, accept);
     if (file) {
         m_body = bodyOf(*file);
         if (!m_body) {

@@ -12,12 +12,12 @@ constexpr int mostUnasked = 100;
 
 } // namespace
 
-WebIntake::WebIntake(const DownloadFolder& folder, const QSet<QString>& awaited, QString nodeName,
-    const Progress& progress)
+WebIntake::WebIntake(const DownloadFolder& folder, const QSet<QString>& awaited, bool takesAll,
+    QString nodeName, const Progress& progress)
     : m_folder(folder)
-    , m_takesAll(awaited.isEmpty())
+    , m_takesAll(takesAll)
     , m_missing(awaited)
-    , m_total(awaited.size())
+    , m_total(takesAll ? 0 : awaited.size())
     , m_nodeName(std::move(nodeName))
     , m_progress(progress)
     , m_part(folder.partPathOf(QStringLiteral("1")))

@@ -18,9 +18,10 @@ namespace core {
 /// were not requested are dropped.
 class WebIntake : public WebSink, private PartSink {
 public:
-    /// @param awaited SOP instance UIDs; empty: all objects
-    WebIntake(const DownloadFolder& folder, const QSet<QString>& awaited, QString nodeName,
-        const Progress& progress);
+    /// @param awaited SOP instance UIDs
+    /// @param takesAll whether other objects are taken too, since not all of them are known
+    WebIntake(const DownloadFolder& folder, const QSet<QString>& awaited, bool takesAll,
+        QString nodeName, const Progress& progress);
     ~WebIntake() override;
 
     [[nodiscard]] Result<void> begin(const WebAnswer& answer) override;
@@ -43,7 +44,7 @@ private:
     const DownloadFolder& m_folder;
     bool m_takesAll;
     QSet<QString> m_missing;
-    qsizetype m_total;
+    qsizetype m_total; ///< 0: unknown
     QString m_nodeName;
     const Progress& m_progress;
     std::optional<MultipartReader> m_reader; ///< none: the answer is a single object

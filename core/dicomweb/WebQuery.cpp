@@ -11,7 +11,6 @@
 
 #include <algorithm>
 #include <functional>
-#include <limits>
 
 namespace core {
 
@@ -97,7 +96,8 @@ QByteArray pathOf(const QString& studyUid, const QString& seriesUid = {})
     return path;
 }
 
-constexpr int usualPage = 1000;
+/// Servers may refuse to be asked for more at a time.
+constexpr int usualPage = 200;
 
 } // namespace
 
@@ -139,7 +139,8 @@ Result<HitList<StudyHit>> findStudies(
     question.match("StudyInstanceUID", filter.studyUid);
     question.want({"00080061", "00081030", "00100030", "00201206", "00201208"});
     HitList<StudyHit> list;
-    const int page = std::min(most, std::numeric_limits<int>::max() - 1) + 1;
+    // One more than is wanted tells whether there are more.
+    const int page = std::min(most, usualPage - 1) + 1;
     const Result<void> asked =
         ask(*connection, question, "0020000D", page, [&](const JsonAnswer& one) {
             if (int(list.hits.size()) == most) {

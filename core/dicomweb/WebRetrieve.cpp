@@ -8,6 +8,7 @@
 #include "core/pacs/retrieve/RetrievePlan.h"
 
 #include <algorithm>
+#include <optional>
 
 namespace core {
 
@@ -53,12 +54,24 @@ Result<void> fetchSeries(WebConnection& connection, const QString& studyUid,
 
 Result<void> fetchAll(WebConnection& connection, const RetrievePlan& plan, WebIntake& intake)
 {
+    std::optional<Error> none;
+    bool lacksUnlisted = false;
     for (const RetrievePlan::Series& series : plan.series) {
         if (!series.instances.empty() && series.missing.isEmpty())
             continue;
-        if (Result<void> fetched = fetchSeries(connection, plan.studyUid, series, intake); !fetched)
+        const Result<void> fetched = fetchSeries(connection, plan.studyUid, series, intake);
+        if (fetched)
+            continue;
+        if (fetched.error().code != ErrorCode::NodeHasNone)
             return fetched;
+        // The other series come nevertheless.
+        if (!none)
+            none = fetched.error();
+        lacksUnlisted = lacksUnlisted || series.instances.empty();
     }
+    // What is missing of listed series the intake knows, and counts.
+    if (none && (lacksUnlisted || intake.received() == 0))
+        return tl::unexpected<Error>(*none);
     return {};
 }
 
@@ -85,13 +98,14 @@ Result<void> fetchPatiently(WebConnection& connection, const RetrievePlan& plan,
     }
 }
 
+/// @param total of objects; 0: nobody could list them before
 tl::unexpected<Error> incomplete(const WebNode& node, const WebIntake& intake, qsizetype total)
 {
+    const qsizetype missing = std::max<qsizetype>(1, intake.missing().size());
     Error error{ErrorCode::TransferIncomplete,
         {node.name(),
-            QStringLiteral("%1 of %2")
-                .arg(std::max<qsizetype>(1, intake.missing().size()))
-                .arg(total)}};
+            total > 0 ? QStringLiteral("%1 of %2").arg(missing).arg(total)
+                      : QString::number(missing)}};
     if (intake.refusal())
         error.arguments.append(intake.refusal()->arguments.value(1));
     return tl::unexpected<Error>(error);
@@ -107,11 +121,11 @@ Result<Retrieved> retrieve(
             Result<WebConnection> connection = WebConnection::open(node, progress);
             if (!connection)
                 return tl::unexpected<Error>(connection.error());
-            WebIntake intake(folder, plan.awaited(), node.name(), progress);
+            WebIntake intake(folder, plan.missing(), !plan.isKnown(), node.name(), progress);
             if (const Result<void> fetched = fetchPatiently(*connection, plan, intake); !fetched)
                 return tl::unexpected<Error>(fetched.error());
             if (!intake.missing().isEmpty() || intake.refusal() || intake.received() == 0)
-                return incomplete(node, intake, plan.instances().size());
+                return incomplete(node, intake, plan.isKnown() ? plan.instances().size() : 0);
             return intake.received();
         });
 }

@@ -34,6 +34,33 @@ std::optional<std::uint16_t> reasonIn(
         : std::optional<std::uint16_t>(0x0110);
 }
 
+/// The object of a STOW-RS answer in JSON; some servers put it into a list.
+QJsonObject objectIn(const QByteArray& bytes)
+{
+    const QJsonDocument document = QJsonDocument::fromJson(bytes);
+    return document.isArray() ? document.array().at(0).toObject() : document.object();
+}
+
+/// Whether an answer of success tells of an object that was stored. One that is empty, or in XML,
+/// is believed.
+Result<void> checkStored(const WebNode& node, const Clause& what, const WebAnswer& answer,
+    const QByteArray& bytes, const QJsonObject& told)
+{
+    const QByteArray type = answer.contentType.toLower();
+    if (bytes.isEmpty())
+        return {};
+    if (type.contains("html")) {
+        return failure(ErrorCode::NodeNonsense, node.name(),
+            Clause::saying("it answers with '%1' where DICOM JSON was asked for",
+                QString::fromLatin1(answer.contentType.left(60))));
+    }
+    if (type.contains("json") && told[u"00081199"].toObject()[u"Value"].toArray().isEmpty()) {
+        return failure(ErrorCode::NodeFailed, node.name(), what,
+            Clause::saying("its answer names nothing that it stored"));
+    }
+    return {};
+}
+
 } // namespace
 
 Result<SentObjects> sendFiles(
@@ -56,12 +83,15 @@ Result<SentObjects> sendFiles(
         const Result<WebAnswer> answer = connection->postFile("/studies", file, what, sink);
         if (!answer)
             return tl::unexpected<Error>(answer.error());
-        const QJsonObject told = QJsonDocument::fromJson(sink.bytes()).object();
+        const QJsonObject told = objectIn(sink.bytes());
         const auto failed = reasonIn(told, "00081198", "00081197");
         if (failed || answer->status == 409) {
             return failure(
                 ErrorCode::NodeFailed, node.name(), what, statusText(failed.value_or(0x0110)));
         }
+        if (const Result<void> stored = checkStored(node, what, *answer, sink.bytes(), told);
+            !stored)
+            return tl::unexpected<Error>(stored.error());
         if (const auto warned = reasonIn(told, "00081199", "00081196"))
             result.warnings.append(QStringLiteral("%1: %2").arg(name, statusText(*warned)));
         ++result.sent;

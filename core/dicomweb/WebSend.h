@@ -7,7 +7,8 @@
 namespace core {
 
 /// Stores DICOM files unchanged by STOW-RS, as sendFiles() does at a DICOM node. Errors:
-/// FileUnreadable and similar (then nothing was sent), those of WebConnection, NodeFailed.
+/// FileUnreadable and similar (then nothing was sent), those of WebConnection, NodeNonsense,
+/// NodeFailed, also if the answer does not name the object as stored.
 [[nodiscard]] Result<SentObjects> sendFiles(
     const WebNode& node, const QStringList& files, const Progress& progress);
 

@@ -2,6 +2,7 @@
 #include "core/dicom/deidentify/Deidentifier.h"
 #include "core/dicom/write/SrWriter.h"
 #include "core/export/common/StatisticsText.h"
+#include "core/measure/MeasuredSize.h"
 
 #include <QFile>
 
@@ -39,9 +40,11 @@ Result<void> writeReport(const QString& path, const Volume& volume, const Export
         .measured = {},
         .geometry = volume.geometry,
         .unit = volume.unit,
+        .sizesInVoxels = unknownSpacing(volume) != UnknownSpacing::Nothing,
         .deidentifier = request.deidentifier};
     for (const SegmentStatistics& each : all) {
         content.groups.push_back({.segment = each.segment,
+            .voxels = each.voxels,
             .volumeMl = each.millilitres,
             .surfaceMm2 = each.surfaceMm2,
             .sphericity = each.sphericity,
@@ -104,14 +107,20 @@ Result<ReportLines> writeStatistics(const QString& path, const Volume& volume,
             ReportSentence{ReportCode::ValuesRounded, {QString::number(volume.encoding.maxError)}};
     if (!volume.geometry.slicePositions.empty())
         report.cautions += ReportSentence{ReportCode::UnevenInVolumes};
+    // Millilitres that nobody measured are told nowhere.
+    const bool isMeasured = unknownSpacing(volume) == UnknownSpacing::Nothing;
     std::vector<ReportSentence> volumes;
-    for (const SegmentStatistics& each : *all)
-        volumes.push_back(
-            {ReportCode::VolumeOf, {each.segment.name, QString::number(each.millilitres, 'f', 3)}});
+    for (const SegmentStatistics& each : *all) {
+        if (isMeasured)
+            volumes.push_back({ReportCode::VolumeOf,
+                {each.segment.name, QString::number(each.millilitres, 'f', 3)}});
+        else
+            volumes.push_back({ReportCode::Quoted, {each.segment.name}});
+    }
     ReportLines lines{ReportSentence{
         ReportCode::Statistics, {inReport(ReportSentence{format}), inReport(std::move(volumes))}}};
     for (const SegmentStatistics& each : *all) {
-        if (each.sinceImport)
+        if (each.sinceImport && isMeasured)
             lines += ReportSentence{ReportCode::SinceImport,
                 {each.segment.name, QString::number(each.sinceImport->addedMl, 'f', 3),
                     QString::number(each.sinceImport->takenMl, 'f', 3),

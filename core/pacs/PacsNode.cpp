@@ -56,6 +56,15 @@ Result<void> PacsNode::check() const
         return failure(ErrorCode::InvalidField, QStringLiteral("timeout"),
             Clause::saying("it is 1 second or more"));
     }
+    // Who names a certificate means a secured connection, and would not get one.
+    if (!tls.wanted() && !(tls.certificateFile.isEmpty() && tls.keyFile.isEmpty())) {
+        return failure(ErrorCode::InvalidField, QStringLiteral("authority"),
+            Clause::saying("without it the connection would not be encrypted"));
+    }
+    if (tls.certificateFile.isEmpty() != tls.keyFile.isEmpty()) {
+        return failure(ErrorCode::InvalidField, QStringLiteral("key"),
+            Clause::saying("certificate and key go together"));
+    }
     return {};
 }
 

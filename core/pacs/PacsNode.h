@@ -12,7 +12,7 @@ struct PacsTls {
     /// Certificates of the authority that signed the node's; empty: no TLS. DCMTK does not compare
     /// host names, so the authority should have signed only the node's certificate.
     QString authorityFile;
-    QString certificateFile; ///< our own, if the node requires one
+    QString certificateFile; ///< our own, if the node requires one; with keyFile and authorityFile
     QString keyFile;
 
     [[nodiscard]] bool wanted() const { return !authorityFile.isEmpty(); }
@@ -32,7 +32,7 @@ struct PacsNode {
     /// Parses what name() returns. Errors: InvalidField.
     [[nodiscard]] static Result<PacsNode> parse(const QString& text);
     /// Errors: InvalidField for a title that DICOM does not allow (it has 1 to 16 ASCII characters
-    /// and no backslash) or an invalid port.
+    /// and no backslash), an invalid port, or files for TLS of which one is missing.
     [[nodiscard]] Result<void> check() const;
 };
 

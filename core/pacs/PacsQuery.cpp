@@ -277,7 +277,9 @@ Result<std::vector<InstanceHit>> findInstances(const PacsNode& node, const QStri
             hits.push_back(std::move(hit));
         return true;
     });
-    if (!asked)
+    // Half a list would be taken for the whole of it.
+    const bool listsNone = hits.empty() && !asked && asked.error().code == ErrorCode::NodeFailed;
+    if (!asked && !listsNone)
         return tl::unexpected<Error>(asked.error());
     return hits;
 }

@@ -38,6 +38,12 @@ Patience::Lost Patience::lost(Clock::time_point now) const
     return m_most > Seconds::zero() && now - m_begin >= m_most ? Lost::Whole : Lost::No;
 }
 
+Patience::Clock::time_point Patience::lastSign() const
+{
+    const std::lock_guard lock(m_mutex);
+    return m_sign;
+}
+
 Error Patience::error(const QString& nodeName, Lost how) const
 {
     const Seconds limit = how == Lost::Whole ? m_most : m_timeout;

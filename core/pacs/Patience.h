@@ -35,6 +35,8 @@ public:
     void whole(Clock::time_point now = Clock::now());
 
     [[nodiscard]] Lost lost(Clock::time_point now = Clock::now()) const;
+    /// When something was transferred last; silence counts from there.
+    [[nodiscard]] Clock::time_point lastSign() const;
     /// The error NodeTimeout for the machine of that name.
     [[nodiscard]] Error error(const QString& nodeName, Lost how) const;
 

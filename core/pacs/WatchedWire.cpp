@@ -117,13 +117,17 @@ public:
     }
     OFBool networkDataAvailable(int timeout) override
     {
-        using Clock = std::chrono::steady_clock;
-        const auto until = Clock::now() + std::chrono::seconds(timeout);
+        using Clock = Patience::Clock;
+        auto until = Clock::now() + std::chrono::seconds(timeout);
         for (;;) {
             if (isCancelled() || endedByWatch())
                 return OFFalse;
             if (m_inner->networkDataAvailable(0))
                 return OFTrue;
+            // A sign of life may come on another connection, as objects of a C-MOVE do.
+            if (timeout > 0)
+                until =
+                    std::max(until, m_state.patience->lastSign() + std::chrono::seconds(timeout));
             const auto left =
                 std::chrono::duration_cast<std::chrono::milliseconds>(until - Clock::now());
             if (left.count() <= 0) {

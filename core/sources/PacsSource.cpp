@@ -59,6 +59,26 @@ WebNode webNode(const QJsonObject& json)
     return node;
 }
 
+void dropTls(PacsNode& node)
+{
+    node.tls = {};
+}
+
+void dropTls(WebNode& node)
+{
+    node.authorityFile.clear();
+    node.certificateFile.clear();
+    node.keyFile.clear();
+}
+
+/// Whether an entry says where a source is. A file for TLS that is missing is told when the source
+/// is asked, and can be named then.
+bool saysWhere(PacsSource source)
+{
+    std::visit([](auto& node) { dropTls(node); }, source.node);
+    return !source.name.isEmpty() && source.check();
+}
+
 } // namespace
 
 QString PacsSource::address() const
@@ -118,7 +138,7 @@ std::vector<PacsSource> sourcesFromJson(const QJsonArray& json)
             source.node = dicomNode(one);
         if (one.contains(key("movePort")))
             source.movePort = one[key("movePort")].toInt();
-        if (!source.name.isEmpty() && source.check())
+        if (saysWhere(source))
             all.push_back(std::move(source));
     }
     return all;

@@ -32,7 +32,9 @@ struct PacsSource {
     [[nodiscard]] Result<void> check() const;
 };
 
-/// Without passwords and tokens, which are never stored. Invalid entries are left out when reading.
+/// Without passwords and tokens, which are never stored. Invalid entries are left out when reading,
+/// except those that only lack a file for TLS: they are kept to be completed, and refused when
+/// used.
 [[nodiscard]] QJsonArray toJson(const std::vector<PacsSource>& sources);
 [[nodiscard]] std::vector<PacsSource> sourcesFromJson(const QJsonArray& json);
 /// Finds a source by its name, ignoring case; null if there is none.

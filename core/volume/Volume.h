@@ -135,7 +135,7 @@ struct Volume {
     StudyIdentity identity;
     VolumeGeometry geometry;
     VoxelEncoding encoding;
-    QString unit; ///< "HU" for CT, else what the source says; may be empty
+    QString unit; ///< "HU" for CT, "SUVbw" …, else what the source says; may be empty
     double minimum = 0.0;
     double maximum = 0.0;
     Histogram histogram;

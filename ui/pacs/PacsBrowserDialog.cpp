@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/pacs/PacsBrowserDialog.h"
 
+#include "core/pacs/retrieve/DownloadFolder.h"
 #include "ui/base/ErrorText.h"
 #include "ui/base/TabOrder.h"
 #include "ui/base/Theme.h"
@@ -30,6 +31,18 @@ namespace {
 
 const QString lastSourceKey = QStringLiteral("pacs/lastSource");
 constexpr int mostStudies = 500;
+
+/// What the source counts of a choice; −1: it does not say.
+int countOf(const HitsTree::Choice& choice)
+{
+    return choice.series ? choice.series->instances : choice.study.instances;
+}
+
+/// Whether a copy lacks some of what its source counts.
+bool isOutdated(const QString& copy, int counted)
+{
+    return QDir(copy).entryList({QStringLiteral("*.dcm")}, QDir::Files).size() < counted;
+}
 
 } // namespace
 
@@ -215,8 +228,7 @@ void PacsBrowserDialog::search()
                 else if (count == 0)
                     m_state->say(tr("No study there matches."));
                 else
-                    m_state->say(
-                        count == 1 ? tr("1 study") : tr("%1 studies").arg(count));
+                    m_state->say(count == 1 ? tr("1 study") : tr("%1 studies").arg(count));
             };
         },
         [this](const core::Error& error) { m_state->say(errorText(error), "bad"); });
@@ -256,7 +268,7 @@ QString PacsBrowserDialog::pathOf(const HitsTree::Choice& choice) const
 QString PacsBrowserDialog::copyOf(const HitsTree::Choice& choice) const
 {
     const QString path = pathOf(choice);
-    return QDir(path).exists() ? path : QString();
+    return QDir(path).exists() && !isOutdated(path, countOf(choice)) ? path : QString();
 }
 
 void PacsBrowserDialog::download(bool thenOpen)
@@ -271,12 +283,26 @@ void PacsBrowserDialog::download(bool thenOpen)
     m_progress->setRange(0, 0);
     m_state->say(tr("Asking %1 what it holds of it …").arg(m_searched.address()));
     m_downloadJob.start(
-        [this, asked = m_searched, wish, path, thenOpen, cache = m_cache,
+        [this, asked = m_searched, wish, path, counted = countOf(*choice), thenOpen,
+            cache = m_cache,
             limit = cacheLimitBytes()](const core::Progress& progress) -> std::function<void()> {
+            const bool isHere = QDir(path).exists();
+            const bool isOld = isHere && isOutdated(path, counted);
+            if (isOld && cache.isHeld(path)) {
+                return [this] {
+                    markCopies();
+                    m_state->say(tr("The copy that is open lacks images that the source holds by "
+                                    "now: close the study, then download it again."),
+                        "caution");
+                };
+            }
             core::Result<core::Retrieved> got;
-            if (const core::Result<void> ready = cache.prepare(); !ready)
+            core::Result<void> ready = cache.prepare();
+            if (ready && isOld)
+                ready = core::DownloadFolder::reopen(path);
+            if (!ready)
                 got = tl::unexpected<core::Error>(ready.error());
-            else if (QDir(path).exists())
+            else if (isHere && !isOld)
                 cache.touch(path);
             else
                 got = core::retrieve(asked, wish, path, progress);
@@ -343,8 +369,7 @@ void PacsBrowserDialog::reject()
     if (!m_downloadJob.running())
         return QDialog::reject();
     m_downloadJob.cancel();
-    m_state->say(
-        tr("Aborted. What has come is kept: the same download goes on from there."));
+    m_state->say(tr("Aborted. What has come is kept: the same download goes on from there."));
 }
 
 } // namespace ui

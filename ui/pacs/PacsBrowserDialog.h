@@ -50,8 +50,8 @@ private:
     void showCopies();
     void markCopies();
     [[nodiscard]] QString pathOf(const HitsTree::Choice& choice) const;
-    /// The folder of the local copy that holds the choice: its own, or its study's. Empty if there
-    /// is none.
+    /// The folder of the local copy that holds the choice. Empty if there is none, or if the source
+    /// holds more by now.
     [[nodiscard]] QString copyOf(const HitsTree::Choice& choice) const;
     void reject() override;
 

@@ -81,6 +81,7 @@ struct ImageHeader {
     double intercept = 0.0;
     QString rescaleType;
     QString units; ///< (0054,1001), PET
+    QString suvType; ///< (0054,1006), PET: to what uptake is related; empty: body weight
     std::optional<WindowLevel> window;
     bool inverted = false; ///< high values are displayed dark; the values themselves are unchanged
     std::optional<StoredRange> padding{}; ///< stored values of pixels outside the scanned region

@@ -156,6 +156,7 @@ Result<std::vector<ImageHeader>> read(const QString& path)
     readRescale(from, header);
     readWindow(from, header);
     header.units = from.text(DCM_Units);
+    header.suvType = from.text(DCM_SUVType);
     header.hasModalityLut = hasModalityLut(set);
     if (header.hasModalityLut)
         takeModalityLut(set, header);

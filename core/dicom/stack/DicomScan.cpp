@@ -42,6 +42,18 @@ QString seriesKey(const StudyIdentity& of)
     return madeUpName("series", {studyKey(of), of.seriesNumber, of.seriesDescription, of.modality});
 }
 
+/// Of PET images in g/ml. Any other kind of uptake has another unit, or none that is known.
+QString uptakeUnit(const QString& suvType)
+{
+    if (suvType.isEmpty() || suvType == QLatin1String("BW"))
+        return QStringLiteral("SUVbw");
+    // Lean body mass, by whatever formula.
+    if (suvType == QLatin1String("LBM") || suvType == QLatin1String("LBMJAMES128")
+        || suvType == QLatin1String("LBMJANMA"))
+        return QStringLiteral("SUVlbm");
+    return suvType == QLatin1String("IBW") ? QStringLiteral("SUVibw") : QStringLiteral("g/mL");
+}
+
 QString unitOf(const ImageHeader& image)
 {
     const QString& modality = image.identity.modality;
@@ -55,7 +67,9 @@ QString unitOf(const ImageHeader& image)
     if (image.units == QLatin1String("BQML"))
         return QStringLiteral("Bq/mL");
     if (image.units == QLatin1String("GML"))
-        return QStringLiteral("g/mL");
+        return uptakeUnit(image.suvType);
+    if (image.units == QLatin1String("CM2ML"))
+        return QStringLiteral("SUVbsa");
     return image.units;
 }
 

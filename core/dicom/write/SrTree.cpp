@@ -18,22 +18,61 @@ CodedConcept dicomCode(const char* value, const char* meaning)
     return schemeCode("DCM", value, meaning);
 }
 
+namespace {
+
+/// A unit that UCUM does not know, as it may stand between braces; a code has 16 characters.
+QString annotation(const QString& unit)
+{
+    constexpr qsizetype most = 14;
+    QString text;
+    for (const QChar c : unit) {
+        const bool isAllowed =
+            c > u' ' && c <= u'~' && c != u'{' && c != u'}' && c != u'\\' && text.size() < most;
+        if (isAllowed)
+            text += c;
+    }
+    return text;
+}
+
+} // namespace
+
 CodedConcept unitCode(const QString& unit)
 {
     if (unit == QLatin1String("HU"))
         return schemeCode("UCUM", "[hnsf'U]", "Hounsfield unit");
-    if (unit.startsWith(QLatin1String("SUV")) || unit == QLatin1String("g/mL"))
+    if (unit == QLatin1String("SUVbw"))
         return schemeCode("UCUM", "g/ml{SUVbw}", "Standardized Uptake Value body weight");
+    if (unit == QLatin1String("SUVlbm"))
+        return schemeCode("UCUM", "g/ml{SUVlbm}", "Standardized Uptake Value lean body mass");
+    if (unit == QLatin1String("SUVibw"))
+        return schemeCode("UCUM", "g/ml{SUVibw}", "Standardized Uptake Value ideal body weight");
+    if (unit == QLatin1String("SUVbsa"))
+        return schemeCode("UCUM", "cm2/ml{SUVbsa}", "Standardized Uptake Value body surface area");
+    if (unit == QLatin1String("g/mL"))
+        return schemeCode("UCUM", "g/ml", "gram per milliliter");
     if (unit == QLatin1String("Bq/mL") || unit == QLatin1String("BQML"))
         return schemeCode("UCUM", "Bq/ml", "Becquerels/milliliter");
-    return schemeCode("UCUM", "1", "no units");
+    const QString note = annotation(unit);
+    if (note.isEmpty() || unit == QLatin1String("NONE"))
+        return schemeCode("UCUM", "1", "no units");
+    return {.scheme = QStringLiteral("UCUM"),
+        .value = QStringLiteral("{%1}").arg(note),
+        .meaning = note};
 }
 
 CodedConcept quantityOf(const QString& unit, const QString& modality)
 {
     if (unit == QLatin1String("HU"))
         return dicomCode("112031", "Attenuation Coefficient");
-    if (unit.startsWith(QLatin1String("SUV")))
+    if (unit == QLatin1String("SUVbw"))
+        return dicomCode("126401", "SUVbw");
+    if (unit == QLatin1String("SUVlbm"))
+        return dicomCode("126402", "SUVlbm");
+    if (unit == QLatin1String("SUVbsa"))
+        return dicomCode("126403", "SUVbsa");
+    if (unit == QLatin1String("SUVibw"))
+        return dicomCode("126404", "SUVibw");
+    if (unit == QLatin1String("g/mL") && modality == QLatin1String("PT"))
         return dicomCode("126400", "Standardized Uptake Value");
     if (modality == QLatin1String("MR"))
         return dicomCode("110852", "MR signal intensity");

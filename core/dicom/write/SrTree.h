@@ -18,10 +18,11 @@ namespace core {
 [[nodiscard]] CodedConcept schemeCode(const char* scheme, const char* value, const char* meaning);
 /// A code of DICOM's own terminology, scheme DCM (PS3.16 annex D).
 [[nodiscard]] CodedConcept dicomCode(const char* value, const char* meaning);
-/// The UCUM code for the unit of the voxel values; "no units" if the unit is unknown.
+/// The UCUM code for the unit of the voxel values. A unit that UCUM does not know is an annotation,
+/// "{CNTS}"; "no units" if there is none.
 [[nodiscard]] CodedConcept unitCode(const QString& unit);
-/// The code for the quantity that the voxel values measure, such as attenuation or MR signal
-/// intensity.
+/// The code for the quantity that the voxel values measure, such as attenuation, standardised
+/// uptake or MR signal intensity.
 [[nodiscard]] CodedConcept quantityOf(const QString& unit, const QString& modality);
 
 /// Builds the tree of content items of a structured report (PS3.3 C.17.3). Each function adds one

@@ -53,6 +53,24 @@ void putEvidence(DcmDataset& set, const SegFile& seg, const SegSource& source,
         evidence, DCM_ReferencedSeriesSequence, DCM_ReferencedSOPSequence, source.slices);
 }
 
+void putSizes(DcmItem* item, const SrGroup& group, bool inVoxels, const SrTree& tree)
+{
+    const CodedConcept volume = schemeCode("SCT", "118565006", "Volume");
+    if (inVoxels) {
+        tree.number(item, volume, double(group.voxels), schemeCode("UCUM", "{voxels}", "voxels"));
+        return;
+    }
+    tree.number(item, volume, group.volumeMl, schemeCode("UCUM", "cm3", "cubic centimeter"));
+    tree.number(item, schemeCode("IBSI", "C0JK", "Surface Area of Mesh"), group.surfaceMm2,
+        schemeCode("UCUM", "mm2", "square millimeter"));
+    tree.number(item, schemeCode("IBSI", "QCFX", "Sphericity"), group.sphericity,
+        schemeCode("UCUM", "1", "no units"));
+    tree.number(item, schemeCode("IBSI", "L0JK", "Maximum 3D Diameter of a Mesh"), group.longestMm,
+        schemeCode("UCUM", "mm", "millimeter"));
+    tree.number(item, schemeCode("SCT", "103340004", "Short Axis"), group.acrossMm,
+        schemeCode("UCUM", "mm", "millimeter"));
+}
+
 void putGroup(DcmItem* measurements, const SrContent& content, const SegFile& seg,
     std::size_t index, const QString& series, const SrTree& tree)
 {
@@ -67,16 +85,7 @@ void putGroup(DcmItem* measurements, const SrContent& content, const SegFile& se
     tree.image(item, dicomCode("121191", "Referenced Segment"), "CONTAINS", UID_SegmentationStorage,
         seg.sopInstanceUid, int(index) + 1);
     tree.uid(item, "CONTAINS", dicomCode("121232", "Source series for segmentation"), series);
-    tree.number(item, schemeCode("SCT", "118565006", "Volume"), group.volumeMl,
-        schemeCode("UCUM", "cm3", "cubic centimeter"));
-    tree.number(item, schemeCode("IBSI", "C0JK", "Surface Area of Mesh"), group.surfaceMm2,
-        schemeCode("UCUM", "mm2", "square millimeter"));
-    tree.number(item, schemeCode("IBSI", "QCFX", "Sphericity"), group.sphericity,
-        schemeCode("UCUM", "1", "no units"));
-    tree.number(item, schemeCode("IBSI", "L0JK", "Maximum 3D Diameter of a Mesh"), group.longestMm,
-        schemeCode("UCUM", "mm", "millimeter"));
-    tree.number(item, schemeCode("SCT", "103340004", "Short Axis"), group.acrossMm,
-        schemeCode("UCUM", "mm", "millimeter"));
+    putSizes(item, group, content.sizesInVoxels, tree);
     const CodedConcept quantity = quantityOf(content.unit, content.identity.modality);
     const auto value = [&](double number, const CodedConcept& derivation) {
         tree.derived(item, quantity, number, unitCode(content.unit), derivation);
@@ -87,11 +96,13 @@ void putGroup(DcmItem* measurements, const SrContent& content, const SegFile& se
     value(group.maximum, schemeCode("SCT", "56851009", "Maximum"));
     value(group.median, schemeCode("SCT", "373099004", "Median"));
     if (const auto& since = group.sinceImport) {
-        const CodedConcept cm3 = schemeCode("UCUM", "cm3", "cubic centimeter");
-        tree.number(item, schemeCode("99BURIN", "IMPORT-ADDED", "Volume added since import"),
-            since->addedMl, cm3);
-        tree.number(item, schemeCode("99BURIN", "IMPORT-TAKEN", "Volume taken since import"),
-            since->takenMl, cm3);
+        if (!content.sizesInVoxels) {
+            const CodedConcept cm3 = schemeCode("UCUM", "cm3", "cubic centimeter");
+            tree.number(item, schemeCode("99BURIN", "IMPORT-ADDED", "Volume added since import"),
+                since->addedMl, cm3);
+            tree.number(item, schemeCode("99BURIN", "IMPORT-TAKEN", "Volume taken since import"),
+                since->takenMl, cm3);
+        }
         tree.number(item,
             schemeCode("99BURIN", "IMPORT-DICE", "Dice coefficient with the imported segment"),
             since->dice, schemeCode("UCUM", "1", "no units"));

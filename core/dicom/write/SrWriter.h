@@ -26,6 +26,7 @@ struct SrSinceImport {
 /// The measurements of one segment in a report.
 struct SrGroup {
     Segment segment;
+    std::int64_t voxels = 0;
     double volumeMl = 0.0;
     double surfaceMm2 = 0.0;
     double sphericity = 0.0;
@@ -50,6 +51,9 @@ struct SrContent {
     std::vector<Measured> measured{};
     VolumeGeometry geometry{}; ///< the grid on which it was measured
     QString unit; ///< of values: "HU", "SUVbw" …; may be empty
+    /// The source does not state the spacing: segments have their volume in voxels, and no other
+    /// size.
+    bool sizesInVoxels = false;
     /// the one with which the SEG was written; null: the patient's identity is kept
     std::shared_ptr<const Deidentifier> deidentifier;
 };
@@ -57,11 +61,11 @@ struct SrContent {
 /// Writes a DICOM SR measurement report (PS3.16 TID 1500, groups of TID 1411) to @p path as an
 /// Enhanced SR: one group per segment with tracking, finding, the segment of the SEG, its source
 /// series, volume (cm3), surface (mm2), sphericity, longest diameter and the longest one across it
-/// (mm; "Short Axis" of CID 7470), and values with their derivation; and one per measurement
-/// (SrMeasured.h), with which it is a Comprehensive 3D SR. What was changed since an import has
-/// concepts of Burin's own (scheme 99BURIN), since DICOM has no code for the Dice coefficient or
-/// for volumes added and taken. It uses plain dcmdata, since DCMTK's own templates accept only
-/// ASCII.
+/// (mm; "Short Axis" of CID 7470), or the number of voxels alone, and values with their derivation;
+/// and one per measurement (SrMeasured.h), with which it is a Comprehensive 3D SR. What was changed
+/// since an import has concepts of Burin's own (scheme 99BURIN), since DICOM has no code for the
+/// Dice coefficient or for volumes added and taken. It uses plain dcmdata, since DCMTK's own
+/// templates accept only ASCII.
 ///
 /// @returns sentences on what was normalised or left out of the source's header
 /// Errors: as for writeSeg(), and those of reading the SEG.

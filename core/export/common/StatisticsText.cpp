@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/export/common/StatisticsText.h"
 
+#include "core/measure/MeasuredSize.h"
+
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
 
+#include <algorithm>
+#include <array>
 #include <charconv>
 
 namespace core {
@@ -26,6 +30,18 @@ QByteArray cell(const QString& text)
         && !bytes.contains('\r'))
         return bytes;
     return '"' + bytes.replace("\"", "\"\"") + '"';
+}
+
+/// Whether a number is there although the source does not state the spacing. Those that are not
+/// would be millimetres that nobody measured.
+bool isKnown(const StatisticsNumber& number, bool spacingIsKnown)
+{
+    static constexpr std::array ofSpacing{"volumeMl", "surfaceMm2", "sphericity",
+        "longestDiameterMm", "acrossDiameterMm", "importAddedMl", "importTakenMl"};
+    return spacingIsKnown
+        || std::none_of(ofSpacing.begin(), ofSpacing.end(), [&number](const char* name) {
+               return QLatin1String(name) == QLatin1String(number.name);
+           });
 }
 
 } // namespace
@@ -59,6 +75,7 @@ std::vector<StatisticsNumber> numbersOf(const SegmentStatistics& s)
 
 QByteArray statisticsCsv(const std::vector<SegmentStatistics>& all, const Volume& volume)
 {
+    const bool spacingIsKnown = unknownSpacing(volume) == UnknownSpacing::Nothing;
     QByteArray text = "label,name,codingScheme,code,meaning,unit";
     // Columns of the import are there if a segment was imported, and empty for the others.
     SegmentStatistics columns;
@@ -77,8 +94,11 @@ QByteArray statisticsCsv(const std::vector<SegmentStatistics>& all, const Volume
                  segment.code.meaning, volume.unit})
             text += ',' + cell(word);
         const std::vector<StatisticsNumber> numbers = numbersOf(each);
-        for (const StatisticsNumber& number : numbers)
-            text += ',' + numberText(number.value);
+        for (const StatisticsNumber& number : numbers) {
+            text += ',';
+            if (isKnown(number, spacingIsKnown))
+                text += numberText(number.value);
+        }
         text += QByteArray(qsizetype(names.size() - numbers.size()), ',') + "\r\n";
     }
     return text;
@@ -87,6 +107,7 @@ QByteArray statisticsCsv(const std::vector<SegmentStatistics>& all, const Volume
 QByteArray statisticsJson(
     const std::vector<SegmentStatistics>& all, const Volume& volume, const StudyIdentity& identity)
 {
+    const bool spacingIsKnown = unknownSpacing(volume) == UnknownSpacing::Nothing;
     QJsonArray segments;
     for (const SegmentStatistics& each : all) {
         const Segment& segment = each.segment;
@@ -95,8 +116,10 @@ QByteArray statisticsJson(
         if (segment.code.isSet())
             entry[QStringLiteral("code")] =
                 QJsonArray{segment.code.scheme, segment.code.value, segment.code.meaning};
-        for (const StatisticsNumber& number : numbersOf(each))
-            entry[QLatin1String(number.name)] = number.value;
+        for (const StatisticsNumber& number : numbersOf(each)) {
+            if (isKnown(number, spacingIsKnown))
+                entry[QLatin1String(number.name)] = number.value;
+        }
         segments.append(entry);
     }
     const QJsonObject study{{QStringLiteral("studyUid"), identity.studyUid},

@@ -17,7 +17,8 @@ struct StatisticsNumber {
 /// last, and only of a segment that was imported.
 [[nodiscard]] std::vector<StatisticsNumber> numbersOf(const SegmentStatistics& statistics);
 
-/// RFC 4180, UTF-8: a line of names, then one line per segment.
+/// RFC 4180, UTF-8: a line of names, then one line per segment. Where the source does not state the
+/// spacing, volumes, surfaces, diameters and sphericity are empty, and are not in JSON.
 [[nodiscard]] QByteArray statisticsCsv(
     const std::vector<SegmentStatistics>& all, const Volume& volume);
 

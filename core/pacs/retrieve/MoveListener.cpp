@@ -12,6 +12,7 @@
 #include <dcmtk/dcmnet/dimse.h>
 
 #include <chrono>
+#include <set>
 #include <thread>
 #include <vector>
 
@@ -28,10 +29,27 @@ std::vector<const char*> pointers(const std::vector<QByteArray>& texts)
     return all;
 }
 
+/// Nodes give the whole move up if one kind of object is refused. What nobody asked for the intake
+/// refuses, object by object.
+std::vector<QByteArray> acceptableClasses(T_ASC_Parameters* parameters)
+{
+    std::set<QByteArray> found{UID_VerificationSOPClass};
+    const int count = ASC_countPresentationContexts(parameters);
+    for (int i = 0; i < count; ++i) {
+        T_ASC_PresentationContext context{};
+        if (ASC_getPresentationContext(parameters, i, &context).bad())
+            continue;
+        const QByteArray uid(context.abstractSyntax);
+        if (mayBeStorage(uid))
+            found.insert(uid);
+    }
+    return {found.begin(), found.end()};
+}
+
 OFCondition acceptContexts(T_ASC_Parameters* parameters)
 {
-    std::vector<const char*> classes = pointers(storageClasses());
-    classes.push_back(UID_VerificationSOPClass);
+    const std::vector<QByteArray> acceptable = acceptableClasses(parameters);
+    std::vector<const char*> classes = pointers(acceptable);
     std::vector<const char*> syntaxes = pointers(readableSyntaxes());
     return ASC_acceptContextsWithPreferredTransferSyntaxes(
         parameters, classes.data(), int(classes.size()), syntaxes.data(), int(syntaxes.size()));

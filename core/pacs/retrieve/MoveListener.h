@@ -18,7 +18,7 @@ namespace core {
 class Association;
 
 /// Receives the objects of a C-MOVE: it listens on a port, on its own thread, during the move, and
-/// accepts one association after the other that is addressed to our title.
+/// accepts one association after the other that is addressed to our title, for objects of any kind.
 class MoveListener {
 public:
     /// @param intake used by that thread until stop() Errors: InvalidField (the port is in use, or

@@ -78,12 +78,12 @@ QString writeAll(QFile& file, const char* bytes, qint64 size)
 
 } // namespace
 
-ObjectIntake::ObjectIntake(
-    const DownloadFolder& folder, const QSet<QString>& awaited, int total, const Progress& progress)
+ObjectIntake::ObjectIntake(const DownloadFolder& folder, const QSet<QString>& awaited,
+    bool takesAll, const Progress& progress)
     : m_folder(folder)
-    , m_takesAll(awaited.isEmpty())
+    , m_takesAll(takesAll)
     , m_missing(awaited)
-    , m_total(total)
+    , m_total(takesAll ? 0 : int(awaited.size()))
     , m_progress(progress)
 {
 }
@@ -127,6 +127,9 @@ Result<std::uint16_t> ObjectIntake::write(
         trouble = file.errorString();
     const Result<void> received =
         association.receiveData(context, [&](const char* bytes, std::size_t size) {
+            ++m_pieces;
+            if (m_onPiece)
+                m_onPiece();
             // A disk that is full now may take the next bytes: a file with a hole.
             if (trouble.isEmpty())
                 trouble = writeAll(file, bytes, qint64(size));

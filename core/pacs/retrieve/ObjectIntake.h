@@ -10,7 +10,9 @@
 
 #include <atomic>
 #include <cstdint>
+#include <functional>
 #include <optional>
+#include <utility>
 
 struct T_DIMSE_C_StoreRQ;
 
@@ -22,8 +24,9 @@ class Association;
 /// damaged or were not requested are refused. Only for sources of core/pacs.
 class ObjectIntake {
 public:
-    /// @param awaited SOP instance UIDs; empty: all objects
-    ObjectIntake(const DownloadFolder& folder, const QSet<QString>& awaited, int total,
+    /// @param awaited SOP instance UIDs
+    /// @param takesAll whether other objects are taken too, since not all of them are known
+    ObjectIntake(const DownloadFolder& folder, const QSet<QString>& awaited, bool takesAll,
         const Progress& progress);
 
     /// Receives the object of a C-STORE request and answers. An error ends the transfer: those of
@@ -31,6 +34,11 @@ public:
     [[nodiscard]] Result<void> take(
         Association& association, std::uint8_t context, const T_DIMSE_C_StoreRQ& request);
 
+    /// To be called, on the thread that receives, for each piece of a requested object; while
+    /// nothing is received.
+    void setOnPiece(std::function<void()> onPiece) { m_onPiece = std::move(onPiece); }
+    /// How many pieces of requested objects have come.
+    [[nodiscard]] std::int64_t pieces() const { return m_pieces; }
     [[nodiscard]] int received() const { return m_received; }
     [[nodiscard]] const QSet<QString>& missing() const { return m_missing; }
     /// Why the first damaged object was refused.
@@ -43,8 +51,10 @@ private:
     const DownloadFolder& m_folder;
     bool m_takesAll;
     QSet<QString> m_missing;
-    int m_total;
+    int m_total; ///< 0: unknown
     std::atomic<int> m_received = 0; ///< read while a listener receives objects
+    std::atomic<std::int64_t> m_pieces = 0; ///< likewise
+    std::function<void()> m_onPiece;
     std::optional<Error> m_refusal;
     const Progress& m_progress;
 };

@@ -14,9 +14,8 @@
 #include <dcmtk/dcmdata/dctk.h>
 #include <dcmtk/dcmnet/dimse.h>
 
-#include <QSet>
-
 #include <algorithm>
+#include <cstdint>
 #include <cstring>
 #include <utility>
 #include <vector>
@@ -65,19 +64,20 @@ struct Conclusion {
 };
 
 /// A request under way: takes what comes until the node has said its last word on it. One that says
-/// again and again that it is at work, and sends no object, is given up.
+/// again and again that it is at work, and sends nothing of an object, is given up.
 /// @param stores the node stores on this association
 Result<void> follow(
     Association& association, ObjectIntake& intake, bool stores, Conclusion& conclusion)
 {
     const PacsNode& node = association.node();
     const Patience::Seconds longest = Patience::ofQuestion(node.timeoutSeconds);
-    auto lastObject = Patience::Clock::now();
-    int received = intake.received();
+    auto lastPiece = Patience::Clock::now();
+    std::int64_t known = intake.pieces();
     for (;;) {
-        if (std::exchange(received, intake.received()) != intake.received())
-            lastObject = Patience::Clock::now();
-        if (Patience::Clock::now() - lastObject > longest)
+        const std::int64_t pieces = intake.pieces();
+        if (std::exchange(known, pieces) != pieces)
+            lastPiece = Patience::Clock::now();
+        if (Patience::Clock::now() - lastPiece > longest)
             return failure(ErrorCode::NodeTimeout, node.name(), QString::number(longest.count()),
                 Clause::saying("it says that it is at work, and sends nothing"));
         std::uint8_t context = 0;
@@ -156,6 +156,9 @@ Result<Conclusion> fetch(const PacsNode& node, const RetrievePlan& plan, ObjectI
         return tl::unexpected<Error>(context.error());
     std::unique_ptr<MoveListener> listener;
     if (way.movePort) {
+        // Nodes need not say on this connection that they are at work (PS3.4 C.4.2.3): what comes
+        // on the other one says it.
+        intake.setOnPiece([&control = *association] { control.notePassed(); });
         Result<std::unique_ptr<MoveListener>> listening =
             MoveListener::start(node, *way.movePort, intake);
         if (!listening)
@@ -185,11 +188,12 @@ Result<Conclusion> fetch(const PacsNode& node, const RetrievePlan& plan, ObjectI
     return conclusion;
 }
 
-/// @param told of objects that nobody could list before
+/// @param total of objects; 0: nobody could list them before
 tl::unexpected<Error> incomplete(
     const PacsNode& node, const ObjectIntake& intake, const Conclusion& conclusion, qsizetype total)
 {
-    const qsizetype missing = std::max(intake.missing().size(), qsizetype(conclusion.failed));
+    const qsizetype missing =
+        std::max({qsizetype(1), intake.missing().size(), qsizetype(conclusion.failed)});
     if (!intake.refusal() && conclusion.status != 0 && intake.received() == 0) {
         return failure(ErrorCode::NodeFailed, node.name(), Clause::saying("the download"),
             statusText(conclusion.status));
@@ -212,14 +216,18 @@ Result<Retrieved> retrieve(const PacsNode& node, const RetrieveWish& wish, const
 {
     return retrieveInto(target, listingOf(node, progress), wish,
         [&](const RetrievePlan& plan, const DownloadFolder& folder) -> Result<int> {
-            const QSet<QString> awaited = plan.awaited();
-            ObjectIntake intake(folder, awaited, int(awaited.size()), progress);
+            ObjectIntake intake(folder, plan.missing(), !plan.isKnown(), progress);
             const Result<Conclusion> conclusion = fetch(node, plan, intake, way, progress);
             if (!conclusion)
                 return tl::unexpected<Error>(conclusion.error());
+            // Of a series that is not listed only the node can tell whether all of it came.
+            const bool toldBad =
+                conclusion->status != 0 && (!plan.isKnown() || intake.received() == 0);
             if (!intake.missing().isEmpty() || conclusion->failed > 0 || intake.refusal()
-                || (intake.received() == 0 && conclusion->status != 0))
-                return incomplete(node, intake, *conclusion, plan.instances().size());
+                || toldBad) {
+                return incomplete(
+                    node, intake, *conclusion, plan.isKnown() ? plan.instances().size() : 0);
+            }
             return intake.received();
         });
 }

@@ -78,11 +78,6 @@ QSet<QString> RetrievePlan::missing() const
     return all;
 }
 
-QSet<QString> RetrievePlan::awaited() const
-{
-    return isKnown() ? missing() : QSet<QString>();
-}
-
 std::vector<QByteArray> RetrievePlan::classes() const
 {
     QSet<QByteArray> found;

@@ -43,12 +43,11 @@ struct RetrievePlan {
         const Listing& listing, const RetrieveWish& wish);
 
     void lookWhatIsMissing(const DownloadFolder& folder);
-    /// Whether the node listed what to expect.
+    /// Whether the node listed what to expect, of every series.
     [[nodiscard]] bool isKnown() const;
     [[nodiscard]] QStringList instances() const;
+    /// What is listed and not here yet.
     [[nodiscard]] QSet<QString> missing() const;
-    /// As missing(); empty if it is not known what to expect.
-    [[nodiscard]] QSet<QString> awaited() const;
     /// SOP classes; empty if the node does not list all of them.
     [[nodiscard]] std::vector<QByteArray> classes() const;
 

@@ -48,8 +48,22 @@ const std::vector<QByteArray>& storageClasses()
         "1.2.840.10008.5.1.4.1.1.88.33", // comprehensive report
         "1.2.840.10008.5.1.4.1.1.88.34", // comprehensive 3D report
         "1.2.840.10008.5.1.4.1.1.88.59", // key object selection
+        "1.2.840.10008.5.1.4.1.1.88.67", // X-ray radiation dose report
+        "1.2.840.10008.5.1.4.1.1.88.40", // procedure log
+        "1.2.840.10008.5.1.4.1.1.481.5", // RT plan
+        "1.2.840.10008.5.1.4.1.1.104.1", // PDF
+        "1.2.840.10008.5.1.4.1.1.66", // raw data
+        "1.2.840.10008.5.1.4.1.1.1.2", // digital mammography
+        "1.2.840.10008.5.1.4.1.1.3.1", // multi-frame ultrasound
+        "1.2.840.10008.5.1.4.1.1.11.2", // colour presentation state
     };
     return classes;
+}
+
+bool mayBeStorage(const QByteArray& classUid)
+{
+    return classUid.startsWith("1.2.840.10008.5.1.4.1.1.")
+        || !classUid.startsWith("1.2.840.10008.");
 }
 
 const std::vector<QByteArray>& readableSyntaxes()

@@ -37,6 +37,7 @@ private Q_SLOTS:
     void echo();
     void studyComesBack_data() { ways(); }
     void studyComesBack();
+    void unusualKindComesByMove();
     void searchFindsWhatItIsAskedFor_data() { servers(); }
     void searchFindsWhatItIsAskedFor();
     void realStudy_data();
@@ -120,6 +121,28 @@ void PacsRoundTripTest::studyComesBack()
     VERIFY_DONE(again);
     QCOMPARE(again->received, 0);
     QCOMPARE(again->kept, int(files.size()));
+}
+
+/// Orthanc gives the whole move up if one kind of object is refused.
+void PacsRoundTripTest::unusualKindComesByMove()
+{
+    test::PacsServer server(Program::Orthanc);
+    if (!server.absent().isEmpty())
+        QSKIP(qPrintable(server.absent()));
+    QVERIFY2(server.problem().isEmpty(), qPrintable(server.problem()));
+    const QTemporaryDir folder;
+    test::SyntheticSeries series;
+    series.size = {8, 8, 3};
+    series.adjust = [](DcmDataset& set, int k) {
+        if (k == 1)
+            set.putAndInsertString(DCM_SOPClassUID, UID_XRayRadiationDoseSRStorage);
+    };
+    const QStringList files = test::writeSeries(series, folder.filePath(QStringLiteral("sent")));
+    VERIFY_DONE(core::sendFiles(server.node(), files, core::Progress()));
+    const auto got = core::retrieve(server.node(), {.studyUid = series.studyUid, .seriesUid = {}},
+        folder.filePath(QStringLiteral("got")), {.movePort = server.movePort()}, core::Progress());
+    VERIFY_DONE(got);
+    QCOMPARE(got->received, 3);
 }
 
 void PacsRoundTripTest::searchFindsWhatItIsAskedFor()

@@ -26,6 +26,9 @@ private Q_SLOTS:
         patience.passed(100'000, begin + seconds(3));
         QVERIFY(patience.lost(begin + milliseconds(6999)) == Lost::No);
         QVERIFY(patience.lost(begin + seconds(7)) == Lost::Silence);
+        QVERIFY(patience.lastSign() == begin + seconds(3));
+        patience.whole(begin + seconds(5));
+        QVERIFY(patience.lastSign() == begin + seconds(5));
     }
 
     void aByteASecond()

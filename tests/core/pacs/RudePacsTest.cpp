@@ -76,10 +76,13 @@ QByteArray accepted(const QByteArray& request)
     return head(2, std::uint32_t(fixed.size() + items.size())) + fixed + items;
 }
 
-/// One message part with a command set in it (PS3.8 9.3.5), of context 1.
-QByteArray command(const QByteArray& set)
+constexpr char isCommand = 3; ///< and the last part of it
+constexpr char isData = 2; ///< likewise
+
+/// One message part with a set in it (PS3.8 9.3.5), of context 1.
+QByteArray message(char kind, const QByteArray& set)
 {
-    const QByteArray part = QByteArray(1, char(1)) + QByteArray(1, char(3)) + set;
+    const QByteArray part = QByteArray(1, char(1)) + QByteArray(1, kind) + set;
     QByteArray value;
     for (int shift = 24; shift >= 0; shift -= 8)
         value.append(char((std::uint32_t(part.size()) >> shift) & 0xffU));
@@ -101,18 +104,54 @@ QByteArray word(std::uint16_t value)
     return QByteArray(1, char(value & 0xff)) + QByteArray(1, char(value >> 8));
 }
 
-/// "I am at work": a response to C-GET or C-FIND with the status pending and no data.
-QByteArray pending(std::uint16_t field, const QByteArray& classUid)
+constexpr std::uint16_t atWork = 0xff00; ///< the status "pending"
+
+/// A response to C-GET, C-MOVE or C-FIND with this status, whose data follow if it has some.
+QByteArray response(std::uint16_t field, const QByteArray& classUid, std::uint16_t status,
+    const QByteArray& data = {})
 {
+    const std::uint16_t dataType = data.isEmpty() ? 0x0101 : 1;
     QByteArray uid = classUid;
     if (uid.size() % 2 != 0)
         uid.append('\0');
     const QByteArray rest = element(0x0002, uid) + element(0x0100, word(field))
-        + element(0x0120, word(1)) + element(0x0800, word(0x0101)) + element(0x0900, word(0xff00));
+        + element(0x0120, word(1)) + element(0x0800, word(dataType))
+        + element(0x0900, word(status));
     QByteArray size(4, '\0');
     size[0] = char(rest.size() & 0xff);
-    return command(element(0x0000, size) + rest);
+    const QByteArray said = message(isCommand, element(0x0000, size) + rest);
+    return data.isEmpty() ? said : said + message(isData, data);
 }
+
+/// The answer to a search for series: one, in Explicit VR Little Endian.
+QByteArray seriesFound(QByteArray uid)
+{
+    if (uid.size() % 2 != 0)
+        uid.append('\0');
+    return QByteArray("\x08\x00\x52\x00"
+                      "CS\x06\x00"
+                      "SERIES"
+                      "\x20\x00\x0e\x00"
+                      "UI",
+               20)
+        + word(std::uint16_t(uid.size())) + uid;
+}
+
+/// What the client says until it has named the level of what it asks for.
+QByteArray heardRequest(const Client& client)
+{
+    QByteArray all;
+    while (!all.contains("SERIES") && !all.contains("IMAGE")) {
+        const QByteArray more = client.hear();
+        if (more.isEmpty())
+            break;
+        all += more;
+    }
+    return all;
+}
+
+const QByteArray findModel = "1.2.840.10008.5.1.4.1.2.2.1";
+const QByteArray moveModel = "1.2.840.10008.5.1.4.1.2.2.2";
 
 } // namespace
 
@@ -139,9 +178,11 @@ private Q_SLOTS:
     void echoes();
     void searches_data();
     void searches();
+    void imagesThatNobodyLists();
     void handshakes();
     void downloadsThatNeverCome();
     void slowDownloadsComeThrough();
+    void movesWithoutAWord();
 };
 
 void RudePacsTest::echoes_data()
@@ -236,14 +277,14 @@ void RudePacsTest::searches_data()
     QTest::newRow("is at work for ever") << Talk([](const Client& client) {
         client.say(accepted(client.hear()));
         client.hear();
-        const QByteArray again = pending(0x8020, "1.2.840.10008.5.1.4.1.2.2.1");
+        const QByteArray again = response(0x8020, findModel, atWork);
         while (client.say(again))
             QTest::qSleep(200);
     });
     QTest::newRow("drips an answer") << Talk([](const Client& client) {
         client.say(accepted(client.hear()));
         client.hear();
-        client.drip(pending(0x8020, "1.2.840.10008.5.1.4.1.2.2.1"), 300);
+        client.drip(response(0x8020, findModel, atWork), 300);
         client.beSilent();
     });
 }
@@ -260,6 +301,25 @@ void RudePacsTest::searches()
     QVERIFY2(found.error().code == ErrorCode::NodeTimeout
             || found.error().code == ErrorCode::NodeNonsense,
         qPrintable(ui::errorText(found.error())));
+}
+
+/// Nodes may not support the search for images: what they hold is not known then, and that is no
+/// error.
+void RudePacsTest::imagesThatNobodyLists()
+{
+    const test::RudeServer server([](const Client& client) {
+        client.say(accepted(client.hear()));
+        client.hear();
+        client.say(response(0x8020, findModel, 0xa900));
+        client.beSilent();
+    });
+    const auto found = core::findInstances(
+        node(server), QStringLiteral("2.25.1"), QStringLiteral("2.25.2"), core::Progress());
+    VERIFY_DONE(found);
+    QVERIFY(found->empty());
+    // Of studies it is one.
+    const auto studies = core::findStudies(node(server), {}, 10, core::Progress());
+    VERIFY_ERROR(studies, ErrorCode::NodeFailed);
 }
 
 /// Inside of TLS nobody asks on the way.
@@ -332,6 +392,46 @@ void RudePacsTest::slowDownloadsComeThrough()
         folder.filePath(QStringLiteral("got")), {}, core::Progress());
     VERIFY_DONE(got);
     QCOMPARE(got->received, 2);
+}
+
+/// A node need not say that it is at work on a move. While objects come it is not silent, on the
+/// other connection.
+void RudePacsTest::movesWithoutAWord()
+{
+    const QTemporaryDir folder;
+    test::SyntheticSeries series;
+    series.size = {64, 64, 5};
+    const QStringList files = test::writeSeries(series, folder.filePath(QStringLiteral("sent")));
+    const int movePort = test::freePort();
+    const test::RudeServer server([&](const Client& client) {
+        const QByteArray proposal = client.hear();
+        const bool isMove = proposal.contains(moveModel);
+        client.say(accepted(proposal));
+        const QByteArray request = heardRequest(client);
+        if (isMove) {
+            const core::PacsNode us{.aeTitle = QStringLiteral("BURIN"),
+                .host = QStringLiteral("127.0.0.1"),
+                .port = movePort,
+                .ownAeTitle = QStringLiteral("RUDE"),
+                .timeoutSeconds = 2,
+                .tls = {}};
+            for (const QString& file : files) {
+                QTest::qSleep(1000);
+                static_cast<void>(core::sendFiles(us, {file}, core::Progress()));
+            }
+            client.say(response(0x8021, moveModel, 0));
+        } else if (request.contains("IMAGE")) {
+            client.say(response(0x8020, findModel, 0xa900));
+        } else {
+            client.say(response(0x8020, findModel, atWork, seriesFound(series.seriesUid.toLatin1()))
+                + response(0x8020, findModel, 0));
+        }
+        client.hear();
+    });
+    const auto got = core::retrieve(node(server, 3), {.studyUid = series.studyUid, .seriesUid = {}},
+        folder.filePath(QStringLiteral("got")), {.movePort = movePort}, core::Progress());
+    VERIFY_DONE(got);
+    QCOMPARE(got->received, 5);
 }
 
 BURIN_TEST(RudePacsTest)

@@ -47,7 +47,7 @@ WebReply WebArchive::answer(const QByteArray& line) const
         return "\"" + QByteArray(tag) + "\":{\"vr\":\"UI\",\"Value\":[\"" + value + "\"]}";
     };
     if (line.startsWith("POST "))
-        return {.body = "{}"};
+        return {.body = R"({"00081199":{"vr":"SQ","Value":[{}]}})"};
     if (asksForObjects(line)) {
         const QByteArray uid = line.mid(line.lastIndexOf('/') + 1);
         return {.contentType = multipartType,

@@ -76,12 +76,14 @@ private Q_SLOTS:
     void fromSearchToWindow_data();
     void fromSearchToWindow();
     void wholeStudy();
+    void oldCopiesAreRenewed();
     void nothingFound();
     void serverGone();
     void abortKeepsWhatCame();
     void datesAreChecked();
     void openCopiesStay();
     void sourcesAreKept();
+    void halfOfTlsIsCompleted();
     void masksAreSent();
 
 private:
@@ -286,6 +288,50 @@ void PacsBrowserUiTest::wholeStudy()
     QVERIFY(!folder.path().contains(QLatin1String("2.25.50")));
 }
 
+/// A copy that lacks some of what its source counts is no copy: the rest is fetched, unless the
+/// copy is open.
+void PacsBrowserUiTest::oldCopiesAreRenewed()
+{
+    NEED_SERVER;
+    ui::setPacsSources({web()});
+    ui::PacsBrowserDialog dialog;
+    dialog.show();
+    search(dialog);
+    QTreeWidgetItem* study = jane(dialog);
+    QVERIFY(study);
+    QTreeWidgetItem* series = study->child(0);
+    QCOMPARE(series->text(0), QStringLiteral("Series 1"));
+    child<QTreeWidget>(dialog, "pacsHits").setCurrentItem(series);
+    auto& download = child<QPushButton>(dialog, "pacsDownload");
+    const QString whole = QStringLiteral("✓ %1 images are here, each checked.").arg(m_slices);
+    download.click();
+    QTRY_COMPARE_WITH_TIMEOUT(stateOf(dialog), whole, patience);
+    QTRY_COMPARE(series->text(7), QStringLiteral("✓"));
+    QTRY_VERIFY(download.isEnabled());
+    const core::DownloadCache cache = ui::pacsCache();
+    const QDir copy(cache.pathOf(web().address(),
+        {.studyUid = QStringLiteral("2.25.500"), .seriesUid = QStringLiteral("2.25.5001")}));
+    const auto images = [&copy] {
+        return QDir(copy.path()).entryList({QStringLiteral("*.dcm")}, QDir::Files);
+    };
+    QCOMPARE(images().size(), m_slices);
+    QVERIFY(QFile::remove(copy.filePath(images().front())));
+    {
+        const core::DownloadCache::Hold open = cache.hold(copy.path());
+        QVERIFY(open);
+        download.click();
+        QTRY_VERIFY_WITH_TIMEOUT(
+            stateOf(dialog).startsWith(QLatin1String("The copy that is open lacks")), patience);
+        QCOMPARE(images().size(), m_slices - 1);
+        QCOMPARE(series->text(7), QString());
+    }
+    QTRY_VERIFY(download.isEnabled());
+    download.click();
+    QTRY_COMPARE_WITH_TIMEOUT(stateOf(dialog), whole, patience);
+    QCOMPARE(images().size(), m_slices);
+    QTRY_COMPARE(series->text(7), QStringLiteral("✓"));
+}
+
 void PacsBrowserUiTest::nothingFound()
 {
     NEED_SERVER;
@@ -428,6 +474,27 @@ void PacsBrowserUiTest::sourcesAreKept()
     QCOMPARE(kept[0].address(), QStringLiteral("PACS@10.0.0.7:104"));
     QCOMPARE(kept[1].name, QStringLiteral("Cloud"));
     QCOMPARE(std::get<core::WebNode>(kept[1].node).login.password, QStringLiteral("secret"));
+}
+
+/// A source of before that has a certificate and no authority is there, and asks for it.
+void PacsBrowserUiTest::halfOfTlsIsCompleted()
+{
+    const core::PacsNode node{.aeTitle = QStringLiteral("PACS"),
+        .host = QStringLiteral("10.0.0.7"),
+        .tls = {.authorityFile = {},
+            .certificateFile = QStringLiteral("/keys/own.pem"),
+            .keyFile = QStringLiteral("/keys/own.key")}};
+    ui::setPacsSources({{.name = QStringLiteral("Archive"), .node = node, .movePort = {}}});
+    ui::SourcesDialog dialog;
+    dialog.show();
+    QCOMPARE(child<QListWidget>(dialog, "sourcesList").count(), 1);
+    QCOMPARE(child<QLineEdit>(dialog, "sourceCertificate").text(), QStringLiteral("/keys/own.pem"));
+    auto& ok = *dialog.findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok);
+    QVERIFY(!ok.isEnabled());
+    QVERIFY(child<QLabel>(dialog, "sourcesState").text().contains(QLatin1String("authority")));
+    child<QLineEdit>(dialog, "sourceAuthority").setText(QStringLiteral("/keys/ca.pem"));
+    QVERIFY(ok.isEnabled());
+    QCOMPARE(child<QLabel>(dialog, "sourcesState").text(), QString());
 }
 
 void PacsBrowserUiTest::masksAreSent()

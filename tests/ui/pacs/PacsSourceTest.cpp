@@ -51,6 +51,8 @@ private Q_SLOTS:
     void settingsKeepNoPassword();
     void nonsenseIsLeftOut();
     void namesAreNoAddresses();
+    void halfOfTlsIsRefused_data();
+    void halfOfTlsIsRefused();
 };
 
 void PacsSourceTest::bothKindsAreKept()
@@ -114,6 +116,50 @@ void PacsSourceTest::namesAreNoAddresses()
     QVERIFY(!source.check().has_value());
     source.name = QStringLiteral("https://x");
     QVERIFY(!source.check().has_value());
+}
+
+void PacsSourceTest::halfOfTlsIsRefused_data()
+{
+    QTest::addColumn<QString>("authority");
+    QTest::addColumn<QString>("certificate");
+    QTest::addColumn<QString>("key");
+    QTest::addColumn<QString>("missing");
+    const QString file = QStringLiteral("/keys/a.pem");
+    const QString none;
+    QTest::newRow("nothing") << none << none << none << none;
+    QTest::newRow("an authority") << file << none << none << none;
+    QTest::newRow("everything") << file << file << file << none;
+    QTest::newRow("no authority") << none << file << file << QStringLiteral("authority");
+    QTest::newRow("a certificate alone") << none << file << none << QStringLiteral("authority");
+    QTest::newRow("a key alone") << none << none << file << QStringLiteral("authority");
+    QTest::newRow("no key") << file << file << none << QStringLiteral("key");
+    QTest::newRow("no certificate") << file << none << file << QStringLiteral("key");
+}
+
+/// A node with a certificate of ours is spoken to with TLS or not at all. What was stored stays, so
+/// that it can be completed.
+void PacsSourceTest::halfOfTlsIsRefused()
+{
+    QFETCH(QString, authority);
+    QFETCH(QString, certificate);
+    QFETCH(QString, key);
+    QFETCH(QString, missing);
+    core::PacsSource source = archive();
+    auto& node = std::get<core::PacsNode>(source.node);
+    node.tls = {.authorityFile = authority, .certificateFile = certificate, .keyFile = key};
+    const core::Result<void> sound = source.check();
+    QCOMPARE(sound.has_value(), missing.isEmpty());
+    if (!sound) {
+        QCOMPARE(sound.error().code, core::ErrorCode::InvalidField);
+        QCOMPARE(sound.error().arguments.value(0), missing);
+        const auto asked = core::echoNode(source, core::Progress());
+        QVERIFY(!asked);
+        QCOMPARE(asked.error().code, core::ErrorCode::InvalidField);
+    }
+    const auto kept = core::sourcesFromJson(core::toJson({source}));
+    QCOMPARE(kept.size(), std::size_t(1));
+    QCOMPARE(std::get<core::PacsNode>(kept[0].node).tls.certificateFile, certificate);
+    QCOMPARE(std::get<core::PacsNode>(kept[0].node).tls.keyFile, key);
 }
 
 BURIN_TEST(PacsSourceTest)
