@@ -99,8 +99,7 @@ void SketchTool::press(const PointerSample& sample, const ViewContext& view)
 {
     if (!m_workspace.volume() || !worksIn(view) || m_strokeView)
         return;
-    m_modifiers = sample.modifiers;
-    m_withEraser = sample.eraserEnd;
+    m_drawn = {.modifiers = sample.modifiers, .withEraser = sample.eraserEnd};
     m_strokeView = view;
     m_path.clear();
     m_pressedPixels = sample.isPen && m_byPressure ? m_reachMm / view.mmPerPixel() : 0.0;
@@ -135,14 +134,17 @@ void SketchTool::release(const PointerSample&, const ViewContext&)
 {
     if (!m_strokeView)
         return;
+    const int active = m_workspace.activeSegment();
+    if (m_workspace.session()->foreseenDocument().segment(active))
+        m_drawn.segment = active;
+    m_drawn.growthPlane = m_workspace.growthPlane();
     // On the 3D view the sketch is not over before it is known what was seen.
     const bool waits = !finishOtherwise(m_path.points, *m_strokeView) && !commitOnSlice();
     if (waits)
         askWhatIsSeen();
     m_strokeView.reset();
     m_path.clear();
-    m_modifiers = {};
-    m_withEraser = false;
+    m_drawn = {};
     if (!waits)
         sketchOver();
     Q_EMIT overlayChanged();
@@ -177,17 +179,15 @@ void SketchTool::askWhatIsSeen()
     const auto& scene = std::get<gpu::VolumeScene>(m_strokeView->scene);
     ui::askWhatIsSeen(m_workspace, scene,
         planePointsUnder(m_path, *m_strokeView, *m_workspace.volume()),
-        [tool = QPointer<SketchTool>(this), modifiers = m_modifiers, eraser = m_withEraser, scene](
+        [tool = QPointer<SketchTool>(this), drawn = m_drawn, scene](
             const core::Result<SeenVoxels>& seen) {
             if (!tool)
                 return;
             // The next sketch may have begun, with other keys.
-            const auto nextModifiers = std::exchange(tool->m_modifiers, modifiers);
-            const bool nextEraser = std::exchange(tool->m_withEraser, eraser);
+            const Drawn next = std::exchange(tool->m_drawn, drawn);
             tool->commitSeen(seen, scene);
             tool->m_seenAlong.clear();
-            tool->m_modifiers = nextModifiers;
-            tool->m_withEraser = nextEraser;
+            tool->m_drawn = next;
             if (!tool->drawing())
                 tool->sketchOver();
         });

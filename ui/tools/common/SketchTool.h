@@ -9,6 +9,7 @@
 #include <QJsonObject>
 #include <QStringList>
 
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -77,12 +78,16 @@ protected:
 
     [[nodiscard]] Workspace& workspace() const { return m_workspace; }
     /// The modifiers at pen-down of the sketch that is drawn or committed.
-    [[nodiscard]] Qt::KeyboardModifiers modifiers() const { return m_modifiers; }
+    [[nodiscard]] Qt::KeyboardModifiers modifiers() const { return m_drawn.modifiers; }
     /// Whether it is drawn with Ctrl or with the pen's eraser end.
     [[nodiscard]] bool isInverse() const
     {
-        return m_withEraser || m_modifiers.testFlag(Qt::ControlModifier);
+        return m_drawn.withEraser || m_drawn.modifiers.testFlag(Qt::ControlModifier);
     }
+    /// The segment that was active at pen-up of the sketch that is committed, in the 3D view maybe
+    /// long ago; 0: none was.
+    [[nodiscard]] int segment() const { return m_drawn.segment; }
+    [[nodiscard]] std::uint8_t growthPlane() const { return m_drawn.growthPlane; } ///< likewise
     /// Voxels on which the user saw a surface, each with the direction of view
     /// (LookingDirection.h), while a sketch is committed; empty: it was drawn on a slice or on
     /// brightest voxels.
@@ -91,6 +96,14 @@ protected:
     [[nodiscard]] bool drawing() const { return m_strokeView.has_value(); }
 
 private:
+    /// What belongs to a sketch until it is committed, which may be after the next one began.
+    struct Drawn {
+        Qt::KeyboardModifiers modifiers{}; ///< at pen-down
+        bool withEraser = false;
+        int segment = 0; ///< at pen-up, as is the plane
+        std::uint8_t growthPlane = 0;
+    };
+
     [[nodiscard]] bool commitOnSlice(); ///< returns whether the view is a slice
     void addPoint(const PointerSample& sample);
     void paintSketch(QPainter& painter) const;
@@ -103,8 +116,7 @@ private:
     bool m_byPressure = false;
     double m_reachMm = 3.0; ///< to each side, of a pen that is fully pressed
     double m_pressedPixels = 0.0; ///< the same at pen-down, in pixels; 0: the sketch is a line
-    Qt::KeyboardModifiers m_modifiers;
-    bool m_withEraser = false;
+    Drawn m_drawn;
     SeenAlong m_seenAlong;
 };
 

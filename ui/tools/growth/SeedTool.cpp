@@ -232,7 +232,8 @@ QWidget* SeedTool::createOptions(QWidget* parent)
 
 void SeedTool::commit(const std::vector<glm::ivec3>& voxels)
 {
-    const core::Result<int> label = ensureActiveSegment(workspace());
+    const core::Result<int> label =
+        segment() == 0 ? ensureActiveSegment(workspace()) : core::Result<int>(segment());
     if (!label) {
         workspace().fail(label.error());
         return;
@@ -242,7 +243,9 @@ void SeedTool::commit(const std::vector<glm::ivec3>& voxels)
     stroke.segment = *label;
     for (const glm::ivec3& voxel : voxels)
         stroke.pointsLps.push_back(workspace().volume()->geometry.toWorld(glm::dvec3(voxel)));
-    const QString name = workspace().session()->foreseenDocument().segment(*label)->name;
+    const core::Document document = workspace().session()->foreseenDocument();
+    const core::Segment* seeded = document.segment(*label); // it may be gone since it was sketched
+    const QString name = seeded ? seeded->name : QString::number(*label);
     apply(stroke,
         voxels.size() == 1 ? tr("One seed voxel for %1").arg(name)
                            : tr("%1 seed voxels for %2").arg(voxels.size()).arg(name));
