@@ -128,6 +128,10 @@ void BrushTool::press(const PointerSample& sample, const ViewContext& view)
         return;
     if (m_stroke)
         return sayStrokeWaits(m_workspace);
+    if (const QString why = whyNot(isInverse(sample)); !why.isEmpty()) {
+        showCursor(sample, view.view);
+        return m_workspace.say(why);
+    }
     m_stroke = std::make_shared<Stroke>();
     m_stroke->view = view;
     m_stroke->path = pathIn(view);

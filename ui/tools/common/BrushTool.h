@@ -56,6 +56,8 @@ protected:
     [[nodiscard]] virtual bool isTurned() const { return false; }
     /// "paints Liver", "erases Liver", or why it cannot.
     [[nodiscard]] virtual QString action(bool inverted) const = 0;
+    /// Why no stroke can begin, as a sentence; empty: one can, as far as is known before it.
+    [[nodiscard]] virtual QString whyNot(bool /*inverted*/) const { return {}; }
     /// Which voxels may change, in words; empty if all may.
     [[nodiscard]] virtual QString limits() const { return {}; }
     /// How it follows edges on slices, in words; empty if it does not.

@@ -74,6 +74,12 @@ QString PaintTool::action(bool inverted) const
     return (inverted ? tr("erases %1") : tr("paints %1")).arg(segment->name);
 }
 
+QString PaintTool::whyNot(bool inverted) const
+{
+    const bool isEmpty = workspace().session()->foreseenDocument().segments.empty();
+    return inverted && isEmpty ? tr("There is no segment to erase") : QString();
+}
+
 QString PaintTool::limits() const
 {
     return limitsText(workspace());

@@ -28,6 +28,7 @@ public:
 protected:
     [[nodiscard]] bool isTurned() const override { return m_erases; }
     [[nodiscard]] QString action(bool inverted) const override;
+    [[nodiscard]] QString whyNot(bool inverted) const override;
     [[nodiscard]] QString limits() const override;
     [[nodiscard]] QString edges() const override;
     [[nodiscard]] QColor colour() const override;
