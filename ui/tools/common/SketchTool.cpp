@@ -5,6 +5,7 @@
 #include "ui/tools/aim/CursorLabel.h"
 #include "ui/tools/aim/LookingDirection.h"
 #include "ui/tools/aim/SeenVoxels.h"
+#include "ui/tools/aim/WaitingStroke.h"
 #include "ui/tools/common/PenPressure.h"
 #include "ui/workspace/Workspace.h"
 
@@ -36,8 +37,10 @@ SketchTool::SketchTool(Workspace& workspace, QObject* parent)
     connect(&workspace, &Workspace::sessionChanged, this, [this] {
         m_strokeView.reset();
         m_path.clear();
+        m_waiting.clear();
         sketchOver();
         Q_EMIT overlayChanged();
+        Q_EMIT stepsChanged();
     });
 }
 
@@ -141,7 +144,7 @@ void SketchTool::release(const PointerSample&, const ViewContext&)
     // On the 3D view the sketch is not over before it is known what was seen.
     const bool waits = !finishOtherwise(m_path.points, *m_strokeView) && !commitOnSlice();
     if (waits)
-        askWhatIsSeen();
+        askForSketch();
     m_strokeView.reset();
     m_path.clear();
     m_drawn = {};
@@ -161,6 +164,24 @@ void SketchTool::cancel()
     Q_EMIT overlayChanged();
 }
 
+void SketchTool::takeStepBack()
+{
+    if (drawing())
+        return cancel(); // it was drawn after those that wait
+    if (m_waiting.empty())
+        return;
+    m_waiting.pop_back();
+    sketchOver();
+    m_workspace.say(tr("The sketch was dropped"));
+    Q_EMIT overlayChanged();
+    Q_EMIT stepsChanged();
+}
+
+QString SketchTool::stepText() const
+{
+    return waitingStrokeText();
+}
+
 bool SketchTool::commitOnSlice()
 {
     if (!m_strokeView->isSlice())
@@ -174,22 +195,37 @@ bool SketchTool::commitOnSlice()
     return true;
 }
 
-void SketchTool::askWhatIsSeen()
+void SketchTool::askWhatIsSeen(const gpu::VolumeScene& scene,
+    const std::vector<glm::dvec2>& planeMm,
+    const std::function<void(const core::Result<SeenVoxels>&)>& then)
 {
-    const auto& scene = std::get<gpu::VolumeScene>(m_strokeView->scene);
-    ui::askWhatIsSeen(m_workspace, scene,
-        planePointsUnder(m_path, *m_strokeView, *m_workspace.volume()),
-        [tool = QPointer<SketchTool>(this), drawn = m_drawn, scene](
+    const auto asked = std::make_shared<const Drawn>(m_drawn);
+    m_waiting.push_back(asked);
+    Q_EMIT stepsChanged();
+    ui::askWhatIsSeen(m_workspace, scene, planeMm,
+        [tool = QPointer<SketchTool>(this), waiting = std::weak_ptr<const Drawn>(asked), then](
             const core::Result<SeenVoxels>& seen) {
-            if (!tool)
+            const std::shared_ptr<const Drawn> drawn = waiting.lock();
+            if (!tool || !drawn)
                 return;
+            std::erase(tool->m_waiting, drawn);
             // The next sketch may have begun, with other keys.
-            const Drawn next = std::exchange(tool->m_drawn, drawn);
-            tool->commitSeen(seen, scene);
-            tool->m_seenAlong.clear();
+            const Drawn next = std::exchange(tool->m_drawn, *drawn);
+            then(seen);
             tool->m_drawn = next;
             if (!tool->drawing())
                 tool->sketchOver();
+            Q_EMIT tool->stepsChanged();
+        });
+}
+
+void SketchTool::askForSketch()
+{
+    const auto& scene = std::get<gpu::VolumeScene>(m_strokeView->scene);
+    askWhatIsSeen(scene, planePointsUnder(m_path, *m_strokeView, *m_workspace.volume()),
+        [this, scene](const core::Result<SeenVoxels>& seen) {
+            commitSeen(seen, scene);
+            m_seenAlong.clear();
         });
 }
 

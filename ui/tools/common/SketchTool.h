@@ -10,6 +10,8 @@
 #include <QStringList>
 
 #include <cstdint>
+#include <functional>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -37,6 +39,10 @@ public:
     void drag(const PointerSample& sample, const ViewContext& view) override;
     void release(const PointerSample& sample, const ViewContext& view) override;
     void cancel() override;
+    /// Undo drops the last sketch whose voxels on the 3D view are not known yet.
+    [[nodiscard]] bool canTakeStepBack() const override { return !m_waiting.empty(); }
+    void takeStepBack() override;
+    [[nodiscard]] QString stepText() const override;
     /// Changes how far to each side a pen reaches that is fully pressed.
     void changeRadius(int steps) override;
 
@@ -94,6 +100,10 @@ protected:
     using SeenAlong = std::vector<std::pair<glm::ivec3, glm::dvec3>>;
     [[nodiscard]] const SeenAlong& seenAlong() const { return m_seenAlong; }
     [[nodiscard]] bool drawing() const { return m_strokeView.has_value(); }
+    /// Asks for the present sketch, which waits for the answer (SeenVoxels.h).
+    /// @param then not called if the sketch is dropped meanwhile
+    void askWhatIsSeen(const gpu::VolumeScene& scene, const std::vector<glm::dvec2>& planeMm,
+        const std::function<void(const core::Result<SeenVoxels>&)>& then);
 
 private:
     /// What belongs to a sketch until it is committed, which may be after the next one began.
@@ -107,7 +117,7 @@ private:
     [[nodiscard]] bool commitOnSlice(); ///< returns whether the view is a slice
     void addPoint(const PointerSample& sample);
     void paintSketch(QPainter& painter) const;
-    void askWhatIsSeen();
+    void askForSketch();
     void commitSeen(const core::Result<SeenVoxels>& seen, const gpu::VolumeScene& scene);
 
     Workspace& m_workspace;
@@ -117,6 +127,7 @@ private:
     double m_reachMm = 3.0; ///< to each side, of a pen that is fully pressed
     double m_pressedPixels = 0.0; ///< the same at pen-down, in pixels; 0: the sketch is a line
     Drawn m_drawn;
+    std::vector<std::shared_ptr<const Drawn>> m_waiting; ///< for answers, the last one at the end
     SeenAlong m_seenAlong;
 };
 

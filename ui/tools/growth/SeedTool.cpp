@@ -161,27 +161,21 @@ void SeedTool::move(const glm::dvec2& from, const glm::dvec2& to, const ViewCont
         return;
     }
     const auto& scene = std::get<gpu::VolumeScene>(view.scene);
-    ui::askWhatIsSeen(workspace(), scene, {view.toViewPlaneMm({to.x, to.y})},
-        [tool = QPointer<SeedTool>(this), stroke, scene](
-            const core::Result<SeenVoxels>& seen) mutable {
-            if (!tool)
-                return;
-            if (!seen) {
-                tool->workspace().fail(seen.error());
-                return;
-            }
-            if (seen->empty() || !seen->front()) {
-                tool->workspace().say(tool->nothingSeenText());
-                return;
-            }
+    askWhatIsSeen(scene, {view.toViewPlaneMm({to.x, to.y})},
+        [this, stroke, scene](const core::Result<SeenVoxels>& seen) {
+            if (!seen)
+                return workspace().fail(seen.error());
+            if (seen->empty() || !seen->front())
+                return workspace().say(nothingSeenText());
             const SeenVoxel& there = *seen->front();
-            const core::VolumeGeometry& known = tool->workspace().volume()->geometry;
-            stroke.pointsLps = {known.toWorld(glm::dvec3(there.voxel))};
-            std::vector<std::pair<glm::ivec3, glm::dvec3>> seenAlong;
-            if (const auto along = lookingDirection(scene, there.piece, known))
-                seenAlong.emplace_back(there.voxel, *along);
-            tool->workspace().seeds().noteSketch(stroke.segment, {there.voxel}, seenAlong);
-            tool->apply(stroke, tr("The seed was moved"));
+            const core::VolumeGeometry& known = workspace().volume()->geometry;
+            core::SeedStroke moved = stroke;
+            moved.pointsLps = {known.toWorld(glm::dvec3(there.voxel))};
+            SeenAlong along;
+            if (const auto looking = lookingDirection(scene, there.piece, known))
+                along.emplace_back(there.voxel, *looking);
+            workspace().seeds().noteSketch(moved.segment, {there.voxel}, along);
+            apply(moved, tr("The seed was moved"));
         });
 }
 

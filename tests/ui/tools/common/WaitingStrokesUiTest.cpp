@@ -16,6 +16,7 @@
 #include "ui/tools/growth/BarrierTool.h"
 #include "ui/tools/growth/PaintTool.h"
 #include "ui/tools/growth/SeedTool.h"
+#include "ui/tools/growth/ShrinkPreview.h"
 #include "ui/tools/growth/ShrinkTool.h"
 #include "ui/tools/sculpt/CarveBrushTool.h"
 #include "ui/tools/sculpt/DrillTool.h"
@@ -166,6 +167,44 @@ private Q_SLOTS:
         fixture.answered();
         QCOMPARE(fixture.rows(), rows + 1);
         QVERIFY(!fixture.lastEdit().get<core::ShrinkAt>().plane);
+    }
+
+    void undoDropsASketchThatWaits_data()
+    {
+        QTest::addColumn<bool>("shrinks");
+        QTest::newRow("seed") << false;
+        QTest::newRow("shrink") << true;
+    }
+    void undoDropsASketchThatWaits()
+    {
+        QFETCH(const bool, shrinks);
+        TwoSegments fixture;
+        ui::SeedTool seed(fixture.workspace);
+        ui::ShrinkTool shrink(fixture.workspace);
+        ui::SketchTool& tool = shrinks ? static_cast<ui::SketchTool&>(shrink) : seed;
+        fixture.workspace.setActiveSegment(shrinks ? 1 : 2);
+        fixture.workspace.setActiveTool(&tool);
+        QSignalSpy said(&fixture.workspace, &ui::Workspace::said);
+        QAction& undo = fixture.window.actionTable()[QStringLiteral("edit.undo")];
+        const std::size_t rows = fixture.rows();
+        const core::RowId position = fixture.session().history().position();
+        QVERIFY(!tool.canTakeStepBack());
+        fixture.drawUnanswered(tool);
+        QVERIFY(tool.canTakeStepBack());
+        QVERIFY(undo.text().contains(QStringLiteral("the stroke that is about to come")));
+        undo.trigger();
+        QVERIFY(!tool.canTakeStepBack());
+        QCOMPARE(said.back()[0].toString(), QStringLiteral("The sketch was dropped"));
+        if (shrinks)
+            QVERIFY(shrink.preview().words().isEmpty());
+        fixture.answered();
+        QCOMPARE(fixture.rows(), rows);
+        QCOMPARE(fixture.session().history().position(), position);
+        // The next one is carried out, and then there is nothing to drop.
+        fixture.drawUnanswered(tool);
+        fixture.answered();
+        QCOMPARE(fixture.rows(), rows + 1);
+        QVERIFY(!tool.canTakeStepBack());
     }
 
     void theDrillGoesInAsItWasSet()
