@@ -367,8 +367,10 @@ private Q_SLOTS:
         QVERIFY(fixture.lastEdit().is<core::ShrinkSteps>());
         auto* section = fixture.panel.findChild<ui::LeakSection*>();
         Q_EMIT section->goOnRequested(0); // an alarm of the active segment was accepted
-        fixture.stopped();
-        QCOMPARE(segmentsOf(fixture.lastEdit().as<core::GrowSteps>()), std::vector<int>{2});
+        const core::Edit* open = fixture.session().openEdit();
+        QVERIFY(open);
+        QCOMPARE(segmentsOf(open->as<core::GrowSteps>()), std::vector<int>{2});
+        fixture.click("growPlay"); // pause: it has far to go
     }
 
     void theOfferGoesWithTheGrowth_data()
