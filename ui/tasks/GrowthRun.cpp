@@ -26,7 +26,7 @@ GrowthRun::GrowthRun(Workspace& workspace, QObject* parent)
 
 void GrowthRun::begin(std::vector<GrowthTurn> turns, double generationsPerSecond)
 {
-    m_turns.clear();
+    dropTurns();
     m_nextTurn = false;
     if (turns.empty() || !beginBurst(growthOf(turns.front(), m_workspace), generationsPerSecond))
         return;
@@ -36,21 +36,37 @@ void GrowthRun::begin(std::vector<GrowthTurn> turns, double generationsPerSecond
 
 void GrowthRun::resume()
 {
-    m_turns.clear();
-    beginBurst(core::ResumeGrowth{.plane = m_workspace.growthPlane()},
-        m_workspace.growSettings().generationsPerSecond);
+    dropTurns();
+    m_resumed = resumeIn(m_workspace.growthPlane());
+}
+
+bool GrowthRun::resumeIn(std::uint8_t plane)
+{
+    return beginBurst(
+        core::ResumeGrowth{.plane = plane}, m_workspace.growSettings().generationsPerSecond);
 }
 
 void GrowthRun::goOn(std::uint8_t plane)
 {
-    if (m_turns.empty() && plane != m_workspace.growthPlane()) {
-        beginBurst(
-            core::ResumeGrowth{.plane = plane}, m_workspace.growSettings().generationsPerSecond);
+    if (m_resumed || (m_turns.empty() && plane != m_workspace.growthPlane())) {
+        resumeIn(plane);
         return;
     }
     const bool ofOthers = !m_turns.empty() && !activeGrows(m_turns.front(), m_workspace);
     begin(ofOthers ? m_turns : growthTurns(m_workspace),
         m_workspace.growSettings().generationsPerSecond);
+}
+
+void GrowthRun::forgetAlarm()
+{
+    if (!m_running)
+        dropTurns();
+}
+
+void GrowthRun::dropTurns()
+{
+    m_turns.clear();
+    m_resumed = false;
 }
 
 /// Whether what stands open is a burst. Somebody else's stroke or preview has closed it by itself.
@@ -64,7 +80,7 @@ void GrowthRun::pause()
 {
     if (isOpen())
         m_workspace.session()->extend(core::PauseGrowth{});
-    m_turns.clear();
+    dropTurns();
     finish();
 }
 
@@ -72,7 +88,7 @@ void GrowthRun::forget()
 {
     m_watch.stop();
     m_running = false;
-    m_turns.clear();
+    dropTurns();
     m_nextTurn = false;
 }
 
@@ -117,7 +133,7 @@ void GrowthRun::goToNextTurn()
     const core::History& history = session.history();
     if (std::size_t(history.position()) != history.rows().size()
         || history.rows().size() > m_mostRows) {
-        m_turns.clear();
+        dropTurns();
         return finish();
     }
     begin(m_turns, m_pace);
@@ -130,7 +146,7 @@ void GrowthRun::poll()
         return goToNextTurn();
     // Another edit, undo or export closes a running burst by itself.
     if (!isOpen()) {
-        m_turns.clear();
+        dropTurns();
         return finish();
     }
     const core::GrowthProgress progress = session->growthProgress();

@@ -34,10 +34,14 @@ public:
     /// Continues the last growth with the same criteria, as a single burst.
     void resume();
     /// Continues after a leak alarm. If the active segment was not in the turn that raised it, that
-    /// turn and those after it go on; otherwise the turns are planned anew.
+    /// turn and those after it go on; otherwise the turns are planned anew. A growth that was
+    /// resumed is resumed again.
     /// @param plane the label plane of the growth; another one than the active segment's goes on by
     ///     the criteria of its last growth
     void goOn(std::uint8_t plane);
+    /// To be called when an alarm was rejected, or when there is one that no burst has raised:
+    /// goOn() plans anew then. Has no effect while a growth runs.
+    void forgetAlarm();
     /// Ends the burst at its present generation and drops the turns that have not begun.
     void pause();
     /// To be called when another session is opened.
@@ -52,6 +56,8 @@ Q_SIGNALS:
     void completed(const GrowthTurn& last);
 
 private:
+    void dropTurns();
+    bool resumeIn(std::uint8_t plane);
     bool beginBurst(const core::Edit& growth, double generationsPerSecond);
     void poll();
     void goToNextTurn();
@@ -63,6 +69,7 @@ private:
     bool m_running = false;
     /// The turn that grows or raised an alarm, then those after it.
     std::vector<GrowthTurn> m_turns;
+    bool m_resumed = false; ///< the last burst was a resumed growth, which has no turns
     bool m_nextTurn = false; ///< m_turns.front() begins as soon as the session is idle
     /// Rows that the history may have then; more mean that the user did something else.
     std::size_t m_mostRows = 0;

@@ -5,6 +5,7 @@
 #include "core/edits/kinds/chunks/DivideSegment.h"
 #include "core/masks/ReadProbabilities.h"
 #include "core/session/SessionChunks.h"
+#include "core/session/questions/VoxelQuestions.h"
 #include "ui/texts/MaskTexts.h"
 #include "ui/workspace/Workspace.h"
 
@@ -460,7 +461,20 @@ void Chunks::takeBack()
     // Undo would end what stands open, and take that back instead.
     if (session->transactionOpen() && !session->openIsPreview())
         return;
-    if (const auto undone = session->undo(); !undone)
+    session->closeOpen();
+    if (session->idle())
+        return undo();
+    // Something waits to be carried out, which would be the step that undo takes back.
+    session->questions().afterAll([this, session, row] {
+        if (m_workspace.session() == session && session->idle()
+            && session->history().position() == row)
+            undo();
+    });
+}
+
+void Chunks::undo()
+{
+    if (const auto undone = m_workspace.session()->undo(); !undone)
         m_workspace.fail(undone.error());
 }
 

@@ -112,6 +112,7 @@ private:
     void apply(const core::DivideSegment& division);
     void follow();
     void takeBack();
+    void undo();
     /// The chunks of the session; null if there is no session.
     [[nodiscard]] core::SessionChunks* chunks() const;
     void take(const std::shared_ptr<const ChunkLeaves>& leaves);

@@ -26,6 +26,10 @@ Refinement::Refinement(Workspace& workspace)
         m_taken.clear();
         Q_EMIT contoursChanged();
     });
+    connect(&workspace, &Workspace::failed, this, [this] {
+        if (isPreviewing())
+            Q_EMIT contoursChanged(); // it may be refused
+    });
     connect(
         &workspace, &Workspace::documentChanged, this, [this](const core::DocumentChange& change) {
             followTaken();
@@ -219,10 +223,15 @@ void Refinement::previewTemplate()
     Q_EMIT contoursChanged();
 }
 
+bool Refinement::canTakeTemplate() const
+{
+    return isPreviewing() && !m_workspace.session()->openIsRefused();
+}
+
 void Refinement::takeTemplate()
 {
-    if (!isPreviewing())
-        return;
+    if (!canTakeTemplate())
+        return dropPreview(); // nothing would come of it, and the contours are wanted yet
     m_rowsAtTaking = m_workspace.session()->history().rows().size();
     m_taken = std::move(m_contours);
     m_contours.clear();

@@ -82,6 +82,8 @@ public:
     /// dropPreview() takes it back and keeps the contours.
     void previewTemplate();
     [[nodiscard]] bool isPreviewing() const;
+    /// Whether there is a preview, and the session has not refused it.
+    [[nodiscard]] bool canTakeTemplate() const;
     void takeTemplate();
     void dropPreview();
 

@@ -70,18 +70,23 @@ core::Result<int> addSegment(Workspace& workspace, std::uint8_t plane)
     return label;
 }
 
-core::Result<int> ensureActiveSegment(Workspace& workspace)
+int activateSegment(Workspace& workspace)
 {
     core::EditSession* session = workspace.session();
     if (!session)
-        return addSegment(workspace);
+        return 0;
     const core::Document document = session->foreseenDocument();
-    if (document.segment(workspace.activeSegment()))
-        return workspace.activeSegment();
     if (document.segments.empty())
-        return addSegment(workspace);
-    workspace.setActiveSegment(document.segments.front().label);
+        return 0;
+    if (!document.segment(workspace.activeSegment()))
+        workspace.setActiveSegment(document.segments.front().label);
     return workspace.activeSegment();
+}
+
+core::Result<int> ensureActiveSegment(Workspace& workspace)
+{
+    const int label = activateSegment(workspace);
+    return label == 0 ? addSegment(workspace) : core::Result<int>(label);
 }
 
 void removeSegment(Workspace& workspace, int label)

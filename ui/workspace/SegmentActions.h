@@ -39,8 +39,10 @@ class Workspace;
 /// @param plane its label plane: it may share voxels with segments of other planes
 /// @return its label
 core::Result<int> addSegment(Workspace& workspace, std::uint8_t plane = 0);
-/// The label of the active segment; if there is none, of the first one; if there is no segment, of
-/// a new one.
+/// The label of the active segment; if there is none, of the first one, which is made the active
+/// one; 0: there is no segment. For strokes that may turn out to meet nothing.
+int activateSegment(Workspace& workspace);
+/// The same, but if there is no segment, the label of a new one.
 core::Result<int> ensureActiveSegment(Workspace& workspace);
 
 /// Deletes a segment with its voxels, as a step of its own, and tells the user. The segment below

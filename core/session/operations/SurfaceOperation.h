@@ -45,6 +45,7 @@ public:
     [[nodiscard]] const Edit& edit() const override { return m_edit; }
     [[nodiscard]] OpenManner manner() const override { return m_manner; }
     [[nodiscard]] bool hasBegun() const override { return m_hasBegun; }
+    [[nodiscard]] bool refused() const override { return m_reported; }
     /// By points of its path.
     void extend(SessionState& state, const StrokeExtension& extension) override;
     void end(SessionState& state, Ending ending) override;

@@ -27,9 +27,20 @@ GenerationBar::GenerationBar(QWidget* parent)
 
 void GenerationBar::setSizes(const std::vector<std::uint32_t>& sizes)
 {
-    if (sizes == m_sizes || m_scrubbing)
+    if (m_scrubbing)
+        return;
+    // A drag may have left the mark behind, though nothing has come of it.
+    const int last = int(sizes.size());
+    if (sizes == m_sizes && m_shown == last)
         return;
     m_sizes = sizes;
+    m_shown = last;
+    update();
+}
+
+void GenerationBar::abandon()
+{
+    m_scrubbing = false;
     m_shown = int(m_sizes.size());
     update();
 }
@@ -155,6 +166,8 @@ void GenerationBar::mousePressEvent(QMouseEvent* event)
     m_scrubbing = true;
     QToolTip::hideText(); // it would lie over the pictures that are watched now
     Q_EMIT scrubBegan();
+    if (!m_scrubbing)
+        return; // it was abandoned
     scrubTo(generationAt(event->position().x()));
 }
 

@@ -32,6 +32,9 @@ public:
     /// Sets the volume of a voxel, for the millilitres in tool tips.
     void setVoxelMm3(double voxelMm3) { m_voxelMm3 = voxelMm3; }
     [[nodiscard]] bool scrubbing() const { return m_scrubbing; }
+    /// Ends a drag that nothing follows, without scrubEnded(); the mark goes back to the last
+    /// generation.
+    void abandon();
     /// Where a drag stands, in words; empty without a drag.
     [[nodiscard]] QString scrubText() const;
 

@@ -6,6 +6,7 @@
 #include "core/session/questions/VoxelQuestions.h"
 #include "ui/base/Theme.h"
 #include "ui/panels/growth/GenerationBar.h"
+#include "ui/tasks/GrowthTurns.h"
 #include "ui/workspace/Workspace.h"
 
 #include <QPointer>
@@ -47,7 +48,10 @@ GenerationSection::GenerationSection(Workspace& workspace, QWidget* parent)
             using What = core::DocumentChange::What;
             if (change.what == What::Growth || change.what == What::History)
                 m_countLater.start();
+            if (change.what == What::Segments)
+                showScrubbable(); // one may have been locked
         });
+    connect(&workspace, &Workspace::sessionSaved, this, &GenerationSection::showScrubbable);
     connect(&workspace, &Workspace::activeSegmentChanged, this, &GenerationSection::followPlane);
     m_countLater.start();
 }
@@ -110,11 +114,16 @@ void GenerationSection::showSizes()
     std::vector<std::uint32_t> sizes = m_sizes;
     sizes.insert(sizes.end(), m_added.begin(), m_added.end());
     m_bar->setSizes(sizes);
-    const core::EditSession* session = m_workspace.session();
-    const core::Volume* volume = m_workspace.volume();
-    if (volume)
+    if (const core::Volume* volume = m_workspace.volume())
         m_bar->setVoxelMm3(volume->geometry.voxelVolumeMm3());
-    m_bar->setScrubbable(session && m_added.empty() && sizes.size() > 1);
+    showScrubbable();
+}
+
+void GenerationSection::showScrubbable()
+{
+    const core::EditSession* session = m_workspace.session();
+    m_bar->setScrubbable(session && m_added.empty() && m_sizes.size() > 1
+        && session->whyReadOnly().isEmpty() && !everySegmentLocked(session->document(), m_plane));
 }
 
 void GenerationSection::begin()
@@ -124,8 +133,10 @@ void GenerationSection::begin()
         return;
     if (const auto begun =
             session->begin(core::ShrinkSteps{.steps = 0, .plane = core::namedPlane(m_plane)});
-        !begun)
+        !begun) {
+        m_bar->abandon();
         m_workspace.fail(begun.error());
+    }
 }
 
 void GenerationSection::goTo(int generation)
@@ -142,9 +153,9 @@ void GenerationSection::goTo(int generation)
 
 void GenerationSection::end(bool kept)
 {
-    // What is open may be a preview by now, which its dialog shows.
+    // What is open may be another's by now: the preview of a dialog, a growth, a stroke.
     if (core::EditSession* session = m_workspace.session();
-        session && session->transactionOpen() && !session->openIsPreview())
+        session && session->isOpen<core::ShrinkSteps>())
         session->end(kept ? core::Ending::Commit : core::Ending::Rollback);
     followPlane();
     m_countLater.start();

@@ -40,6 +40,7 @@ Q_SIGNALS:
 private:
     void count();
     void showSizes();
+    void showScrubbable();
     void begin();
     void goTo(int generation);
     void end(bool kept);

@@ -163,6 +163,7 @@ void GrowthPanel::build()
     m_pinholes = new PinholeOffer(m_workspace, this);
     m_leak = new LeakSection(m_workspace, this);
     connect(m_leak, &LeakSection::goOnRequested, m_run, &GrowthRun::goOn);
+    connect(m_leak, &LeakSection::growthLeft, m_run, &GrowthRun::forgetAlarm);
     m_progress = new FittingLabel(Qt::AlignLeft, this);
     m_progress->setObjectName(QStringLiteral("growProgress"));
     m_progress->setFont(theme::smallFont());

@@ -206,8 +206,10 @@ void LeakSection::follow()
         return;
     const core::RowId row = session->history().position();
     const std::optional<core::LeakAlarm> alarm = session->findings().leakAlarm();
-    if (alarm && row != std::exchange(m_shownGrowth, row) && alarm != m_alarm)
+    if (alarm && row != std::exchange(m_shownGrowth, row) && alarm != m_alarm) {
         showAlarm(alarm);
+        Q_EMIT growthLeft();
+    }
     if (!m_alarm)
         return;
     const std::uint8_t plane = alarm == m_alarm
@@ -249,6 +251,7 @@ void LeakSection::reject()
     showAlarm({});
     apply(core::ShrinkSteps{
         .steps = int(alarm.generation - alarm.narrow), .plane = core::namedPlane(plane)});
+    Q_EMIT growthLeft();
 }
 
 void LeakSection::plug()

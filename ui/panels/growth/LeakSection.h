@@ -32,6 +32,9 @@ public:
 Q_SIGNALS:
     /// @param plane the label plane of the growth that is to go on
     void goOnRequested(std::uint8_t plane);
+    /// The growth that was watched last does not go on: its alarm was rejected, or there is one of
+    /// another growth.
+    void growthLeft();
     /// The alarm about which the user is to decide, while the growth that raised it is shown; none:
     /// there is none.
     void alarmChanged(const std::optional<core::LeakAlarm>& alarm);

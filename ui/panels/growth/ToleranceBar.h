@@ -31,6 +31,8 @@ public:
     [[nodiscard]] int tolerance() const { return m_tolerance; }
     void setTolerance(int tolerance);
     [[nodiscard]] bool moving() const { return m_moving; }
+    /// Ends a move that is under way, as Escape does.
+    void cancel() { settle(false); }
     /// The x position of a tolerance, in pixels from the left.
     [[nodiscard]] double xOf(int tolerance) const;
     /// "±37 HU · 12.4 mL".

@@ -65,6 +65,7 @@ ToleranceSection::ToleranceSection(Workspace& workspace, QWidget* parent)
     connect(m_bar, &ToleranceBar::settled, this, &ToleranceSection::settle);
     connect(&workspace, &Workspace::sessionChanged, this, &ToleranceSection::reset);
     connect(&workspace, &Workspace::activeSegmentChanged, this, [this] {
+        m_bar->cancel(); // it was meant for the segment before
         m_bar->setTolerance(-1);
         follow();
     });

@@ -31,6 +31,7 @@ bool showsSegmentsFirst(const gpu::VolumeScene& scene)
 struct BrushTool::Stroke {
     ViewContext view; ///< of pen-down; holds for the whole stroke
     core::BrushPath path; ///< without points
+    StrokeMaker maker; ///< of its edit
     bool inverted = false;
     bool begun = false; ///< in the session
     bool failed = false;
@@ -127,10 +128,15 @@ void BrushTool::press(const PointerSample& sample, const ViewContext& view)
         return;
     if (m_stroke)
         return sayStrokeWaits(m_workspace);
+    if (const QString why = whyNot(isInverse(sample)); !why.isEmpty()) {
+        showCursor(sample, view.view);
+        return m_workspace.say(why);
+    }
     m_stroke = std::make_shared<Stroke>();
     m_stroke->view = view;
     m_stroke->path = pathIn(view);
     m_stroke->inverted = isInverse(sample);
+    m_stroke->maker = strokeMaker(m_stroke->inverted, view);
     m_stroke->keepsRadius =
         settings().followsEdges && settings().toleranceByPressure && view.isSlice();
     m_stroke->isPressed = (settings().radiusByPressure || m_stroke->keepsRadius) && sample.isPen;
@@ -236,7 +242,7 @@ void BrushTool::goTo(Stroke& stroke, const glm::dvec3& pointLps, bool lifted, do
     path.pointsLps = {pointLps};
     if (stroke.isPressed)
         path.pressures = std::vector<double>{pressure};
-    const core::Result<core::Edit> edit = strokeAlong(path, stroke.inverted, stroke.view);
+    const core::Result<core::Edit> edit = stroke.maker(path);
     const core::Result<void> begun =
         edit ? session.begin(*edit) : core::Result<void>(tl::unexpected(edit.error()));
     stroke.last = pointLps;

@@ -7,6 +7,7 @@
 #include "ui/tools/common/CursorTool.h"
 #include "ui/workspace/Workspace.h"
 
+#include <functional>
 #include <memory>
 
 namespace ui {
@@ -55,14 +56,18 @@ protected:
     [[nodiscard]] virtual bool isTurned() const { return false; }
     /// "paints Liver", "erases Liver", or why it cannot.
     [[nodiscard]] virtual QString action(bool inverted) const = 0;
+    /// Why no stroke can begin, as a sentence; empty: one can, as far as is known before it.
+    [[nodiscard]] virtual QString whyNot(bool /*inverted*/) const { return {}; }
     /// Which voxels may change, in words; empty if all may.
     [[nodiscard]] virtual QString limits() const { return {}; }
     /// How it follows edges on slices, in words; empty if it does not.
     [[nodiscard]] virtual QString edges() const { return {}; }
     [[nodiscard]] virtual QColor colour() const = 0;
-    /// The edit of a stroke that begins now and follows a path.
-    [[nodiscard]] virtual core::Result<core::Edit> strokeAlong(
-        const core::BrushPath& path, bool inverted, const ViewContext& view) = 0;
+    /// Makes the edit of a stroke from its path.
+    using StrokeMaker = std::function<core::Result<core::Edit>(const core::BrushPath& path)>;
+    /// What makes the edit of a stroke that is drawn from now on. In the 3D view the path is known
+    /// only later: the edit is for what is active, and with what is set, at the time of this call.
+    [[nodiscard]] virtual StrokeMaker strokeMaker(bool inverted, const ViewContext& view) = 0;
     /// Whether it works on the surface of segments where the volume steps back for them.
     [[nodiscard]] virtual bool worksOnSegments() const { return false; }
     /// How far around its radius a stroke changes what the 3D view shows, mm.

@@ -5,6 +5,7 @@
 #include "ui/tools/aim/CursorLabel.h"
 #include "ui/tools/aim/LookingDirection.h"
 #include "ui/tools/aim/SeenVoxels.h"
+#include "ui/tools/aim/WaitingStroke.h"
 #include "ui/tools/common/PenPressure.h"
 #include "ui/workspace/Workspace.h"
 
@@ -36,8 +37,10 @@ SketchTool::SketchTool(Workspace& workspace, QObject* parent)
     connect(&workspace, &Workspace::sessionChanged, this, [this] {
         m_strokeView.reset();
         m_path.clear();
+        m_waiting.clear();
         sketchOver();
         Q_EMIT overlayChanged();
+        Q_EMIT stepsChanged();
     });
 }
 
@@ -99,8 +102,7 @@ void SketchTool::press(const PointerSample& sample, const ViewContext& view)
 {
     if (!m_workspace.volume() || !worksIn(view) || m_strokeView)
         return;
-    m_modifiers = sample.modifiers;
-    m_withEraser = sample.eraserEnd;
+    m_drawn = {.modifiers = sample.modifiers, .withEraser = sample.eraserEnd};
     m_strokeView = view;
     m_path.clear();
     m_pressedPixels = sample.isPen && m_byPressure ? m_reachMm / view.mmPerPixel() : 0.0;
@@ -135,14 +137,17 @@ void SketchTool::release(const PointerSample&, const ViewContext&)
 {
     if (!m_strokeView)
         return;
+    const int active = m_workspace.activeSegment();
+    if (m_workspace.session()->foreseenDocument().segment(active))
+        m_drawn.segment = active;
+    m_drawn.growthPlane = m_workspace.growthPlane();
     // On the 3D view the sketch is not over before it is known what was seen.
     const bool waits = !finishOtherwise(m_path.points, *m_strokeView) && !commitOnSlice();
     if (waits)
-        askWhatIsSeen();
+        askForSketch();
     m_strokeView.reset();
     m_path.clear();
-    m_modifiers = {};
-    m_withEraser = false;
+    m_drawn = {};
     if (!waits)
         sketchOver();
     Q_EMIT overlayChanged();
@@ -159,6 +164,24 @@ void SketchTool::cancel()
     Q_EMIT overlayChanged();
 }
 
+void SketchTool::takeStepBack()
+{
+    if (drawing())
+        return cancel(); // it was drawn after those that wait
+    if (m_waiting.empty())
+        return;
+    m_waiting.pop_back();
+    sketchOver();
+    m_workspace.say(tr("The sketch was dropped"));
+    Q_EMIT overlayChanged();
+    Q_EMIT stepsChanged();
+}
+
+QString SketchTool::stepText() const
+{
+    return waitingStrokeText();
+}
+
 bool SketchTool::commitOnSlice()
 {
     if (!m_strokeView->isSlice())
@@ -172,24 +195,37 @@ bool SketchTool::commitOnSlice()
     return true;
 }
 
-void SketchTool::askWhatIsSeen()
+void SketchTool::askWhatIsSeen(const gpu::VolumeScene& scene,
+    const std::vector<glm::dvec2>& planeMm,
+    const std::function<void(const core::Result<SeenVoxels>&)>& then)
 {
-    const auto& scene = std::get<gpu::VolumeScene>(m_strokeView->scene);
-    ui::askWhatIsSeen(m_workspace, scene,
-        planePointsUnder(m_path, *m_strokeView, *m_workspace.volume()),
-        [tool = QPointer<SketchTool>(this), modifiers = m_modifiers, eraser = m_withEraser, scene](
+    const auto asked = std::make_shared<const Drawn>(m_drawn);
+    m_waiting.push_back(asked);
+    Q_EMIT stepsChanged();
+    ui::askWhatIsSeen(m_workspace, scene, planeMm,
+        [tool = QPointer<SketchTool>(this), waiting = std::weak_ptr<const Drawn>(asked), then](
             const core::Result<SeenVoxels>& seen) {
-            if (!tool)
+            const std::shared_ptr<const Drawn> drawn = waiting.lock();
+            if (!tool || !drawn)
                 return;
+            std::erase(tool->m_waiting, drawn);
             // The next sketch may have begun, with other keys.
-            const auto nextModifiers = std::exchange(tool->m_modifiers, modifiers);
-            const bool nextEraser = std::exchange(tool->m_withEraser, eraser);
-            tool->commitSeen(seen, scene);
-            tool->m_seenAlong.clear();
-            tool->m_modifiers = nextModifiers;
-            tool->m_withEraser = nextEraser;
+            const Drawn next = std::exchange(tool->m_drawn, *drawn);
+            then(seen);
+            tool->m_drawn = next;
             if (!tool->drawing())
                 tool->sketchOver();
+            Q_EMIT tool->stepsChanged();
+        });
+}
+
+void SketchTool::askForSketch()
+{
+    const auto& scene = std::get<gpu::VolumeScene>(m_strokeView->scene);
+    askWhatIsSeen(scene, planePointsUnder(m_path, *m_strokeView, *m_workspace.volume()),
+        [this, scene](const core::Result<SeenVoxels>& seen) {
+            commitSeen(seen, scene);
+            m_seenAlong.clear();
         });
 }
 

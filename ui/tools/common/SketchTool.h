@@ -9,6 +9,9 @@
 #include <QJsonObject>
 #include <QStringList>
 
+#include <cstdint>
+#include <functional>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -36,6 +39,10 @@ public:
     void drag(const PointerSample& sample, const ViewContext& view) override;
     void release(const PointerSample& sample, const ViewContext& view) override;
     void cancel() override;
+    /// Undo drops the last sketch whose voxels on the 3D view are not known yet.
+    [[nodiscard]] bool canTakeStepBack() const override { return !m_waiting.empty(); }
+    void takeStepBack() override;
+    [[nodiscard]] QString stepText() const override;
     /// Changes how far to each side a pen reaches that is fully pressed.
     void changeRadius(int steps) override;
 
@@ -77,24 +84,40 @@ protected:
 
     [[nodiscard]] Workspace& workspace() const { return m_workspace; }
     /// The modifiers at pen-down of the sketch that is drawn or committed.
-    [[nodiscard]] Qt::KeyboardModifiers modifiers() const { return m_modifiers; }
+    [[nodiscard]] Qt::KeyboardModifiers modifiers() const { return m_drawn.modifiers; }
     /// Whether it is drawn with Ctrl or with the pen's eraser end.
     [[nodiscard]] bool isInverse() const
     {
-        return m_withEraser || m_modifiers.testFlag(Qt::ControlModifier);
+        return m_drawn.withEraser || m_drawn.modifiers.testFlag(Qt::ControlModifier);
     }
+    /// The segment that was active at pen-up of the sketch that is committed, in the 3D view maybe
+    /// long ago; 0: none was.
+    [[nodiscard]] int segment() const { return m_drawn.segment; }
+    [[nodiscard]] std::uint8_t growthPlane() const { return m_drawn.growthPlane; } ///< likewise
     /// Voxels on which the user saw a surface, each with the direction of view
     /// (LookingDirection.h), while a sketch is committed; empty: it was drawn on a slice or on
     /// brightest voxels.
     using SeenAlong = std::vector<std::pair<glm::ivec3, glm::dvec3>>;
     [[nodiscard]] const SeenAlong& seenAlong() const { return m_seenAlong; }
     [[nodiscard]] bool drawing() const { return m_strokeView.has_value(); }
+    /// Asks for the present sketch, which waits for the answer (SeenVoxels.h).
+    /// @param then not called if the sketch is dropped meanwhile
+    void askWhatIsSeen(const gpu::VolumeScene& scene, const std::vector<glm::dvec2>& planeMm,
+        const std::function<void(const core::Result<SeenVoxels>&)>& then);
 
 private:
+    /// What belongs to a sketch until it is committed, which may be after the next one began.
+    struct Drawn {
+        Qt::KeyboardModifiers modifiers{}; ///< at pen-down
+        bool withEraser = false;
+        int segment = 0; ///< at pen-up, as is the plane
+        std::uint8_t growthPlane = 0;
+    };
+
     [[nodiscard]] bool commitOnSlice(); ///< returns whether the view is a slice
     void addPoint(const PointerSample& sample);
     void paintSketch(QPainter& painter) const;
-    void askWhatIsSeen();
+    void askForSketch();
     void commitSeen(const core::Result<SeenVoxels>& seen, const gpu::VolumeScene& scene);
 
     Workspace& m_workspace;
@@ -103,8 +126,8 @@ private:
     bool m_byPressure = false;
     double m_reachMm = 3.0; ///< to each side, of a pen that is fully pressed
     double m_pressedPixels = 0.0; ///< the same at pen-down, in pixels; 0: the sketch is a line
-    Qt::KeyboardModifiers m_modifiers;
-    bool m_withEraser = false;
+    Drawn m_drawn;
+    std::vector<std::shared_ptr<const Drawn>> m_waiting; ///< for answers, the last one at the end
     SeenAlong m_seenAlong;
 };
 

@@ -50,11 +50,12 @@ QColor BarrierTool::colour() const
     return {237, 64, 92}; // as slices show it (gpu/render/slice.frag)
 }
 
-core::Result<core::Edit> BarrierTool::strokeAlong(
-    const core::BrushPath& path, bool inverted, const ViewContext&)
+BrushTool::StrokeMaker BarrierTool::strokeMaker(bool inverted, const ViewContext&)
 {
-    return core::Edit(core::BarrierStroke{
-        .path = path, .erase = inverted, .plane = core::namedPlane(workspace().growthPlane())});
+    return [inverted, plane = core::namedPlane(workspace().growthPlane())](
+               const core::BrushPath& path) -> core::Result<core::Edit> {
+        return core::Edit(core::BarrierStroke{.path = path, .erase = inverted, .plane = plane});
+    };
 }
 
 } // namespace ui

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/edits/kinds/parts/BrushPath.h"
 #include "ui/tools/common/BrushTool.h"
 
 namespace ui {
@@ -24,8 +23,7 @@ public:
 protected:
     [[nodiscard]] QString action(bool inverted) const override;
     [[nodiscard]] QColor colour() const override;
-    [[nodiscard]] core::Result<core::Edit> strokeAlong(
-        const core::BrushPath& path, bool inverted, const ViewContext& view) override;
+    [[nodiscard]] StrokeMaker strokeMaker(bool inverted, const ViewContext& view) override;
     [[nodiscard]] double reachMm() const override { return 0.0; }
 };
 

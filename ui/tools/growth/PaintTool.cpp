@@ -74,6 +74,12 @@ QString PaintTool::action(bool inverted) const
     return (inverted ? tr("erases %1") : tr("paints %1")).arg(segment->name);
 }
 
+QString PaintTool::whyNot(bool inverted) const
+{
+    const bool isEmpty = workspace().session()->foreseenDocument().segments.empty();
+    return inverted && isEmpty ? tr("There is no segment to erase") : QString();
+}
+
 QString PaintTool::limits() const
 {
     return limitsText(workspace());
@@ -93,30 +99,38 @@ QColor PaintTool::colour() const
     return segment ? QColor(segment->rgb) : QColor(nextSegmentColour(session->document()));
 }
 
-core::Result<core::Edit> PaintTool::strokeAlong(
-    const core::BrushPath& path, bool inverted, const ViewContext& view)
+BrushTool::StrokeMaker PaintTool::strokeMaker(bool inverted, const ViewContext& view)
 {
-    const core::Result<int> label = ensureActiveSegment(workspace());
-    if (!label)
-        return tl::unexpected(label.error());
     const Workspace::BrushSettings& now = settings();
     core::PaintStroke stroke;
-    stroke.segment = *label;
-    stroke.path = path;
+    stroke.segment = activateSegment(workspace());
     stroke.erase = inverted;
     stroke.overwriteUnlocked = now.overwriteUnlocked && !inverted;
-    stroke.seeds = !inverted && takesPartInGrowth(workspace().session()->history(), *label);
     if (now.onlyBetween) {
         stroke.lower = std::min(now.lower, now.upper);
         stroke.upper = std::max(now.lower, now.upper);
     }
-    if (now.followsEdges && view.isSlice()) {
+    const bool followsEdges = now.followsEdges && view.isSlice();
+    if (followsEdges)
         stroke.edgeTolerance = now.edgeTolerance;
-        if (now.toleranceByPressure && path.pressures)
-            stroke.toleranceByPressure = true;
-    }
     stroke.editable = workspace().editableRange();
-    return core::Edit(stroke);
+    return [&shared = workspace(), stroke, byPressure = followsEdges && now.toleranceByPressure](
+               const core::BrushPath& path) -> core::Result<core::Edit> {
+        core::PaintStroke made = stroke;
+        // A segment is made only for a stroke that meets something.
+        if (made.segment == 0) {
+            const core::Result<int> label = ensureActiveSegment(shared);
+            if (!label)
+                return tl::unexpected(label.error());
+            made.segment = *label;
+            made.editable = shared.editableRange();
+        }
+        made.path = path;
+        made.seeds = !made.erase && takesPartInGrowth(shared.session()->history(), made.segment);
+        if (byPressure && path.pressures)
+            made.toleranceByPressure = true;
+        return core::Edit(made);
+    };
 }
 
 bool takesPartInGrowth(const core::History& history, int segment)

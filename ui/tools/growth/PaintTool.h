@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/edits/kinds/parts/BrushPath.h"
 #include "ui/tools/common/BrushTool.h"
 
 namespace ui {
@@ -29,11 +28,11 @@ public:
 protected:
     [[nodiscard]] bool isTurned() const override { return m_erases; }
     [[nodiscard]] QString action(bool inverted) const override;
+    [[nodiscard]] QString whyNot(bool inverted) const override;
     [[nodiscard]] QString limits() const override;
     [[nodiscard]] QString edges() const override;
     [[nodiscard]] QColor colour() const override;
-    [[nodiscard]] core::Result<core::Edit> strokeAlong(
-        const core::BrushPath& path, bool inverted, const ViewContext& view) override;
+    [[nodiscard]] StrokeMaker strokeMaker(bool inverted, const ViewContext& view) override;
     [[nodiscard]] bool worksOnSegments() const override { return true; }
     [[nodiscard]] double reachMm() const override { return 0.0; }
 

@@ -161,27 +161,21 @@ void SeedTool::move(const glm::dvec2& from, const glm::dvec2& to, const ViewCont
         return;
     }
     const auto& scene = std::get<gpu::VolumeScene>(view.scene);
-    ui::askWhatIsSeen(workspace(), scene, {view.toViewPlaneMm({to.x, to.y})},
-        [tool = QPointer<SeedTool>(this), stroke, scene](
-            const core::Result<SeenVoxels>& seen) mutable {
-            if (!tool)
-                return;
-            if (!seen) {
-                tool->workspace().fail(seen.error());
-                return;
-            }
-            if (seen->empty() || !seen->front()) {
-                tool->workspace().say(tool->nothingSeenText());
-                return;
-            }
+    askWhatIsSeen(scene, {view.toViewPlaneMm({to.x, to.y})},
+        [this, stroke, scene](const core::Result<SeenVoxels>& seen) {
+            if (!seen)
+                return workspace().fail(seen.error());
+            if (seen->empty() || !seen->front())
+                return workspace().say(nothingSeenText());
             const SeenVoxel& there = *seen->front();
-            const core::VolumeGeometry& known = tool->workspace().volume()->geometry;
-            stroke.pointsLps = {known.toWorld(glm::dvec3(there.voxel))};
-            std::vector<std::pair<glm::ivec3, glm::dvec3>> seenAlong;
-            if (const auto along = lookingDirection(scene, there.piece, known))
-                seenAlong.emplace_back(there.voxel, *along);
-            tool->workspace().seeds().noteSketch(stroke.segment, {there.voxel}, seenAlong);
-            tool->apply(stroke, tr("The seed was moved"));
+            const core::VolumeGeometry& known = workspace().volume()->geometry;
+            core::SeedStroke moved = stroke;
+            moved.pointsLps = {known.toWorld(glm::dvec3(there.voxel))};
+            SeenAlong along;
+            if (const auto looking = lookingDirection(scene, there.piece, known))
+                along.emplace_back(there.voxel, *looking);
+            workspace().seeds().noteSketch(moved.segment, {there.voxel}, along);
+            apply(moved, tr("The seed was moved"));
         });
 }
 
@@ -232,7 +226,8 @@ QWidget* SeedTool::createOptions(QWidget* parent)
 
 void SeedTool::commit(const std::vector<glm::ivec3>& voxels)
 {
-    const core::Result<int> label = ensureActiveSegment(workspace());
+    const core::Result<int> label =
+        segment() == 0 ? ensureActiveSegment(workspace()) : core::Result<int>(segment());
     if (!label) {
         workspace().fail(label.error());
         return;
@@ -242,7 +237,9 @@ void SeedTool::commit(const std::vector<glm::ivec3>& voxels)
     stroke.segment = *label;
     for (const glm::ivec3& voxel : voxels)
         stroke.pointsLps.push_back(workspace().volume()->geometry.toWorld(glm::dvec3(voxel)));
-    const QString name = workspace().session()->foreseenDocument().segment(*label)->name;
+    const core::Document document = workspace().session()->foreseenDocument();
+    const core::Segment* seeded = document.segment(*label); // it may be gone since it was sketched
+    const QString name = seeded ? seeded->name : QString::number(*label);
     apply(stroke,
         voxels.size() == 1 ? tr("One seed voxel for %1").arg(name)
                            : tr("%1 seed voxels for %2").arg(voxels.size()).arg(name));

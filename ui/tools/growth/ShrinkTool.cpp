@@ -147,7 +147,7 @@ QStringList ShrinkTool::cursorLines() const
 
 void ShrinkTool::commit(const std::vector<glm::ivec3>& voxels)
 {
-    core::ShrinkAt shrink{.plane = core::namedPlane(workspace().growthPlane())};
+    core::ShrinkAt shrink{.plane = core::namedPlane(growthPlane())};
     for (const glm::ivec3& voxel : voxels)
         shrink.pointsLps.push_back(workspace().volume()->geometry.toWorld(glm::dvec3(voxel)));
     shrink.onlyHere = isInverse();

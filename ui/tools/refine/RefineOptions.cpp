@@ -155,7 +155,7 @@ void RefineOptions::showContours()
                                    : tr("%1 contours").arg(count));
     m_preview->setEnabled(count > 0);
     m_preview->setChecked(refinement.isPreviewing());
-    m_take->setEnabled(refinement.isPreviewing());
+    m_take->setEnabled(refinement.canTakeTemplate());
     m_remove->setEnabled(count > 0);
 }
 

@@ -52,16 +52,18 @@ QColor CarveBrushTool::colour() const
     return toolColour();
 }
 
-core::Result<core::Edit> CarveBrushTool::strokeAlong(
-    const core::BrushPath& path, bool inverted, const ViewContext& view)
+BrushTool::StrokeMaker CarveBrushTool::strokeMaker(bool inverted, const ViewContext& view)
 {
     core::BrushStroke stroke;
     stroke.layer = workspace().activeLayer();
-    stroke.path = path;
     stroke.restore = inverted;
     if (const auto* scene = std::get_if<gpu::VolumeScene>(&view.scene))
         stroke.hidden = core::clipHalfSpaces(scene->clip, workspace().volume()->geometry);
-    return core::Edit(stroke);
+    return [stroke](const core::BrushPath& path) -> core::Result<core::Edit> {
+        core::BrushStroke made = stroke;
+        made.path = path;
+        return core::Edit(made);
+    };
 }
 
 double CarveBrushTool::reachMm() const

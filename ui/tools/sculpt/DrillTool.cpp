@@ -54,6 +54,15 @@ QString sizeText(const Workspace::DrillSettings& settings)
 
 } // namespace
 
+/// A stroke that waits for the place it is to go in at.
+struct DrillTool::Aiming {
+    core::DrillStroke stroke; ///< in the view of pen-down, as all was set then
+    Workspace::Sweep sweep = Workspace::Sweep::View;
+    QPointF tiltDegrees; ///< of the pen when it went down
+    std::vector<PointerSample> samples;
+    bool released = false;
+};
+
 DrillTool::DrillTool(Workspace& workspace, QObject* parent)
     : CursorTool(parent)
     , m_workspace(workspace)
@@ -218,8 +227,10 @@ bool DrillTool::aims() const
 
 void DrillTool::aim(const PointerSample& sample, const ViewContext& view)
 {
-    m_aiming = std::make_shared<Aiming>();
-    m_aiming->samples.push_back(sample);
+    m_aiming = std::make_shared<Aiming>(Aiming{.stroke = strokeIn(view, m_restores),
+        .sweep = m_workspace.drillSettings().sweep,
+        .tiltDegrees = sample.tiltDegrees,
+        .samples = {sample}});
     const auto& scene = std::get<gpu::VolumeScene>(view.scene);
     const core::Volume& volume = *m_workspace.volume();
     SurfacePatch patch(orthographicView(scene), footprint(sample, view), 10);
@@ -250,9 +261,9 @@ void DrillTool::takeAim(const SurfacePatch& surface)
         Q_EMIT overlayChanged();
         return;
     }
-    core::DrillStroke stroke = strokeIn(*m_strokeView, m_restores);
-    const glm::dvec3 direction = sweepDirection(
-        m_workspace.drillSettings().sweep, stroke.view, surface.normalLps(), m_held.tiltDegrees);
+    core::DrillStroke& stroke = waited->stroke;
+    const glm::dvec3 direction =
+        sweepDirection(waited->sweep, stroke.view, surface.normalLps(), waited->tiltDegrees);
     m_aim.emplace(stroke.view, *place, direction);
     stroke.view = m_aim->view();
     if (!stroke.hidden)
@@ -345,6 +356,11 @@ void DrillTool::cancel()
     // What was drawn and let go of is a stroke, though its place is not known yet.
     if (m_strokeView && !canTakeStepBack())
         drop();
+}
+
+bool DrillTool::canTakeStepBack() const
+{
+    return m_aiming && m_aiming->released;
 }
 
 void DrillTool::takeStepBack()

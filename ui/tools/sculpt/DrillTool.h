@@ -43,7 +43,7 @@ public:
     void release(const PointerSample& sample, const ViewContext& view) override;
     void cancel() override;
     /// Undo drops a stroke that was let go of while its place is not known yet.
-    [[nodiscard]] bool canTakeStepBack() const override { return m_aiming && m_aiming->released; }
+    [[nodiscard]] bool canTakeStepBack() const override;
     void takeStepBack() override;
     [[nodiscard]] QString stepText() const override;
     void hover(const PointerSample& sample, const ViewContext& view) override;
@@ -73,11 +73,7 @@ protected:
     [[nodiscard]] QWidget* connected(DrillOptions* options);
 
 private:
-    /// A stroke that waits for the place it is to go in at.
-    struct Aiming {
-        std::vector<PointerSample> samples;
-        bool released = false;
-    };
+    struct Aiming;
     [[nodiscard]] double depthMm() const;
     [[nodiscard]] bool aims() const;
     [[nodiscard]] std::vector<glm::dvec2> footprint(

@@ -3,13 +3,16 @@
 
 #include "core/edits/kinds/sculpt/PeelCut.h"
 #include "core/session/EditSession.h"
+#include "core/session/questions/VoxelQuestions.h"
 #include "ui/base/DisplayJson.h"
 #include "ui/base/NumberText.h"
+#include "ui/base/RowTitleText.h"
 #include "ui/tools/aim/CursorLabel.h"
 #include "ui/tools/sculpt/PeelOptions.h"
 #include "ui/workspace/Workspace.h"
 
 #include <QPainter>
+#include <QPointer>
 #include <QTimer>
 
 #include <algorithm>
@@ -28,7 +31,7 @@ PeelTool::PeelTool(Workspace& workspace, QObject* parent)
         follow();
     });
     connect(&workspace, &Workspace::documentChanged, this, &PeelTool::follow);
-    connect(&workspace, &Workspace::activeToolChanged, this, &PeelTool::offerToTakeBack);
+    connect(&workspace, &Workspace::activeToolChanged, this, [this] { offerToTakeBack(); });
 }
 
 double PeelTool::usualJumpMm()
@@ -192,8 +195,28 @@ void PeelTool::confirm()
     if (!m_open)
         return;
     close(core::Ending::Commit);
-    workspace().say(
-        tr("Peeled off %1 mm; Ctrl+L lifts it as a piece").arg(numberText(m_depthMm, 1)));
+    tellKept([this](const core::HistoryRow& row) {
+        const bool restores = row.edit.get<core::PeelCut>().restore;
+        workspace().say(
+            restores ? nameOf(row) : tr("%1; Ctrl+L lifts it as a piece").arg(nameOf(row)));
+    });
+}
+
+/// Over the air, and where nothing is left to restore, a peel becomes no row; that is known when it
+/// is carried out.
+void PeelTool::tellKept(const std::function<void(const core::HistoryRow&)>& tell)
+{
+    const bool restores = m_peel.get<core::PeelCut>().restore;
+    workspace().session()->questions().afterAll(
+        [tool = QPointer<PeelTool>(this), before = m_rowsBefore, restores, tell] {
+            if (!tool)
+                return;
+            if (const core::RowId row = tool->keptRow(before); row != 0)
+                tell(tool->workspace().session()->history().row(row));
+            else
+                tool->workspace().say(
+                    restores ? tr("Nothing was restored there") : tr("Nothing was peeled there"));
+        });
 }
 
 /// What was chosen stays chosen, and the user hears of it.
@@ -203,7 +226,7 @@ void PeelTool::putAway()
     if (!m_open)
         return;
     close(core::Ending::Commit);
-    workspace().say(keptText());
+    tellKept([this](const core::HistoryRow& row) { workspace().say(keptText(row)); });
     // Another tool is there at once; an undo that did this needs no offer.
     m_wasPutAway = true;
     QTimer::singleShot(0, this, [this] { m_wasPutAway = false; });
@@ -223,52 +246,67 @@ void PeelTool::follow()
 {
     const core::EditSession* session = workspace().session();
     // What is open then may be another's: a growth begins in the moment that it ends a peel.
-    if (m_open && !(session && session->isOpen<core::PeelCut>() && keptRow() == 0)) {
+    if (m_open && !(session && session->isOpen<core::PeelCut>() && keptRow(m_rowsBefore) == 0)) {
         m_open = false;
         m_depthDrag.reset();
         m_endedByOther = session != nullptr;
         Q_EMIT changed();
         Q_EMIT overlayChanged();
     }
-    if (m_endedByOther && keptRow() != 0) {
+    if (!m_endedByOther)
+        return;
+    if (const core::RowId row = keptRow(m_rowsBefore); row != 0) {
         m_endedByOther = false;
-        workspace().say(keptText());
+        workspace().say(keptText(session->history().row(row)));
     }
 }
 
-core::RowId PeelTool::keptRow() const
+core::RowId PeelTool::keptRow(std::size_t rowsBefore) const
 {
     const core::EditSession* session = workspace().session();
     if (!session)
         return 0;
     const std::vector<core::HistoryRow>& rows = session->history().rows();
     // An earlier peel may have become a row since.
-    for (std::size_t i = rows.size(); i > m_rowsBefore; --i) {
+    for (std::size_t i = rows.size(); i > rowsBefore; --i) {
         if (rows[i - 1].edit.as<core::PeelCut>())
             return rows[i - 1].id;
     }
     return 0;
 }
 
-QString PeelTool::keptText() const
+QString PeelTool::keptText(const core::HistoryRow& row)
 {
-    return tr("The open peel, %1 mm, was kept as a step").arg(numberText(m_depthMm, 1));
+    return tr("The open peel, %1 mm, was kept as a step")
+        .arg(numberText(row.edit.get<core::PeelCut>().depthMm, 1));
 }
 
 void PeelTool::offerToTakeBack()
 {
     if (!std::exchange(m_wasPutAway, false) || !workspace().session())
         return;
-    workspace().offer({.sentence = keptText(), .button = tr("Take it back"), .run = [this] {
-                           core::EditSession* session = workspace().session();
-                           const core::RowId row = keptRow();
-                           if (!session || row == 0 || session->history().position() != row) {
-                               workspace().say(tr("The history has gone on since; Ctrl+Z takes "
-                                                  "back its last step"));
-                           } else if (const auto undone = session->undo(); !undone) {
-                               workspace().fail(undone.error());
-                           }
-                       }});
+    workspace().session()->questions().afterAll(
+        [tool = QPointer<PeelTool>(this), before = m_rowsBefore] {
+            const core::RowId row = tool ? tool->keptRow(before) : 0;
+            if (row != 0)
+                tool->offerToTakeBack(row);
+        });
+}
+
+void PeelTool::offerToTakeBack(core::RowId row)
+{
+    core::EditSession* kept = workspace().session();
+    workspace().offer({.sentence = keptText(kept->history().row(row)),
+        .button = tr("Take it back"),
+        .run = [this, kept, row] {
+            core::EditSession* session = workspace().session();
+            if (!session || session != kept || session->history().position() != row) {
+                workspace().say(tr("The history has gone on since; Ctrl+Z takes back its last "
+                                   "step"));
+            } else if (const auto undone = session->undo(); !undone) {
+                workspace().fail(undone.error());
+            }
+        }});
 }
 
 SurfacePatch PeelTool::taken(SurfacePatch surface) const

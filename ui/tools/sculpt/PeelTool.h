@@ -5,6 +5,8 @@
 #include "core/history/History.h"
 #include "ui/tools/common/OutlineTool.h"
 
+#include <cstddef>
+#include <functional>
 #include <optional>
 
 namespace ui {
@@ -83,10 +85,13 @@ private:
     [[nodiscard]] bool open(core::PeelCut peel);
     void close(core::Ending ending);
     void follow();
+    /// Tells of the row that the peel becomes that was closed last, or that it becomes none.
+    void tellKept(const std::function<void(const core::HistoryRow&)>& tell);
     void offerToTakeBack();
-    /// The row that an open peel became; 0: none yet.
-    [[nodiscard]] core::RowId keptRow() const;
-    [[nodiscard]] QString keptText() const;
+    void offerToTakeBack(core::RowId row);
+    /// The row that a peel became which was begun when there were so many; 0: none yet.
+    [[nodiscard]] core::RowId keptRow(std::size_t rowsBefore) const;
+    [[nodiscard]] static QString keptText(const core::HistoryRow& row);
 
     double m_depthMm = 4.0;
     Gaps m_gaps;

@@ -318,6 +318,61 @@ private Q_SLOTS:
         QCOMPARE(fixture.session().stateHash(), stopped);
     }
 
+    /// What was resumed goes on as it was, whatever the panel says by now.
+    void whatWasResumedIsResumed_data()
+    {
+        QTest::addColumn<QByteArray>("by");
+        QTest::newRow("accept") << QByteArray("leakAccept");
+        QTest::newRow("plug") << QByteArray("leakPlug");
+    }
+    void whatWasResumedIsResumed()
+    {
+        QFETCH(QByteArray, by);
+        LeakyPanel fixture;
+        core::GrowSteps begun = ui::growthOf(fixture.workspace.growSettings());
+        begun.steps = 2;
+        fixture.apply(begun);
+        ui::GrowSettings settings = fixture.workspace.growSettings();
+        settings.overwriteUnlocked = true;
+        fixture.workspace.setGrowSettings(settings);
+        fixture.click("growResume");
+        QVERIFY(fixture.offered());
+        const std::size_t rows = fixture.rows();
+        fixture.click(by.constData());
+        QVERIFY(fixture.rows() > rows);
+        const auto* grown = fixture.lastEdit().as<core::GrowSteps>();
+        QVERIFY(grown && !grown->criteria.overwriteUnlocked);
+    }
+
+    /// The turns of the growth whose leak was rejected are not those of the next one.
+    void aRejectedGrowthDoesNotGoOnInAnothersPlace()
+    {
+        LeakyPanel fixture; // the vessel comes first, as its interval lies within the other one
+        fixture.apply(test::newSegment(QStringLiteral("Other"), 1));
+        fixture.apply(test::seedAt(2, {fixture.placeOf({2, 2, 2})}));
+        fixture.workspace.setActiveSegment(2);
+        ui::GrowSettings settings = fixture.workspace.growSettings();
+        const double width = phantom().highCode - phantom().lowCode;
+        settings.lower = phantom().lowCode - 1.5 * width;
+        settings.upper = phantom().highCode + 1.5 * width;
+        fixture.workspace.setGrowSettings(settings);
+        const auto segmentsOf = [](const core::GrowSteps* growth) {
+            return growth ? growth->criteria.segments.value_or(std::vector<int>())
+                          : std::vector<int>();
+        };
+        fixture.click("growPlay");
+        QVERIFY(fixture.offered());
+        QCOMPARE(segmentsOf(fixture.lastEdit().as<core::GrowSteps>()), std::vector<int>{1});
+        fixture.click("leakReject");
+        QVERIFY(fixture.lastEdit().is<core::ShrinkSteps>());
+        auto* section = fixture.panel.findChild<ui::LeakSection*>();
+        Q_EMIT section->goOnRequested(0); // an alarm of the active segment was accepted
+        const core::Edit* open = fixture.session().openEdit();
+        QVERIFY(open);
+        QCOMPARE(segmentsOf(open->as<core::GrowSteps>()), std::vector<int>{2});
+        fixture.click("growPlay"); // pause: it has far to go
+    }
+
     void theOfferGoesWithTheGrowth_data()
     {
         QTest::addColumn<QByteArray>("by");

@@ -295,6 +295,44 @@ private Q_SLOTS:
             fixture.workspace.editableRange());
     }
 
+    /// What is being chosen for one segment is not applied to the one that becomes active.
+    void anotherSegmentEndsTheMove_data()
+    {
+        QTest::addColumn<bool>("byMouse");
+        QTest::newRow("keys") << false;
+        QTest::newRow("mouse") << true;
+    }
+    void anotherSegmentEndsTheMove()
+    {
+        QFETCH(const bool, byMouse);
+        Traced fixture;
+        fixture.apply(test::seedAt(2, {{-19.0, -19.0, -28.0}}));
+        fixture.wait();
+        const std::int64_t ventricle = smallHead::voxelsOf(smallHead::ventricleHu);
+        QCOMPARE(fixture.bar.members()[0], ventricle);
+        const std::size_t rows = fixture.rows();
+        fixture.bar.setFocus();
+        if (byMouse) {
+            fixture.drag({20, 40}, false);
+        } else {
+            QTest::keyClick(&fixture.bar, Qt::Key_Right);
+            QTest::keyClick(&fixture.bar, Qt::Key_Right);
+        }
+        QVERIFY(fixture.bar.moving() && fixture.workspace.atTolerance());
+        fixture.workspace.setActiveSegment(2);
+        QVERIFY(!fixture.bar.moving() && !fixture.workspace.atTolerance());
+        QCOMPARE(fixture.bar.tolerance(), -1);
+        QTRY_VERIFY((fixture.session().poll(),
+            !fixture.bar.members().empty() && fixture.bar.members()[0] != ventricle));
+        if (byMouse)
+            QTest::mouseRelease(&fixture.bar, Qt::LeftButton, {}, fixture.at(40));
+        else
+            QTest::keyClick(&fixture.bar, Qt::Key_Return);
+        fixture.settle();
+        QCOMPARE(fixture.rows(), rows);
+        QVERIFY(!fixture.workspace.atTolerance());
+    }
+
     /// The tolerance was traced for one segment: seeds of others go on waiting.
     void othersStayAsTheyAre()
     {

@@ -431,6 +431,39 @@ private Q_SLOTS:
         QCOMPARE(fixture.session().history().position(), row);
     }
 
+    /// Erasing makes no segment, neither with Ctrl nor with the eraser end.
+    void withoutASegmentNothingIsErased()
+    {
+        BrushFixture fixture(Brush::Paint);
+        QSignalSpy said(&fixture.workspace, &ui::Workspace::said);
+        const auto refused = [&] {
+            fixture.session().poll();
+            return fixture.session().settle() && fixture.session().history().rows().empty()
+                && !fixture.session().transactionOpen() && !said.isEmpty()
+                && said.takeLast()[0].toString() == QStringLiteral("There is no segment to erase");
+        };
+        for (QWidget* widget :
+            {static_cast<QWidget*>(&fixture.slice), static_cast<QWidget*>(&fixture.view)}) {
+            const QPointF middle = BrushFixture::middleOf(*widget);
+            QTest::mouseClick(widget, Qt::LeftButton, Qt::ControlModifier, middle.toPoint());
+            QVERIFY(refused());
+            test::Pen eraser(*widget, test::Pen::End::Eraser);
+            eraser.press(middle, 0.5, 70000);
+            eraser.move(middle + QPointF(5, 0), 0.5, 70010);
+            eraser.release(middle + QPointF(5, 0), 70100);
+            QVERIFY(refused());
+        }
+        QVERIFY(fixture.session().document().segments.empty());
+        // Turned round, the pen's tip erases and Ctrl paints.
+        fixture.paint.setErases(true);
+        const QPoint middle = BrushFixture::middleOf(fixture.slice).toPoint();
+        QTest::mouseClick(&fixture.slice, Qt::LeftButton, {}, middle);
+        QVERIFY(refused());
+        QTest::mouseClick(&fixture.slice, Qt::LeftButton, Qt::ControlModifier, middle);
+        QVERIFY(fixture.session().settle());
+        QVERIFY(!fixture.painted().empty());
+    }
+
     void theRadiusFollowsThePressure()
     {
         BrushFixture fixture(Brush::Paint);

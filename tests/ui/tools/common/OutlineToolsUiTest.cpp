@@ -45,13 +45,14 @@ public:
     }
     [[nodiscard]] QPointF middle() const { return QPointF(view.width(), view.height()) / 2.0; }
 
-    /// An open ring around the middle: it closes by itself.
-    void draw(double radiusPixels, test::Pen::End end = test::Pen::End::Tip)
+    /// An open ring around the middle, or a place beside it: it closes by itself.
+    void draw(
+        double radiusPixels, test::Pen::End end = test::Pen::End::Tip, const QPointF& beside = {})
     {
         test::Pen pen(view, end);
         const auto at = [&](int i) {
             const double t = 2.0 * M_PI * i / 40.0;
-            return middle() + radiusPixels * QPointF(std::cos(t), std::sin(t));
+            return middle() + beside + radiusPixels * QPointF(std::cos(t), std::sin(t));
         };
         pen.press(at(0), 0.5, ++m_milliseconds);
         for (int i = 1; i < 38; ++i)
@@ -253,6 +254,44 @@ private Q_SLOTS:
         QCoreApplication::processEvents();
         fixture.workspace.setActiveTool(&fixture.scissors);
         QCOMPARE(offers.size(), std::size_t(1));
+    }
+
+    /// A peel over the air is no step, and nothing is said or offered as if it were.
+    void whereNothingIsPeeledThatIsSaid()
+    {
+        OutlineFixture fixture;
+        QSignalSpy said(&fixture.workspace, &ui::Workspace::said);
+        QSignalSpy offered(&fixture.workspace, &ui::Workspace::offered);
+        const auto last = [&said] { return said.back().front().toString(); };
+        const double perMm = 1.0 / fixture.view.context().mmPerPixel();
+        const QPointF air(21.0 * perMm, 0.0);
+        fixture.draw(3.0 * perMm, test::Pen::End::Tip, air);
+        QVERIFY(fixture.peel.isOpen());
+        fixture.peel.confirm();
+        QVERIFY(fixture.session().settle());
+        QCOMPARE(fixture.rows(), std::size_t(0));
+        QCOMPARE(last(), QStringLiteral("Nothing was peeled there"));
+        fixture.draw(3.0 * perMm, test::Pen::End::Tip, air);
+        fixture.workspace.setActiveTool(&fixture.scissors);
+        QVERIFY(fixture.session().settle());
+        QCOMPARE(fixture.rows(), std::size_t(0));
+        QCOMPARE(last(), QStringLiteral("Nothing was peeled there"));
+        QVERIFY(offered.isEmpty());
+        // What is peeled can be lifted; what is restored cannot.
+        fixture.workspace.setActiveTool(&fixture.peel);
+        fixture.draw(60.0);
+        fixture.peel.confirm();
+        QVERIFY(fixture.session().settle());
+        QVERIFY2(last().startsWith(QStringLiteral("Peel 4.0 mm"))
+                && last().endsWith(QStringLiteral("Ctrl+L lifts it as a piece")),
+            qPrintable(last()));
+        fixture.draw(60.0, test::Pen::End::Eraser);
+        fixture.peel.confirm();
+        QVERIFY(fixture.session().settle());
+        QCOMPARE(fixture.rows(), std::size_t(2));
+        QVERIFY2(last().startsWith(QStringLiteral("Restore peel"))
+                && !last().contains(QStringLiteral("Ctrl+L")),
+            qPrintable(last()));
     }
 
     void gapsCanBeSetWhileItIsOpen()

@@ -3,6 +3,7 @@
 #include "core/edits/EditQuantise.h"
 #include "core/edits/kinds/chunks/ChunkToggle.h"
 #include "core/edits/kinds/chunks/DivideSegment.h"
+#include "core/edits/kinds/segments/PaintStroke.h"
 #include "tests/reference/RefusingEngine.h"
 #include "tests/support/cases/SurfaceCases.h"
 #include "tests/support/faults/FailingLog.h"
@@ -317,6 +318,24 @@ private Q_SLOTS:
         fixture.settle();
         QCOMPARE(fixture.position(), before);
         QVERIFY(!fixture.chunks().isWorking() && !fixture.chunks().division());
+    }
+
+    /// A step that is not carried out yet is not taken back in the division's place.
+    void anAbortLeavesTheNewestStepAlone()
+    {
+        ChunkFixture fixture;
+        fixture.chunks().divide(marginMm);
+        QVERIFY(fixture.session().settle());
+        const core::RowId divided = fixture.position();
+        QVERIFY(fixture.chunks().isWorking());
+        QVERIFY(fixture.session().apply(test::paintAt(1, {inBone})));
+        QCOMPARE(fixture.position(), divided); // it waits
+        fixture.find<QPushButton>("chunksAbort")->click();
+        fixture.settle();
+        QCOMPARE(fixture.position(), divided + 1);
+        QVERIFY(fixture.session().history().row(divided + 1).edit.is<core::PaintStroke>());
+        QVERIFY(!fixture.chunks().isWorking() && !fixture.chunks().look().shown);
+        QVERIFY(fixture.chunks().division()); // undo comes to it
     }
 
     /// The engine cannot read the box: it is said why, and Divide works once it can.

@@ -886,6 +886,40 @@ private Q_SLOTS:
         QCOMPARE(fixture.session().stateHash(), before);
     }
 
+    /// What was drawn stays, to be previewed once the region is marked.
+    void aRefusedTemplateIsNotTaken()
+    {
+        RefineFixture fixture;
+        fixture.lay();
+        fixture.drawLobe();
+        QCOMPARE(fixture.refinement().contours().size(), std::size_t(2));
+        const auto* take = fixture.window.findChild<QToolButton*>(QStringLiteral("templateTake"));
+        QVERIFY(take && !take->isEnabled());
+        const std::size_t rows = fixture.rows();
+        QSignalSpy failed(&fixture.workspace, &ui::Workspace::failed);
+        fixture.refinement().previewTemplate();
+        QVERIFY(take->isEnabled());
+        QTRY_VERIFY((fixture.session().poll(), failed.size() == 1));
+        QVERIFY(fixture.refinement().isPreviewing());
+        QVERIFY(!take->isEnabled());
+        fixture.refinement().takeTemplate();
+        QVERIFY(!fixture.session().settle()); // it returns the refusal
+        QVERIFY(fixture.session().idle());
+        QCOMPARE(failed.size(), 1);
+        QCOMPARE(fixture.rows(), rows);
+        QVERIFY(!fixture.refinement().isPreviewing());
+        QCOMPARE(fixture.refinement().contours().size(), std::size_t(2));
+        // With a red region it is previewed and taken.
+        fixture.markTheLeft();
+        fixture.refinement().previewTemplate();
+        fixture.settleOpen();
+        QVERIFY(fixture.refinement().isPreviewing() && take->isEnabled());
+        fixture.refinement().takeTemplate();
+        fixture.settle();
+        QVERIFY(fixture.lastRow().edit.is<core::ApplyTemplate>());
+        QVERIFY(fixture.refinement().contours().empty());
+    }
+
     void withoutASurfaceItSaysSo()
     {
         RefineFixture fixture;

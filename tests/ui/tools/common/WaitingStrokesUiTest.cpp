@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/edits/kinds/growth/BarrierStroke.h"
+#include "core/edits/kinds/growth/SeedStroke.h"
+#include "core/edits/kinds/growth/ShrinkAt.h"
+#include "core/edits/kinds/layers/AddLayer.h"
+#include "core/edits/kinds/sculpt/BrushStroke.h"
+#include "core/edits/kinds/sculpt/DrillStroke.h"
+#include "core/edits/kinds/segments/AddSegment.h"
+#include "core/edits/kinds/segments/PaintStroke.h"
+#include "tests/support/faults/FailingLog.h"
+#include "tests/support/fixtures/Pen.h"
+#include "tests/support/fixtures/WindowFixture.h"
+#include "tests/support/fixtures/WorkspaceFixture.h"
+#include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/PlainEdits.h"
+#include "ui/tools/growth/BarrierTool.h"
+#include "ui/tools/growth/PaintTool.h"
+#include "ui/tools/growth/SeedTool.h"
+#include "ui/tools/growth/ShrinkPreview.h"
+#include "ui/tools/growth/ShrinkTool.h"
+#include "ui/tools/sculpt/CarveBrushTool.h"
+#include "ui/tools/sculpt/DrillTool.h"
+#include "ui/views/ViewGrid.h"
+
+#include <QtTest>
+
+namespace waitingStrokesUiTest {
+
+namespace {
+
+using Brush = ui::Workspace::Brush;
+
+/// The small head, whose bone the 3D view sees from the front, with a second sculpt layer and two
+/// segments: the first one has grown through the bone, the second one lies in another label plane.
+class TwoSegments : public test::WindowFixture {
+public:
+    TwoSegments()
+        : test::WindowFixture(test::smallHead::volume())
+        , view(window.views().volume())
+    {
+        ui::Workspace::VolumeDisplay display = workspace.volumeDisplay();
+        display.surfaceThreshold = 300.0;
+        workspace.setVolumeDisplay(display);
+        apply(core::AddLayer{.name = QStringLiteral("Sculpt 2")});
+        apply(test::newSegment(QStringLiteral("Bone"), 1));
+        apply(test::seedAt(1, {glm::dvec3(0.0, -14.0, 0.0)}));
+        apply(test::growBetween(500.0, 1200.0));
+        core::AddSegment other;
+        other.name = QStringLiteral("Other");
+        other.plane = 1;
+        apply(other);
+        workspace.setActiveSegment(1);
+        workspace.setActiveLayer(1);
+        view.lookFrom({0.0, -1.0, 0.0});
+    }
+    /// A stroke over the bone, away from the seed, which is let go of before its place is known.
+    void drawUnanswered(ui::Tool& tool)
+    {
+        workspace.setActiveTool(&tool);
+        const double perMm = 1.0 / view.context().mmPerPixel();
+        const QPointF at = QPointF(view.width(), view.height()) / 2.0 + QPointF(8.0 * perMm, 0.0);
+        test::Pen pen(view);
+        pen.press(at, 1.0, 100);
+        pen.move(at + QPointF(4, 0), 1.0, 110);
+        pen.release(at + QPointF(4, 0), 120);
+    }
+    void answered()
+    {
+        for (int round = 0; round < 3; ++round) {
+            session().poll();
+            QVERIFY(session().settle());
+        }
+    }
+    /// Something else becomes active, and is set, while the stroke waits.
+    void chooseOthers()
+    {
+        workspace.setActiveSegment(2);
+        workspace.setActiveLayer(2);
+        for (const Brush brush : {Brush::Paint, Brush::Carve, Brush::Barrier}) {
+            ui::Workspace::BrushSettings settings = workspace.brushSettings(brush);
+            settings.overwriteUnlocked = true;
+            workspace.setBrushSettings(brush, settings);
+        }
+        ui::Workspace::DrillSettings drill = workspace.drillSettings();
+        drill.depthMm = 11.0;
+        drill.sweep = ui::Workspace::Sweep::LeftRight;
+        workspace.setDrillSettings(drill);
+    }
+    [[nodiscard]] const core::Edit& lastEdit() { return session().history().rows().back().edit; }
+
+    ui::VolumeView& view;
+};
+
+} // namespace
+
+/// Strokes and sketches in the 3D view that are let go of before the question of their place is
+/// answered.
+class WaitingStrokesUiTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { test::failOnUnexpectedMessages(); }
+
+    void paintGoesToWhatWasActive()
+    {
+        TwoSegments fixture;
+        ui::PaintTool tool(fixture.workspace);
+        const std::size_t rows = fixture.rows();
+        fixture.drawUnanswered(tool);
+        QCOMPARE(fixture.rows(), rows);
+        fixture.chooseOthers();
+        fixture.answered();
+        QCOMPARE(fixture.rows(), rows + 1);
+        const auto& edit = fixture.lastEdit().get<core::PaintStroke>();
+        QCOMPARE(edit.segment, 1);
+        QVERIFY(edit.seeds); // as the segment has some
+        QVERIFY(!edit.overwriteUnlocked);
+        QCOMPARE(fixture.workspace.activeSegment(), 2);
+    }
+
+    void carvingGoesToTheLayerThatWasActive()
+    {
+        TwoSegments fixture;
+        ui::CarveBrushTool tool(fixture.workspace);
+        const std::size_t rows = fixture.rows();
+        fixture.drawUnanswered(tool);
+        fixture.chooseOthers();
+        fixture.answered();
+        QCOMPARE(fixture.rows(), rows + 1);
+        QCOMPARE(fixture.lastEdit().get<core::BrushStroke>().layer, 1);
+    }
+
+    void aBarrierIsOneOfTheGrowthThatWasActive()
+    {
+        TwoSegments fixture;
+        ui::BarrierTool tool(fixture.workspace);
+        const std::size_t rows = fixture.rows();
+        fixture.drawUnanswered(tool);
+        fixture.chooseOthers();
+        fixture.answered();
+        QCOMPARE(fixture.rows(), rows + 1);
+        QVERIFY(!fixture.lastEdit().get<core::BarrierStroke>().plane);
+    }
+
+    void seedsAreThoseOfTheSegmentThatWasActive()
+    {
+        TwoSegments fixture;
+        ui::SeedTool tool(fixture.workspace);
+        const std::size_t rows = fixture.rows();
+        fixture.workspace.setActiveSegment(2);
+        fixture.drawUnanswered(tool);
+        fixture.workspace.setActiveSegment(1);
+        fixture.answered();
+        QCOMPARE(fixture.rows(), rows + 1);
+        QCOMPARE(fixture.lastEdit().get<core::SeedStroke>().segment, 2);
+        QCOMPARE(fixture.workspace.activeSegment(), 1);
+    }
+
+    /// In the other plane nothing has grown that could be taken back.
+    void theGrowthThatWasActiveIsTakenBack()
+    {
+        TwoSegments fixture;
+        ui::ShrinkTool tool(fixture.workspace);
+        const std::size_t rows = fixture.rows();
+        fixture.drawUnanswered(tool);
+        fixture.chooseOthers();
+        fixture.answered();
+        QCOMPARE(fixture.rows(), rows + 1);
+        QVERIFY(!fixture.lastEdit().get<core::ShrinkAt>().plane);
+    }
+
+    void undoDropsASketchThatWaits_data()
+    {
+        QTest::addColumn<bool>("shrinks");
+        QTest::newRow("seed") << false;
+        QTest::newRow("shrink") << true;
+    }
+    void undoDropsASketchThatWaits()
+    {
+        QFETCH(const bool, shrinks);
+        TwoSegments fixture;
+        ui::SeedTool seed(fixture.workspace);
+        ui::ShrinkTool shrink(fixture.workspace);
+        ui::SketchTool& tool = shrinks ? static_cast<ui::SketchTool&>(shrink) : seed;
+        fixture.workspace.setActiveSegment(shrinks ? 1 : 2);
+        fixture.workspace.setActiveTool(&tool);
+        QSignalSpy said(&fixture.workspace, &ui::Workspace::said);
+        QAction& undo = fixture.window.actionTable()[QStringLiteral("edit.undo")];
+        const std::size_t rows = fixture.rows();
+        const core::RowId position = fixture.session().history().position();
+        QVERIFY(!tool.canTakeStepBack());
+        fixture.drawUnanswered(tool);
+        QVERIFY(tool.canTakeStepBack());
+        QVERIFY(undo.text().contains(QStringLiteral("the stroke that is about to come")));
+        undo.trigger();
+        QVERIFY(!tool.canTakeStepBack());
+        QCOMPARE(said.back()[0].toString(), QStringLiteral("The sketch was dropped"));
+        if (shrinks)
+            QVERIFY(shrink.preview().words().isEmpty());
+        fixture.answered();
+        QCOMPARE(fixture.rows(), rows);
+        QCOMPARE(fixture.session().history().position(), position);
+        // The next one is carried out, and then there is nothing to drop.
+        fixture.drawUnanswered(tool);
+        fixture.answered();
+        QCOMPARE(fixture.rows(), rows + 1);
+        QVERIFY(!tool.canTakeStepBack());
+    }
+
+    void theDrillGoesInAsItWasSet()
+    {
+        TwoSegments fixture;
+        ui::DrillTool tool(fixture.workspace);
+        fixture.workspace.setDrillSettings(
+            {.radiusMm = 3.0, .depthMm = 6.0, .sweep = ui::Workspace::Sweep::Normal});
+        const std::size_t rows = fixture.rows();
+        fixture.drawUnanswered(tool);
+        fixture.chooseOthers();
+        fixture.answered();
+        QCOMPARE(fixture.rows(), rows + 1);
+        const auto& edit = fixture.lastEdit().get<core::DrillStroke>();
+        QCOMPARE(edit.layer, 1);
+        QCOMPARE(edit.depthMm, 6.0);
+        // Across the bone's face, which looks to the front and to the right, and not along it.
+        const glm::dvec3 way = glm::normalize(edit.view.targetLps - edit.view.eyeLps);
+        QVERIFY(way.y > 0.7);
+    }
+};
+
+BURIN_WINDOW_TEST(WaitingStrokesUiTest)
+
+} // namespace waitingStrokesUiTest
+
+#include "WaitingStrokesUiTest.moc"
