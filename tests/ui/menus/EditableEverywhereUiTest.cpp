@@ -7,6 +7,7 @@
 #include "tests/support/fixtures/WorkspaceFixture.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/PlainEdits.h"
+#include "ui/menus/EditableButton.h"
 #include "ui/panels/refine/ChunksPanel.h"
 #include "ui/tools/contour/ContourTool.h"
 #include "ui/tools/growth/FloodFillTool.h"
@@ -22,6 +23,9 @@
 #include "ui/workspace/Refinement.h"
 #include "ui/workspace/SegmentActions.h"
 
+#include <QCheckBox>
+#include <QDialog>
+#include <QMenu>
 #include <QTimer>
 #include <QtTest>
 
@@ -328,6 +332,48 @@ private Q_SLOTS:
         const auto* const kept = core::editableRangeOf(row.edit);
         QVERIFY(kept);
         QVERIFY2(*kept == range, qPrintable(row.name));
+    }
+
+    /// Each dialog of segments says it and lets it be chosen, and still fits a small screen.
+    void dialogsOfferIt_data()
+    {
+        QTest::addColumn<QString>("action");
+        for (const char* action :
+            {"segments.threshold", "segments.margin", "segments.hollow", "segments.smooth",
+                "segments.fillBetween", "segments.mirrorBy", "segments.splitIslands"})
+            QTest::newRow(action) << QString::fromLatin1(action);
+    }
+    void dialogsOfferIt()
+    {
+        QFETCH(const QString, action);
+        Fixture fixture;
+        fixture.window.actionTable()[action].trigger();
+        QDialog* opened = nullptr;
+        for (QDialog* each : fixture.window.findChildren<QDialog*>()) {
+            if (each->isVisible())
+                opened = each;
+        }
+        QVERIFY(opened);
+        QDialog& dialog = *opened;
+        const auto* button = dialog.findChild<ui::EditableButton*>();
+        QVERIFY(button && button->isVisible());
+        QTRY_VERIFY(button->text().startsWith(QStringLiteral("editable: only")));
+        QVERIFY(dialog.height() < 720 - 40 && dialog.width() < 1280);
+        // The tab key goes down the dialog: no button of the last row comes before it.
+        const auto below = [&dialog, button](const QWidget& other) {
+            return other.mapTo(&dialog, QPoint()).y() > button->mapTo(&dialog, QPoint()).y();
+        };
+        QList<const QWidget*> before;
+        for (const QWidget* each = &dialog; each != button; each = each->nextInFocusChain()) {
+            if (each->isVisible() && dialog.isAncestorOf(each)
+                && (each->focusPolicy() & Qt::TabFocus) != 0)
+                before += each;
+        }
+        for (const QWidget* each : before)
+            QVERIFY2(!below(*each), qPrintable(each->objectName()));
+        button->menu()->findChild<QCheckBox*>(QStringLiteral("editableOn"))->click();
+        QVERIFY(!fixture.workspace.editableRange());
+        QCOMPARE(button->text(), QStringLiteral("changes all voxels"));
     }
 
     /// A new kind of edit that has such a range is to be tried above.

@@ -12,7 +12,6 @@
 #include "ui/dialogs/segment/PreviewRow.h"
 #include "ui/dialogs/segment/SegmentWorkRow.h"
 #include "ui/geometry/ViewPlane.h"
-#include "ui/menus/EditableButton.h"
 #include "ui/menus/SegmentMenus.h"
 #include "ui/widgets/FittingLabel.h"
 #include "ui/workspace/SegmentActions.h"
@@ -110,7 +109,7 @@ BetweenSlicesDialog::BetweenSlicesDialog(Workspace& workspace, QWidget* parent)
     column().addWidget(m_axis);
     column().addWidget(m_drawn);
     column().addWidget(m_result);
-    column().addWidget(new EditableNote(workspace, this));
+    addEditable();
     column().addSpacing(theme::smallPadding);
     column().addWidget(m_preview);
     column().addWidget(m_work);
@@ -196,7 +195,8 @@ std::vector<core::DrawnPlane> BetweenSlicesDialog::planesOfStrokes() const
     if (core::areAcrossOneAxis(planes, geometry))
         return {};
     // Rounded as in the row, so that what is told is what is filled.
-    return *core::quantised(core::FillBetweenSlices{.segment = label(), .planes = std::move(planes)})
+    return *core::quantised(
+        core::FillBetweenSlices{.segment = label(), .planes = std::move(planes)})
                 .get<core::FillBetweenSlices>()
                 .planes;
 }

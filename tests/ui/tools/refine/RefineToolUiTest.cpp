@@ -21,15 +21,18 @@
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/PlainEdits.h"
 #include "ui/base/Actions.h"
+#include "ui/menus/EditableButton.h"
 #include "ui/panels/refine/RefineActions.h"
 #include "ui/panels/refine/RefinePanel.h"
 #include "ui/tools/refine/RefineTool.h"
 #include "ui/views/ViewGrid.h"
 #include "ui/widgets/FittingLabel.h"
 
+#include <QCheckBox>
 #include <QJsonDocument>
 #include <QLabel>
 #include <QListWidget>
+#include <QMenu>
 #include <QPushButton>
 #include <QSpinBox>
 #include <QToolButton>
@@ -459,14 +462,14 @@ private Q_SLOTS:
         fixture.set(Mode::Sphere, 6.0);
         draw(fixture, fixture.slice, {fixture.at(fixture.slice, {0.0, -radius, 0.0})});
         auto* write = fixture.panel.findChild<QPushButton*>(QStringLiteral("writeBack"));
-        const auto* note = fixture.panel.findChild<QLabel*>(QStringLiteral("editableNote"));
-        QVERIFY(write->isEnabled() && note && note->isHidden());
+        const auto* button = fixture.panel.findChild<ui::EditableButton*>();
+        QVERIFY(write->isEnabled() && button && !button->isHidden());
+        QVERIFY(button->toolTip().endsWith(QStringLiteral(": all voxels")));
         const core::RowId pushed = fixture.lastRow().id;
         const std::int64_t before = fixture.voxels();
         fixture.workspace.setEditableSettings(
             {.on = true, .byValue = true, .lower = 2000.0, .upper = 3000.0}); // none has these
-        QVERIFY(!note->isHidden());
-        QCOMPARE(note->text(), QStringLiteral("editable: only 2000 … 3000 HU"));
+        QVERIFY(button->toolTip().endsWith(QStringLiteral(": editable: only 2000 … 3000 HU")));
         write->click();
         fixture.settle();
         QCOMPARE(fixture.lastRow().id, pushed);
@@ -481,8 +484,10 @@ private Q_SLOTS:
         QCOMPARE(written->editable->lower, std::optional(-1000.0));
         QVERIFY(fixture.voxels() != before);
         QVERIFY(write->isEnabled()); // a range, whatever it leaves out
-        fixture.workspace.setEditableSettings({});
-        QVERIFY(note->isHidden());
+        // It is switched off there, too.
+        button->menu()->findChild<QCheckBox*>(QStringLiteral("editableOn"))->click();
+        QVERIFY(!fixture.workspace.editableRange());
+        QVERIFY(button->toolTip().endsWith(QStringLiteral(": all voxels")));
     }
 
     void marksOnASliceAreTheEditOfARecipe()
