@@ -200,7 +200,7 @@ private Q_SLOTS:
             QCOMPARE(keys->text().contains(QStringLiteral("radius")), sized);
             QVERIFY(keys->text().contains(QStringLiteral("Esc")));
             QCOMPARE(keys->text().contains(QStringLiteral("Ctrl")),
-                mode == Mode::Mark || mode == Mode::Sphere);
+                mode == Mode::Mark || mode == Mode::Sphere || mode == Mode::Scrape);
             const QString shown = keys->shownText();
             qInfo("mode %d: %d pixels for %s: %s", int(mode), keys->width(),
                 qUtf8Printable(keys->text()), qUtf8Printable(shown));
@@ -225,8 +225,7 @@ private Q_SLOTS:
         QCOMPARE(label.shownText(), QString());
     }
 
-    /// Ctrl is promised only where it does something: on a slice the sphere pushes from where it
-    /// is put down.
+    /// Ctrl is promised only where it does something, and the words at the pointer tell what.
     void ctrlSaysWhatItDoes()
     {
         RefineFixture fixture;
@@ -236,10 +235,20 @@ private Q_SLOTS:
             test::WindowFixture::hover(view, QPointF(view.rect().center()), Qt::ControlModifier);
             return fixture.tool.target();
         };
+        const auto keysTell = [&fixture](const char* what) {
+            return fixture.tool.keys().contains(QLatin1String(what));
+        };
         fixture.set(Mode::Sphere, 6.0);
-        QCOMPARE(targetOver(fixture.slice), QStringLiteral("pushes Ball"));
-        QCOMPARE(targetOver(fixture.view), QStringLiteral("pushes Ball outwards"));
-        QVERIFY(fixture.tool.keys().contains(QStringLiteral("Ctrl in 3D")));
+        for (ui::ImageView* view :
+            std::initializer_list<ui::ImageView*>{&fixture.slice, &fixture.view})
+            QCOMPARE(targetOver(*view), QStringLiteral("pushes Ball from the other side"));
+        QVERIFY(keysTell("Ctrl pushes the other way"));
+        fixture.set(Mode::Scrape, 6.0);
+        QCOMPARE(targetOver(fixture.slice), QStringLiteral("fills Ball up to a plane"));
+        QVERIFY(keysTell("Ctrl fills"));
+        fixture.set(Mode::Smooth, 6.0);
+        QCOMPARE(targetOver(fixture.slice), QStringLiteral("smooths Ball"));
+        QVERIFY(!keysTell("Ctrl"));
     }
 
     void thePanelLaysAndWritesBack()
