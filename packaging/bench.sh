@@ -36,7 +36,8 @@ if [ "$*" = --smoke ] || [ "$*" = "--smoke --record" ]; then
     unset BURIN_RECORD_WORK
     [ "$*" = --smoke ] || export BURIN_RECORD_WORK=1
     status=0
-    for counted in WorkOfStepsGlTest WorkOfLabelsGlTest WorkOfPartsGlTest WorkOfPicturesGlTest; do
+    for counted in WorkOfStepsGlTest WorkOfLabelsGlTest WorkOfPartsGlTest WorkOfShapesGlTest \
+        WorkOfPicturesGlTest; do
         "$burinBuild/tests/gpu_work_test" "$counted" || status=1
     done
     exit $status

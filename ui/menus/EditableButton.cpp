@@ -60,25 +60,6 @@ void EditableButton::resizeEvent(QResizeEvent* event)
         showState();
 }
 
-EditableNote::EditableNote(Workspace& workspace, QWidget* parent)
-    : QLabel(parent)
-    , m_workspace(workspace)
-{
-    setObjectName(QStringLiteral("editableNote"));
-    setFont(theme::smallFont());
-    setTextFormat(Qt::PlainText);
-    setWordWrap(true);
-    setProperty("role", QStringLiteral("caution"));
-    showState();
-    connect(&workspace, &Workspace::editableChanged, this, &EditableNote::showState);
-}
-
-void EditableNote::showState()
-{
-    setText(m_workspace.editableText());
-    setVisible(!text().isEmpty());
-}
-
 void addEditableNote(QMenu& menu, QAction* before, Workspace& workspace)
 {
     auto* note = new QAction(&menu);

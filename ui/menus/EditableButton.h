@@ -3,7 +3,6 @@
 
 #include "ui/workspace/Workspace.h"
 
-#include <QLabel>
 #include <QToolButton>
 
 class QAction;
@@ -12,14 +11,15 @@ class QMenu;
 namespace ui {
 
 /// A button that says which voxels may be edited (the editable range) and has an EditableSection as
-/// its menu. It is for tools whose options have no other menu for that section, and for panels.
+/// its menu. It is for tools whose options have no other menu for that section, for panels and for
+/// dialogs.
 class EditableButton : public QToolButton {
     Q_OBJECT
 
 public:
     enum class In {
         Bar, ///< as narrow as the option bar of a tool needs it
-        Column, ///< as wide as the column of panels
+        Column, ///< as wide as a panel or a dialog
     };
     explicit EditableButton(Workspace& workspace, QWidget* parent = nullptr, In place = In::Bar);
 
@@ -31,19 +31,6 @@ private:
 
     Workspace& m_workspace;
     In m_place;
-};
-
-/// The same text as a label for dialogs. It is hidden while the editable range is off.
-class EditableNote : public QLabel {
-    Q_OBJECT
-
-public:
-    explicit EditableNote(Workspace& workspace, QWidget* parent = nullptr);
-
-private:
-    void showState();
-
-    Workspace& m_workspace;
 };
 
 /// The same text as an entry of a menu of what is done to segments, which cannot be chosen. It is

@@ -18,6 +18,7 @@
 #include "ui/frame/StartPage.h"
 #include "ui/frame/ToolColumn.h"
 #include "ui/frame/WindowHeader.h"
+#include "ui/frame/WindowPlace.h"
 #include "ui/input/Tool.h"
 #include "ui/menus/SegmentEntries.h"
 #include "ui/menus/SegmentMenus.h"
@@ -51,8 +52,6 @@
 namespace ui {
 
 namespace {
-
-constexpr int titleBarPixels = 36; ///< of most window managers, and a little more
 
 QString droppedPath(const QMimeData& data)
 {
@@ -364,9 +363,10 @@ void MainWindow::restoreLayout()
 {
     m_keepsLayout = true;
     const QSettings settings;
-    // What was kept is fitted to a smaller screen by Qt; the first time it is done here, with room
-    // for a title bar.
-    if (!restoreGeometry(settings.value(QStringLiteral("window/geometry")).toByteArray()))
+    // Nothing is kept the first time; and Qt takes no place of a screen of quite another width.
+    if (restoreGeometry(settings.value(QStringLiteral("window/geometry")).toByteArray()))
+        bringOntoScreens(*this);
+    else
         resize(size().boundedTo(screen()->availableSize() - QSize(0, titleBarPixels)));
     m_panels->restore(settings);
     m_splitter->restoreState(settings.value(QStringLiteral("panels/splitter")).toByteArray());

@@ -35,6 +35,7 @@ namespace auditUiTest {
 namespace {
 
 constexpr int patience = 300000; ///< ms; only a hang takes that long
+constexpr int manualPixels = 900; ///< how wide the manual shows a page
 
 /// A ball of bone in air.
 QString writeBall(const QString& folder)
@@ -167,7 +168,12 @@ private:
             QPainter painter(&image);
             pages.paint(painter, page);
             painter.end();
-            image.save(screenshots().filePath(QStringLiteral("report-%1.png").arg(page + 1)));
+            // The manual shows the last one: steps of every kind, and pictures below them.
+            if (page + 1 == pages.count())
+                image.scaledToWidth(manualPixels, Qt::SmoothTransformation)
+                    .save(screenshots().filePath(QStringLiteral("audit-report.png")));
+            else
+                image.save(screenshots().filePath(QStringLiteral("report-%1.png").arg(page + 1)));
         }
     }
 

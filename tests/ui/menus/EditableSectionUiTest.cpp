@@ -3,9 +3,7 @@
 
 #include "core/edits/EditJson.h"
 #include "core/edits/kinds/EditParts.h"
-#include "core/edits/kinds/filling/FloodFill.h"
 #include "core/edits/kinds/parts/EditableRange.h"
-#include "core/edits/kinds/segments/CombineSegments.h"
 #include "core/edits/kinds/segments/RemoveSegment.h"
 #include "core/session/SessionDisplay.h"
 #include "core/session/questions/VoxelQuestions.h"
@@ -19,7 +17,6 @@
 #include "ui/tools/growth/FloodFillTool.h"
 #include "ui/tools/growth/PaintTool.h"
 #include "ui/views/ViewGrid.h"
-#include "ui/workspace/SegmentActions.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -238,24 +235,12 @@ private Q_SLOTS:
         QVERIFY(painted > 100);
     }
 
-    /// One choice for all tools, and for what is done to whole segments.
-    void allToolsKeepToIt()
+    /// That all of them keep to it tells EditableEverywhereUiTest.
+    void theBarOfAToolSaysIt()
     {
         Fixture fixture;
-        fixture.apply(test::newSegment(QStringLiteral("One")));
-        fixture.apply(test::newSegment(QStringLiteral("Two")));
-        fixture.apply(test::paintAt(2, {{0.0, 0.0, 0.0}}, 3.0));
         fixture.workspace.setEditableSettings(
             {.on = true, .byValue = true, .lower = 20.0, .upper = 0.0});
-        const core::EditableRange range{.lower = 0.0, .upper = 20.0};
-        ui::mergeSegments(fixture.workspace, 2, 1);
-        QVERIFY(fixture.session().settle());
-        QVERIFY(fixture.lastEdit().get<core::CombineSegments>().editable == range);
-        ui::floodFill(
-            fixture.workspace, {.segment = 1, .placeLps = {0.0, 0.0, 0.0}, .tolerance = 100.0});
-        QVERIFY(fixture.session().settle());
-        QVERIFY(fixture.lastEdit().get<core::FloodFill>().editable == range);
-
         fixture.workspace.setActiveTool(&fixture.flood);
         auto* button = fixture.window.findChild<ui::EditableButton*>();
         QVERIFY(button);

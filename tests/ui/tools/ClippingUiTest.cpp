@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/edits/kinds/growth/SeedStroke.h"
 #include "tests/support/fixtures/Pen.h"
+#include "tests/support/fixtures/PointerStroke.h"
 #include "tests/support/fixtures/WindowFixture.h"
 #include "tests/support/fixtures/WorkspaceFixture.h"
 #include "tests/support/program/TestProgram.h"
@@ -156,6 +157,24 @@ private Q_SLOTS:
         const auto shown = std::get<gpu::VolumeScene>(fixture.view.context().scene);
         QVERIFY(shown.clip == fixture.workspace.clip());
         save(fixture.window, "/clipping.png");
+    }
+
+    void handlesAreDragged_data() { test::addMouseAndPen(); }
+    void handlesAreDragged()
+    {
+        QFETCH(const test::DrawnBy, by);
+        ClippingFixture fixture;
+        const auto dragInwards = [&](ui::ImageView& in, int face, double mm) {
+            const ui::ClipHandle from = fixture.handle(in, face);
+            const QPointF way = from.pixelsPerMm * -mm;
+            test::drawStroke(by, in, {from.pixel, from.pixel + way * 0.4, from.pixel + way});
+        };
+        dragInwards(fixture.view, 1, 9.0);
+        QVERIFY(fixture.workspace.clip().box.on);
+        QVERIFY(isNear(fixture.workspace.clip().box.maximum.x, 39.5 - 9.0, 0.02));
+        dragInwards(fixture.window.views().axial(), 2, 5.0);
+        QVERIFY(isNear(fixture.workspace.clip().box.minimum.y, -0.5 + 5.0, 0.02));
+        QVERIFY(isNear(fixture.workspace.clip().box.maximum.x, 39.5 - 9.0, 0.02));
     }
 
     /// Beside the handles the tool leaves the view to itself.

@@ -13,7 +13,6 @@
 #include "ui/dialogs/segment/PreviewRow.h"
 #include "ui/dialogs/segment/SegmentWorkRow.h"
 #include "ui/geometry/ViewPlane.h"
-#include "ui/menus/EditableButton.h"
 #include "ui/menus/SegmentMenus.h"
 #include "ui/widgets/FittingLabel.h"
 #include "ui/workspace/SegmentActions.h"
@@ -111,7 +110,7 @@ BetweenSlicesDialog::BetweenSlicesDialog(Workspace& workspace, QWidget* parent)
     column().addWidget(m_axis);
     column().addWidget(m_drawn);
     column().addWidget(m_result);
-    column().addWidget(new EditableNote(workspace, this));
+    addEditable();
     column().addSpacing(theme::smallPadding);
     column().addWidget(m_preview);
     column().addWidget(m_work);

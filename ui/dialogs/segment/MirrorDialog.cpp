@@ -4,7 +4,6 @@
 #include "ui/base/Theme.h"
 #include "ui/dialogs/segment/PreviewRow.h"
 #include "ui/dialogs/segment/SegmentWorkRow.h"
-#include "ui/menus/EditableButton.h"
 #include "ui/menus/SegmentMenus.h"
 #include "ui/workspace/SegmentActions.h"
 #include "ui/workspace/Workspace.h"
@@ -46,7 +45,7 @@ MirrorDialog::MirrorDialog(Workspace& workspace, QWidget* parent)
     column().addLayout(row);
     column().addWidget(hint);
     column().addWidget(m_keep);
-    column().addWidget(new EditableNote(workspace, this));
+    addEditable();
     column().addSpacing(theme::smallPadding);
     column().addWidget(m_preview);
     column().addWidget(m_work);

@@ -5,7 +5,6 @@
 #include "ui/base/Theme.h"
 #include "ui/dialogs/segment/PreviewRow.h"
 #include "ui/dialogs/segment/SegmentWorkRow.h"
-#include "ui/menus/EditableButton.h"
 #include "ui/menus/SegmentMenus.h"
 #include "ui/widgets/fields/NumberField.h"
 #include "ui/workspace/SegmentActions.h"
@@ -171,7 +170,7 @@ ReshapeDialog::ReshapeDialog(Workspace& workspace, QWidget* parent)
     QWidget* sides = sideFields();
     column().addWidget(sides);
     connect(m_bySides, &QCheckBox::toggled, this, &ReshapeDialog::showSides);
-    column().addWidget(new EditableNote(workspace, this));
+    addEditable();
     column().addSpacing(theme::smallPadding);
     column().addWidget(m_preview);
     column().addWidget(m_work);

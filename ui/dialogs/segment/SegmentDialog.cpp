@@ -2,7 +2,9 @@
 #include "ui/dialogs/segment/SegmentDialog.h"
 
 #include "core/session/EditSession.h"
+#include "ui/base/TabOrder.h"
 #include "ui/base/Theme.h"
+#include "ui/menus/EditableButton.h"
 #include "ui/widgets/FittingLabel.h"
 #include "ui/workspace/Workspace.h"
 
@@ -33,8 +35,14 @@ const core::Segment* SegmentDialog::segment() const
     return session ? session->document().segment(m_label) : nullptr;
 }
 
+void SegmentDialog::addEditable()
+{
+    m_column->addWidget(new EditableButton(m_workspace, this, EditableButton::In::Column));
+}
+
 void SegmentDialog::bringUp()
 {
+    tabAsLaidOut(*this);
     show();
     raise();
     activateWindow();

@@ -34,6 +34,8 @@ protected:
     [[nodiscard]] const core::Segment* segment() const;
     /// The layout below the segment's name, to which derived dialogs add their widgets.
     [[nodiscard]] QVBoxLayout& column() const { return *m_column; }
+    /// Adds the button that says which voxels may change and lets the user choose them.
+    void addEditable();
     /// Shows the dialog in front of the window and gives it the keyboard.
     void bringUp();
     /// Updates what is shown of the segment; the base shows its name.

@@ -6,7 +6,6 @@
 #include "ui/base/NumberText.h"
 #include "ui/base/Theme.h"
 #include "ui/dialogs/segment/PreviewRow.h"
-#include "ui/menus/EditableButton.h"
 #include "ui/menus/SegmentMenus.h"
 #include "ui/widgets/fields/NumberField.h"
 #include "ui/workspace/SegmentActions.h"
@@ -62,7 +61,7 @@ SplitIslandsDialog::SplitIslandsDialog(Workspace& workspace, QWidget* parent)
     column().addLayout(size);
     column().addWidget(hint);
     column().addWidget(m_result);
-    column().addWidget(new EditableNote(workspace, this));
+    addEditable();
     column().addSpacing(theme::smallPadding);
     column().addWidget(m_preview);
     column().addLayout(buttons);

@@ -8,7 +8,6 @@
 #include "ui/dialogs/segment/EditTrial.h"
 #include "ui/dialogs/segment/IntervalSuggestions.h"
 #include "ui/dialogs/segment/PreviewBox.h"
-#include "ui/menus/EditableButton.h"
 #include "ui/menus/SegmentMenus.h"
 #include "ui/settings/GrowSettings.h"
 #include "ui/widgets/HistogramRange.h"
@@ -134,7 +133,7 @@ void ThresholdDialog::build()
     column().addWidget(m_suggestions);
     column().addLayout(mode);
     column().addLayout(limits);
-    column().addWidget(new EditableNote(workspace(), this));
+    addEditable();
     column().addSpacing(theme::smallPadding);
     column().addLayout(buttons);
 }

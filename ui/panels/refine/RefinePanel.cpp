@@ -115,7 +115,8 @@ QWidget* RefinePanel::buildRefining()
     m_state = smallText({}, page);
     m_state->setObjectName(QStringLiteral("surfaceState"));
     layout->addWidget(m_state);
-    layout->addWidget(new EditableNote(m_workspace, page));
+    // For writing back; the surface itself may go anywhere.
+    layout->addWidget(new EditableButton(m_workspace, page, EditableButton::In::Column));
     // Side by side they would not fit into the column.
     auto* buttons = new QGridLayout;
     buttons->setSpacing(theme::smallPadding);

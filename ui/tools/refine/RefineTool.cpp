@@ -33,6 +33,41 @@ glm::dvec3 forwardOf(const ViewContext& view)
     return glm::normalize(scene.targetLps - scene.eyeLps);
 }
 
+/// Whether a tool has an opposite, which Ctrl and the pen's eraser end choose. A drag goes either
+/// way by itself; nothing undoes what smooths, follows edges or is drawn.
+bool hasOpposite(Refinement::Mode mode)
+{
+    switch (mode) {
+    case Refinement::Mode::Mark:
+    case Refinement::Mode::Sphere:
+    case Refinement::Mode::Scrape:
+        return true;
+    case Refinement::Mode::Drag:
+    case Refinement::Mode::Attract:
+    case Refinement::Mode::Smooth:
+    case Refinement::Mode::Template:
+        break;
+    }
+    return false;
+}
+
+/// The mirror image of a place in a slice about the surface next to it. A sphere there pushes the
+/// other way.
+glm::dvec3 beyondSurface(
+    const core::SurfaceMirror& surface, const gpu::SliceScene& slice, const glm::dvec3& placeLps)
+{
+    const auto& near = surface.vertex(surface.nearestVertex(placeLps));
+    const double heightMm = glm::dot(placeLps - near.positionLps, near.normalLps);
+    const glm::dvec3 across = glm::normalize(glm::cross(slice.rightLps, slice.downLps));
+    const glm::dvec3 inSlice = near.normalLps - glm::dot(near.normalLps, across) * across;
+    const double length = glm::length(inSlice);
+    // Where the surface nearly lies in the slice, its other side is not in it.
+    constexpr double leastLength = 0.3;
+    if (length < leastLength)
+        return placeLps - 2.0 * heightMm * near.normalLps;
+    return placeLps - 2.0 * heightMm / (length * length) * inSlice;
+}
+
 } // namespace
 
 RefineTool::RefineTool(Workspace& workspace, QObject* parent)
@@ -75,9 +110,9 @@ QString RefineTool::target() const
     case Refinement::Mode::Mark:
         return tr("marks the surface of %1").arg(name);
     case Refinement::Mode::Sphere:
-        return (m_inverted ? tr("pushes %1 outwards") : tr("pushes %1")).arg(name);
+        return (m_inverted ? tr("pushes %1 from the other side") : tr("pushes %1")).arg(name);
     case Refinement::Mode::Scrape:
-        return tr("scrapes %1").arg(name);
+        return (m_inverted ? tr("fills %1 up to a plane") : tr("scrapes %1")).arg(name);
     case Refinement::Mode::Drag:
         return tr("drags a point of %1").arg(name);
     case Refinement::Mode::Attract:
@@ -96,10 +131,11 @@ QString RefineTool::keys() const
     case Refinement::Mode::Mark:
         return tr("[ ] radius · Ctrl unmarks · Esc cancels");
     case Refinement::Mode::Sphere:
-        return tr("[ ] radius · Ctrl in 3D: outwards · Esc cancels");
+        return tr("[ ] radius · Ctrl pushes the other way · Esc cancels");
     case Refinement::Mode::Template:
         return tr("Esc takes back · back to the start: closed");
     case Refinement::Mode::Scrape:
+        return tr("[ ] radius · Ctrl fills · Esc cancels");
     case Refinement::Mode::Drag:
     case Refinement::Mode::Attract:
     case Refinement::Mode::Smooth:
@@ -124,12 +160,10 @@ bool RefineTool::takes(const PointerSample&, const ViewContext& view) const
     return view.isSlice() || m_workspace.refinement().settings().mode != Refinement::Mode::Template;
 }
 
-bool RefineTool::isInverse(const PointerSample& sample, const ViewContext& view) const
+bool RefineTool::isInverse(const PointerSample& sample) const
 {
-    if (!sample.eraserEnd && !sample.modifiers.testFlag(Qt::ControlModifier))
-        return false;
-    const Refinement::Mode mode = m_workspace.refinement().settings().mode;
-    return mode == Refinement::Mode::Mark || (mode == Refinement::Mode::Sphere && !view.isSlice());
+    const bool asked = sample.eraserEnd || sample.modifiers.testFlag(Qt::ControlModifier);
+    return asked && hasOpposite(m_workspace.refinement().settings().mode);
 }
 
 std::optional<core::MeshHit> RefineTool::hitAt(
@@ -142,8 +176,11 @@ std::optional<core::MeshHit> RefineTool::hitAt(
 std::optional<glm::dvec3> RefineTool::placeOf(Stroke& stroke, const PointerSample& sample) const
 {
     const QPointF& pixel = sample.position;
-    if (stroke.view.isSlice())
-        return stroke.view.toLps(pixel);
+    if (const auto* slice = std::get_if<gpu::SliceScene>(&stroke.view.scene)) {
+        const glm::dvec3 place = stroke.view.toLps(pixel);
+        const bool isBeyond = stroke.inverted && stroke.settings.mode == Refinement::Mode::Sphere;
+        return isBeyond ? beyondSurface(stroke.surface, *slice, place) : place;
+    }
     const glm::dvec3 forward = forwardOf(stroke.view);
     const glm::dvec3 onTarget = stroke.view.toLps(pixel);
     using Mode = Refinement::Mode;
@@ -186,9 +223,10 @@ core::Edit RefineTool::editOf(const Stroke& stroke, const glm::dvec3& placeLps) 
             normal -= glm::dot(normal, *across) * *across;
         }
         const double length = glm::length(normal);
-        return core::PlaneScrape{.path = path,
-            .normalLps = length > 0.0 ? normal / length : glm::dvec3(0.0, 0.0, 1.0),
-            .acrossLps = across};
+        normal = length > 0.0 ? normal / length : glm::dvec3(0.0, 0.0, 1.0);
+        // From the other side: what lies below the plane is drawn up to it.
+        return core::PlaneScrape{
+            .path = path, .normalLps = stroke.inverted ? -normal : normal, .acrossLps = across};
     }
     case Refinement::Mode::Drag:
         return core::PointDrag{.path = path};
@@ -218,7 +256,7 @@ void RefineTool::press(const PointerSample& sample, const ViewContext& view)
     m_stroke = Stroke{.view = view,
         .surface = refinement.mirror(),
         .settings = refinement.settings(),
-        .inverted = isInverse(sample, view),
+        .inverted = isInverse(sample),
         .isPressed = refinement.settings().radiusByPressure && sample.isPen,
         .lastPressure = pressedShare(sample)};
     const std::optional<glm::dvec3> place = placeOf(*m_stroke, sample);
@@ -315,7 +353,7 @@ void RefineTool::cancel()
 void RefineTool::hover(const PointerSample& sample, const ViewContext& view)
 {
     m_pressure = m_stroke && m_stroke->isPressed ? pressedShare(sample) : 1.0;
-    m_inverted = m_stroke ? m_stroke->inverted : isInverse(sample, view);
+    m_inverted = m_stroke ? m_stroke->inverted : isInverse(sample);
     showCursor(sample.position, view.view);
 }
 

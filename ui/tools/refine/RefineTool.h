@@ -17,7 +17,9 @@ namespace ui {
 ///
 /// On a slice the tool is at the pen. In the 3D view it follows the surface as it was at pen-down.
 /// The centre of the sphere then lies half its radius outside of the surface and pushes inwards;
-/// with Ctrl it lies inside and pushes outwards.
+/// with Ctrl it lies inside and pushes outwards. On a slice the sphere lies at the mirror image of
+/// the pen about the surface with Ctrl, so that it pushes the other way there, too; and the scraper
+/// fills up to its plane. Ctrl does nothing to tools without an opposite.
 class RefineTool : public CursorTool {
     Q_OBJECT
 
@@ -62,7 +64,7 @@ private:
     [[nodiscard]] std::optional<glm::dvec3> placeOf(
         Stroke& stroke, const PointerSample& sample) const;
     /// Whether Ctrl, or the pen's eraser end, is held where it does the opposite.
-    [[nodiscard]] bool isInverse(const PointerSample& sample, const ViewContext& view) const;
+    [[nodiscard]] bool isInverse(const PointerSample& sample) const;
     [[nodiscard]] std::optional<core::MeshHit> hitAt(
         const core::SurfaceMirror& surface, const ViewContext& view, const QPointF& pixel) const;
     [[nodiscard]] core::Edit editOf(const Stroke& stroke, const glm::dvec3& placeLps) const;

@@ -12,6 +12,7 @@
 #include "tests/support/scenes/SmallStudy.h"
 #include "ui/base/ErrorText.h"
 #include "ui/base/NumberText.h"
+#include "ui/menus/EditableButton.h"
 
 #include <QCheckBox>
 #include <QDoubleSpinBox>
@@ -110,15 +111,15 @@ private Q_SLOTS:
         ui::SplitIslandsDialog& dialog = fixture.opened();
         sizeOf(dialog).setValue(0.0);
         QTRY_COMPARE(resultOf(dialog), QStringLiteral("2 of 3 islands become segments"));
-        const auto* note = dialog.findChild<QLabel*>(QStringLiteral("editableNote"));
-        QVERIFY(note && note->isHidden());
+        const auto* button = dialog.findChild<ui::EditableButton*>();
+        QVERIFY(button && button->isVisible());
+        QCOMPARE(button->text(), QStringLiteral("changes all voxels"));
         core::ClipRegion clip = fixture.workspace.clip();
         clip.box.on = true;
         clip.box.maximum.y = 18.5; // the small dab alone
         fixture.workspace.setClip(clip);
         fixture.workspace.setEditableSettings({.on = true, .boxed = true});
-        QVERIFY(note->isVisible());
-        QCOMPARE(note->text(), QStringLiteral("editable: in the clip box"));
+        QCOMPARE(button->text(), QStringLiteral("editable: in the clip box"));
         QCOMPARE(resultOf(dialog),
             QStringLiteral(
                 "Up to 2 of 3 islands become segments: those with voxels that may change"));

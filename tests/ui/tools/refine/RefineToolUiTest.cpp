@@ -21,15 +21,18 @@
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/PlainEdits.h"
 #include "ui/base/Actions.h"
+#include "ui/menus/EditableButton.h"
 #include "ui/panels/refine/RefineActions.h"
 #include "ui/panels/refine/RefinePanel.h"
 #include "ui/tools/refine/RefineTool.h"
 #include "ui/views/ViewGrid.h"
 #include "ui/widgets/FittingLabel.h"
 
+#include <QCheckBox>
 #include <QJsonDocument>
 #include <QLabel>
 #include <QListWidget>
+#include <QMenu>
 #include <QPushButton>
 #include <QSpinBox>
 #include <QToolButton>
@@ -197,7 +200,7 @@ private Q_SLOTS:
             QCOMPARE(keys->text().contains(QStringLiteral("radius")), sized);
             QVERIFY(keys->text().contains(QStringLiteral("Esc")));
             QCOMPARE(keys->text().contains(QStringLiteral("Ctrl")),
-                mode == Mode::Mark || mode == Mode::Sphere);
+                mode == Mode::Mark || mode == Mode::Sphere || mode == Mode::Scrape);
             const QString shown = keys->shownText();
             qInfo("mode %d: %d pixels for %s: %s", int(mode), keys->width(),
                 qUtf8Printable(keys->text()), qUtf8Printable(shown));
@@ -222,8 +225,7 @@ private Q_SLOTS:
         QCOMPARE(label.shownText(), QString());
     }
 
-    /// Ctrl is promised only where it does something: on a slice the sphere pushes from where it
-    /// is put down.
+    /// Ctrl is promised only where it does something, and the words at the pointer tell what.
     void ctrlSaysWhatItDoes()
     {
         RefineFixture fixture;
@@ -233,10 +235,20 @@ private Q_SLOTS:
             test::WindowFixture::hover(view, QPointF(view.rect().center()), Qt::ControlModifier);
             return fixture.tool.target();
         };
+        const auto keysTell = [&fixture](const char* what) {
+            return fixture.tool.keys().contains(QLatin1String(what));
+        };
         fixture.set(Mode::Sphere, 6.0);
-        QCOMPARE(targetOver(fixture.slice), QStringLiteral("pushes Ball"));
-        QCOMPARE(targetOver(fixture.view), QStringLiteral("pushes Ball outwards"));
-        QVERIFY(fixture.tool.keys().contains(QStringLiteral("Ctrl in 3D")));
+        for (ui::ImageView* view :
+            std::initializer_list<ui::ImageView*>{&fixture.slice, &fixture.view})
+            QCOMPARE(targetOver(*view), QStringLiteral("pushes Ball from the other side"));
+        QVERIFY(keysTell("Ctrl pushes the other way"));
+        fixture.set(Mode::Scrape, 6.0);
+        QCOMPARE(targetOver(fixture.slice), QStringLiteral("fills Ball up to a plane"));
+        QVERIFY(keysTell("Ctrl fills"));
+        fixture.set(Mode::Smooth, 6.0);
+        QCOMPARE(targetOver(fixture.slice), QStringLiteral("smooths Ball"));
+        QVERIFY(!keysTell("Ctrl"));
     }
 
     void thePanelLaysAndWritesBack()
@@ -459,14 +471,14 @@ private Q_SLOTS:
         fixture.set(Mode::Sphere, 6.0);
         draw(fixture, fixture.slice, {fixture.at(fixture.slice, {0.0, -radius, 0.0})});
         auto* write = fixture.panel.findChild<QPushButton*>(QStringLiteral("writeBack"));
-        const auto* note = fixture.panel.findChild<QLabel*>(QStringLiteral("editableNote"));
-        QVERIFY(write->isEnabled() && note && note->isHidden());
+        const auto* button = fixture.panel.findChild<ui::EditableButton*>();
+        QVERIFY(write->isEnabled() && button && !button->isHidden());
+        QVERIFY(button->toolTip().endsWith(QStringLiteral(": all voxels")));
         const core::RowId pushed = fixture.lastRow().id;
         const std::int64_t before = fixture.voxels();
         fixture.workspace.setEditableSettings(
             {.on = true, .byValue = true, .lower = 2000.0, .upper = 3000.0}); // none has these
-        QVERIFY(!note->isHidden());
-        QCOMPARE(note->text(), QStringLiteral("editable: only 2000 … 3000 HU"));
+        QVERIFY(button->toolTip().endsWith(QStringLiteral(": editable: only 2000 … 3000 HU")));
         write->click();
         fixture.settle();
         QCOMPARE(fixture.lastRow().id, pushed);
@@ -481,8 +493,10 @@ private Q_SLOTS:
         QCOMPARE(written->editable->lower, std::optional(-1000.0));
         QVERIFY(fixture.voxels() != before);
         QVERIFY(write->isEnabled()); // a range, whatever it leaves out
-        fixture.workspace.setEditableSettings({});
-        QVERIFY(note->isHidden());
+        // It is switched off there, too.
+        button->menu()->findChild<QCheckBox*>(QStringLiteral("editableOn"))->click();
+        QVERIFY(!fixture.workspace.editableRange());
+        QVERIFY(button->toolTip().endsWith(QStringLiteral(": all voxels")));
     }
 
     void marksOnASliceAreTheEditOfARecipe()
