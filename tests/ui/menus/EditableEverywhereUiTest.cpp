@@ -8,7 +8,11 @@
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/PlainEdits.h"
 #include "ui/menus/EditableButton.h"
+#include "ui/panels/growth/GrowthPanel.h"
+#include "ui/panels/growth/SpreadBar.h"
 #include "ui/panels/refine/ChunksPanel.h"
+#include "ui/settings/GrowSettings.h"
+#include "ui/tasks/LiveInterval.h"
 #include "ui/tools/contour/ContourTool.h"
 #include "ui/tools/growth/FloodFillTool.h"
 #include "ui/tools/growth/PaintTool.h"
@@ -26,6 +30,7 @@
 #include <QCheckBox>
 #include <QDialog>
 #include <QMenu>
+#include <QPushButton>
 #include <QTimer>
 #include <QtTest>
 
@@ -217,6 +222,39 @@ void makeALayerASegment(Fixture& on)
     ui::layerToSegment(on.workspace, 1, std::nullopt);
 }
 
+/// Grows from the middle through the ventricle.
+void grow(Fixture& on)
+{
+    on.apply(test::seedAt(ball, {on.middle()}));
+    ui::GrowSettings growth = on.workspace.growSettings();
+    growth.lower = -50.0;
+    growth.upper = 20.0;
+    on.workspace.setGrowSettings(growth);
+    auto* panel = on.window.findChild<ui::GrowthPanel*>();
+    QVERIFY(panel);
+    panel->runToClosure();
+    QVERIFY(Fixture::comes([panel] { return !panel->running(); }));
+    on.settle();
+}
+
+void moveTheInterval(Fixture& on)
+{
+    grow(on);
+    ui::LiveInterval interval(on.workspace);
+    interval.move(-50.0, 5.0);
+    interval.settle();
+}
+
+void shareOut(Fixture& on)
+{
+    auto* bar = on.window.findChild<ui::SpreadBar*>();
+    QVERIFY(bar);
+    bar->preview();
+    auto* apply = bar->findChild<QPushButton*>(QStringLiteral("spreadApply"));
+    QVERIFY(Fixture::comes([apply] { return apply->isEnabled(); }));
+    bar->apply();
+}
+
 /// One way in which tools or menus change labels.
 struct Way {
     const char* name;
@@ -243,6 +281,9 @@ std::vector<Way> ways()
         {"segment scissors, erase", editPlace<core::SegmentScissors>, scissors(Does::EraseInside)},
         {"segment scissors, fill", editPlace<core::SegmentScissors>, scissors(Does::FillInside)},
         {"split inside a curve", editPlace<core::SplitByCurve>, scissors(Does::SplitInside)},
+        {"growth", editPlace<core::GrowSteps>, grow},
+        {"interval", editPlace<core::ChangeInterval>, moveTheInterval},
+        {"sharing out", editPlace<core::GrowFromSeeds>, shareOut},
         {"chunks", editPlace<core::ChunkToggle>, clickAChunk},
         {"write back", editPlace<core::WriteBack>, writeASurfaceBack},
         {"split by the plane", editPlace<core::SplitSegment>, splitByThePlane},
@@ -291,7 +332,9 @@ template <class... Es> std::map<std::size_t, const char*> kindsWithRange(core::E
 {
     std::map<std::size_t, const char*> kinds;
     const auto take = [&kinds]<class E>(const E*) {
-        if constexpr (requires(E edit) { edit.editable; })
+        // What goes on with a growth becomes that growth (core::ResumeGrowth).
+        if constexpr (
+            requires(E edit) { edit.editable; } || requires(E edit) { edit.criteria.editable; })
             kinds.emplace(core::editPlace<E>, typeid(E).name());
     };
     (take(static_cast<const Es*>(nullptr)), ...);
