@@ -172,8 +172,8 @@ private Q_SLOTS:
             bench.run(test::growBy(criteriaWith(from, 2000.0)));
             for (const EditableRange& to : bench.ranges()) {
                 const GrowCriteria criteria = criteriaWith(to, 500.0);
-                QVERIFY(bench.labelsAfter(ChangeInterval{.criteria = criteria})
-                    == flooded(bench, criteria));
+                const ChangeInterval change{.criteria = criteria, .asBefore = false};
+                QVERIFY(bench.labelsAfter(change) == flooded(bench, criteria));
             }
             QVERIFY(bench.labels() == flooded(bench, criteriaWith(from, 2000.0)));
             if (bench.session->history().position() != position)
