@@ -10,6 +10,7 @@
 #include "core/session/operations/CopyOperation.h"
 #include "core/session/operations/DocumentOperation.h"
 #include "core/session/operations/FloodOperation.h"
+#include "core/session/operations/ImportOperation.h"
 #include "core/session/operations/IslandOperation.h"
 #include "core/session/operations/SplitIslandsOperation.h"
 #include "core/session/operations/SurfaceOperation.h"
@@ -76,6 +77,10 @@ public:
     {
         return std::make_unique<CopyOperation>(edit, m_again);
     }
+    Made operator()(const ImportMask& edit) const
+    {
+        return std::make_unique<ImportOperation>(edit, m_again);
+    }
     Made operator()(const FloodFill& edit) const
     {
         return std::make_unique<FloodOperation>(edit, m_again);
@@ -128,8 +133,10 @@ std::unique_ptr<Operation> openOperationOf(const Edit& edit)
             else if constexpr (isOneOf<E, SplitIslands>)
                 return std::make_unique<SplitIslandsOperation>(
                     known, SplitIslandsOperation::Kind::Interactive);
-            else
+            else {
+                static_assert(!hasOpenManner<E>, "an edit that can stand open needs its operation");
                 return nullptr;
+            }
         },
         edit);
 }

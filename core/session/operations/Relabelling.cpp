@@ -30,6 +30,12 @@ void Relabelling::begin(SessionState& state, Edit edit, LabelListed&& label)
     submit(state, std::move(edit), std::move(label));
 }
 
+void Relabelling::begin(SessionState& state, Edit edit, LabelPlanes&& planes)
+{
+    m_edit = std::move(edit);
+    m_begun = state.engine.submit(BeginEdit{std::move(planes)});
+}
+
 void Relabelling::begin(SessionState& state, Edit edit, const MapLabels& map)
 {
     m_edit = std::move(edit);

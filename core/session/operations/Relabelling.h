@@ -10,6 +10,7 @@
 namespace core {
 
 struct LabelListed;
+struct LabelPlanes;
 struct MapLabels;
 struct RelabelListed;
 
@@ -27,6 +28,7 @@ public:
     /// @param relabel without bricks nothing is written
     void begin(SessionState& state, Edit edit, RelabelListed&& relabel);
     void begin(SessionState& state, Edit edit, LabelListed&& label);
+    void begin(SessionState& state, Edit edit, LabelPlanes&& planes);
     void begin(SessionState& state, Edit edit, const MapLabels& map);
     /// Ends what was begun. Without a row if nothing was.
     void end(SessionState& state, Ending ending);

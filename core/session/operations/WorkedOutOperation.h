@@ -28,8 +28,9 @@ public:
         Interactive, ///< it stands open until end()
     };
     /// What is to be written: RelabelListed if one segment gains or loses voxels, LabelListed if
-    /// several receive some, MapLabels if the engine itself finds them.
-    using Listed = std::variant<RelabelListed, LabelListed, MapLabels>;
+    /// several receive some, LabelPlanes if they do so in several planes, MapLabels if the engine
+    /// itself finds them.
+    using Listed = std::variant<RelabelListed, LabelListed, LabelPlanes, MapLabels>;
 
     [[nodiscard]] bool done() const final { return m_relabelling.done(); }
     [[nodiscard]] bool abandon(SessionState& state, const Error& error) final;

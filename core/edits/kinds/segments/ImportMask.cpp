@@ -7,13 +7,12 @@
 #include "core/edits/answers/EditDependencies.h"
 #include "core/edits/answers/EditEffects.h"
 #include "core/edits/answers/RowFacts.h"
-#include "core/edits/engine/EngineEdits.h"
 #include "core/edits/kinds/segments/AddSegment.h"
 #include "core/edits/kinds/segments/ImportTargets.h"
 
 #include <algorithm>
 #include <bitset>
-#include <map>
+#include <set>
 #include <utility>
 
 namespace core {
@@ -125,7 +124,7 @@ Result<void> check(const ImportMask& edit, const Document& document)
         if (const Result<void> applied = checkApplied(edit, document); !applied)
             return applied;
     }
-    return discardValue(labelPlanes(edit, document));
+    return discardValue(importPlan(edit, document));
 }
 
 Result<bool> apply(const ImportMask& edit, Document& document)
@@ -153,7 +152,7 @@ Result<bool> apply(const ImportMask& edit, Document& document)
 EditEffects effects(const ImportMask& edit)
 {
     const std::optional<int> named = edit.as ? edit.as->number : std::nullopt;
-    return {.task = engineTask<ImportMask>(),
+    return {.task = EditTask::Islands,
         .standsOpen = false,
         .changes = named ? std::nullopt : std::optional(DocumentChange::What::Segments),
         .takesVoxelsOrNothing = true,
@@ -162,56 +161,79 @@ EditEffects effects(const ImportMask& edit)
         .boundToStudy = true};
 }
 
-Result<LabelPlanes> labelPlanes(const ImportMask& edit, const Document& document)
+Result<ImportPlan> importPlan(const ImportMask& edit, const Document& document)
 {
-    const Result<ImportTargets> where = importTargets(edit, document);
+    Result<ImportTargets> where = importTargets(edit, document);
     if (!where)
         return tl::unexpected(where.error());
-    const VolumeGeometry& geometry = document.volumes.front().geometry;
     if (const Result<void> same = isOfVolume(edit, document); !same)
         return tl::unexpected(same.error());
-    const std::vector<std::size_t> order = segmentsByPrecedence(edit.ahead, edit.segments->size());
-    std::map<std::uint8_t, BrickList> lists;
+    std::set<std::uint8_t> planes;
     for (const LabelTarget& target : where->targets)
-        lists.try_emplace(target.plane, geometry.size);
-    if (edit.overwriteUnlocked) { // what others lose in planes of their own
-        for (const std::uint8_t plane : document.labelPlanes()) {
-            if (document.unlockedLabels(plane).any())
-                lists.try_emplace(plane, geometry.size);
-        }
+        planes.insert(target.plane);
+    for (const std::uint8_t plane : document.labelPlanes()) {
+        // What others lose in planes of their own.
+        if (edit.overwriteUnlocked && document.unlockedLabels(plane).any())
+            planes.insert(plane);
     }
     const bool othersLose = edit.overwriteUnlocked && !document.segments.empty();
-    const std::uint8_t frees = othersLose && lists.size() > 1 ? freeNumber(*where) : 0;
+    ImportPlan plan{.size = *edit.size,
+        .order = segmentsByPrecedence(edit.ahead, edit.segments->size()),
+        .frees = othersLose && planes.size() > 1 ? freeNumber(*where) : std::uint8_t(0)};
+    for (const std::uint8_t plane : planes)
+        plan.planes.push_back({.plane = plane,
+            .overwritable = overwrittenBy(edit, plane, document),
+            .editable = besideOtherPlanes(plane, edit, document),
+            .othersMayLose = document.unlockedLabels(plane).any()});
+    plan.targets = std::move(where->targets);
+    return plan;
+}
+
+Result<LabelPlanes> labelPlanes(
+    const ImportPlan& plan, const std::vector<ImportedSegment>& segments, const Progress& progress)
+{
+    const auto voxelCount =
+        std::uint64_t(plan.size.x) * std::uint64_t(plan.size.y) * std::uint64_t(plan.size.z);
+    std::vector<BrickList> lists(plan.planes.size(), BrickList(plan.size));
+    const int rounds = plan.frees == 0 ? 1 : 2;
+    int done = 0;
     // Freeing comes second: a voxel that is asked for in a plane is not freed there.
-    for (const bool freeing : {false, true}) {
-        for (const std::size_t i : order) {
-            const std::optional<VoxelRuns> voxels =
-                unpackedRuns((*edit.segments)[i].voxels, geometry.voxelCount());
+    for (int round = 0; round < rounds; ++round) {
+        const bool freeing = round == 1;
+        for (const std::size_t i : plan.order) {
+            if (progress.cancelled())
+                return failure(ErrorCode::Cancelled);
+            progress.report(ProgressStep::PlacingMask, done++, rounds * int(plan.order.size()));
+            const std::optional<VoxelRuns> voxels = unpackedRuns(segments[i].voxels, voxelCount);
             if (!voxels)
                 return wrong("importMask.segments",
                     Clause::saying("entry %1: its voxels are damaged", i + 1));
-            for (auto& [plane, list] : lists) {
-                const bool isIts = plane == where->targets[i].plane;
-                if (isIts != freeing && (isIts || document.unlockedLabels(plane).any()))
-                    list.put(*voxels, isIts ? where->targets[i].label : frees);
+            for (std::size_t list = 0; list < lists.size(); ++list) {
+                const ImportPlan::Plane& plane = plan.planes[list];
+                const bool isIts = plane.plane == plan.targets[i].plane;
+                if (isIts != freeing && (isIts || plane.othersMayLose))
+                    lists[list].put(*voxels, isIts ? plan.targets[i].label : plan.frees);
             }
         }
-        if (frees == 0)
-            break;
     }
     LabelPlanes result;
-    for (auto& [plane, list] : lists)
-        result.planes.push_back({.plane = plane,
-            .overwritable = overwrittenBy(edit, plane, document),
-            .bricks = list.take(),
-            .frees = frees,
-            .editable = besideOtherPlanes(plane, edit, document)});
+    for (std::size_t list = 0; list < lists.size(); ++list) {
+        const ImportPlan::Plane& plane = plan.planes[list];
+        result.planes.push_back({.plane = plane.plane,
+            .overwritable = plane.overwritable,
+            .bricks = lists[list].take(),
+            .frees = plan.frees,
+            .editable = plane.editable});
+    }
     return result;
 }
 
-Result<EngineEdit> engineEdit(const ImportMask& edit, const Document& document)
+Result<LabelPlanes> labelPlanes(const ImportMask& edit, const Document& document)
 {
-    return engineEditFrom(labelPlanes(edit, document));
+    const Result<ImportPlan> plan = importPlan(edit, document);
+    if (!plan)
+        return tl::unexpected(plan.error());
+    return labelPlanes(*plan, *edit.segments, Progress());
 }
 
 /// "Import 7 segments of liver.dcm, 12.3 mL"

@@ -1,21 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/base/Progress.h"
 #include "core/document/Document.h"
 #include "core/edits/answers/EditAnswers.h"
+#include "core/sculpt/labels/LayerWrites.h"
 
 #include <QByteArray>
 #include <QString>
 
 #include <glm/glm.hpp>
 
+#include <bitset>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <vector>
 
 namespace core {
-
-struct LabelPlanes;
 
 /// A segment of a mask that was read from a file.
 struct ImportedSegment {
@@ -56,10 +58,33 @@ Result<bool> apply(const ImportMask& edit, Document& document);
 [[nodiscard]] EditEffects effects(const ImportMask& edit);
 [[nodiscard]] RowTitle rowTitle(const ImportMask& edit, const RowFacts& row);
 [[nodiscard]] EditDependencies dependencies(const ImportMask& edit, const DependencyFacts& row);
-[[nodiscard]] Result<EngineEdit> engineEdit(const ImportMask& edit, const Document& document);
 
-/// Errors: those of importTargets(), InvalidField (voxels that cannot be unpacked, or of another
-/// grid).
+/// What an import does, apart from its voxels.
+struct ImportPlan {
+    /// A label plane that it writes to.
+    struct Plane {
+        std::uint8_t plane = 0;
+        std::bitset<256> overwritable{};
+        std::optional<EditableVoxels> editable{}; ///< where segments of other planes keep theirs
+        bool othersMayLose = false; ///< segments of it that are not locked lose what is imported
+    };
+    glm::ivec3 size{0};
+    std::vector<LabelTarget> targets{}; ///< one for each segment of the import
+    std::vector<std::size_t>
+        order{}; ///< of the segments; the foremost gets voxels that several have
+    std::vector<Plane> planes{}; ///< ascending
+    std::uint8_t frees = 0; ///< LabelListed::frees; 0: nobody loses voxels in another plane
+};
+
+/// Cost: of the lists of segments alone; no voxel is looked at.
+/// Errors: those of importTargets(), InvalidField (voxels of another grid).
+[[nodiscard]] Result<ImportPlan> importPlan(const ImportMask& edit, const Document& document);
+
+/// What it writes. Cost: that of all its voxels; it asks @p progress after each segment. Any
+/// thread. Errors: InvalidField (voxels that cannot be unpacked), Cancelled.
+[[nodiscard]] Result<LabelPlanes> labelPlanes(
+    const ImportPlan& plan, const std::vector<ImportedSegment>& segments, const Progress& progress);
+/// Both at once.
 [[nodiscard]] Result<LabelPlanes> labelPlanes(const ImportMask& edit, const Document& document);
 
 } // namespace core
