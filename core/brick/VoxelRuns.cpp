@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/brick/VoxelRuns.h"
 
+#include "core/brick/ThreadWithoutVoxels.h"
+
 #include <zstd.h>
 #include <zstd_errors.h>
 
@@ -110,6 +112,7 @@ QByteArray packedRuns(const VoxelRuns& runs)
 
 std::optional<VoxelRuns> unpackedRuns(const QByteArray& bytes, std::uint64_t voxels)
 {
+    noteVoxelsLookedAt();
     const unsigned long long size =
         ZSTD_getFrameContentSize(bytes.constData(), std::size_t(bytes.size()));
     if (size == ZSTD_CONTENTSIZE_UNKNOWN || size == ZSTD_CONTENTSIZE_ERROR

@@ -45,6 +45,7 @@ private:
 
 /// Empty if the unpacked form would exceed mostPackedRunBytes.
 [[nodiscard]] QByteArray packedRuns(const VoxelRuns& runs);
+/// Counts as reading voxels (ThreadWithoutVoxels.h): a mask may have millions of runs.
 /// None if packedRuns() cannot have made the bytes, or if a voxel lies at @p voxels or beyond.
 [[nodiscard]] std::optional<VoxelRuns> unpackedRuns(const QByteArray& bytes, std::uint64_t voxels);
 

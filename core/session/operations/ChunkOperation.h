@@ -4,7 +4,7 @@
 #include "core/edits/kinds/chunks/ChunkToggle.h"
 #include "core/edits/kinds/chunks/ChunkVoxels.h"
 #include "core/edits/kinds/chunks/DivideSegment.h"
-#include "core/session/operations/Relabelling.h"
+#include "core/session/operations/segments/Relabelling.h"
 #include "core/session/past/LabelReading.h"
 #include "core/session/state/Operation.h"
 #include "core/session/surface/SideTask.h"

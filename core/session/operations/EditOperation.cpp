@@ -6,17 +6,17 @@
 #include "core/edits/kinds/IsOneOf.h"
 #include "core/edits/kinds/SurfaceEdit.h"
 #include "core/session/operations/ChunkOperation.h"
-#include "core/session/operations/ContourOperation.h"
-#include "core/session/operations/CopyOperation.h"
 #include "core/session/operations/DocumentOperation.h"
-#include "core/session/operations/FloodOperation.h"
-#include "core/session/operations/ImportOperation.h"
-#include "core/session/operations/IslandOperation.h"
-#include "core/session/operations/SplitIslandsOperation.h"
 #include "core/session/operations/SurfaceOperation.h"
 #include "core/session/operations/VoxelOperation.h"
 #include "core/session/operations/history/RevertOperation.h"
 #include "core/session/operations/history/ReviseOperation.h"
+#include "core/session/operations/segments/ContourOperation.h"
+#include "core/session/operations/segments/CopyOperation.h"
+#include "core/session/operations/segments/FloodOperation.h"
+#include "core/session/operations/segments/ImportOperation.h"
+#include "core/session/operations/segments/IslandOperation.h"
+#include "core/session/operations/segments/SplitIslandsOperation.h"
 
 #include <type_traits>
 

@@ -2,6 +2,7 @@
 #include "core/edits/kinds/segments/ImportMask.h"
 
 #include "core/brick/BrickGrid.h"
+#include "core/brick/ThreadWithoutVoxels.h"
 #include "core/brick/VoxelRuns.h"
 #include "core/edits/answers/EditChecks.h"
 #include "core/edits/answers/EditDependencies.h"
@@ -262,6 +263,8 @@ RowTitle rowTitle(const ImportMask& mask, const RowFacts& row)
 /// of the segments that were there.
 EditDependencies dependencies(const ImportMask& edit, const DependencyFacts& row)
 {
+    // Asked only where an import is taken back alone, or what it was carried out on.
+    const VoxelsAllowed here;
     dependsOn::Bricks bricks;
     bricks.keys.insert(row.written.begin(), row.written.end());
     BrickList list(row.geometry().size);

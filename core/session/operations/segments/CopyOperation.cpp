@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/session/operations/CopyOperation.h"
+#include "core/session/operations/segments/CopyOperation.h"
 
 #include "core/edits/document/DocumentEdits.h"
 #include "core/engine/EngineCommands.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/session/operations/WorkedOutOperation.h"
+#include "core/session/operations/segments/WorkedOutOperation.h"
 #include "core/session/past/LabelReading.h"
 
 #include <functional>

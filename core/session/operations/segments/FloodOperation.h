@@ -4,7 +4,7 @@
 #include "core/brick/BrickGrid.h"
 #include "core/edits/kinds/filling/FloodFill.h"
 #include "core/islands/BrickFlood.h"
-#include "core/session/operations/WorkedOutOperation.h"
+#include "core/session/operations/segments/WorkedOutOperation.h"
 
 #include <cstdint>
 #include <map>

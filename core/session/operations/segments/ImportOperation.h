@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/edits/kinds/segments/ImportMask.h"
-#include "core/session/operations/WorkedOutOperation.h"
+#include "core/session/operations/segments/WorkedOutOperation.h"
 
 namespace core {
 

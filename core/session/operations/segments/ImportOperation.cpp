@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/session/operations/ImportOperation.h"
+#include "core/session/operations/segments/ImportOperation.h"
 
 #include "core/edits/document/DocumentEdits.h"
 

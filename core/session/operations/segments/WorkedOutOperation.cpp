@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/session/operations/WorkedOutOperation.h"
+#include "core/session/operations/segments/WorkedOutOperation.h"
 
 #include "core/edits/EditTask.h"
 #include "core/edits/document/DocumentEdits.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/session/operations/IslandOperation.h"
+#include "core/session/operations/segments/IslandOperation.h"
 
 #include "core/edits/document/DocumentEdits.h"
 #include "core/edits/kinds/filling/FillBetweenSlices.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/session/operations/SplitIslandsOperation.h"
+#include "core/session/operations/segments/SplitIslandsOperation.h"
 
 #include "core/edits/document/DocumentEdits.h"
 #include "core/edits/engine/EditableRanges.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/session/operations/ContourOperation.h"
+#include "core/session/operations/segments/ContourOperation.h"
 
 #include "core/contour/ContourRule.h"
 #include "core/engine/EngineCommands.h"

@@ -4,7 +4,7 @@
 #include "core/base/Progress.h"
 #include "core/edits/kinds/Edit.h"
 #include "core/sculpt/labels/LayerWrites.h"
-#include "core/session/operations/Relabelling.h"
+#include "core/session/operations/segments/Relabelling.h"
 #include "core/session/state/Operation.h"
 #include "core/session/surface/SideTask.h"
 

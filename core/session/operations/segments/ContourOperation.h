@@ -3,7 +3,7 @@
 
 #include "core/contour/ContourEvolution.h"
 #include "core/edits/kinds/filling/EvolveContour.h"
-#include "core/session/operations/WorkedOutOperation.h"
+#include "core/session/operations/segments/WorkedOutOperation.h"
 #include "core/session/past/LabelReading.h"
 
 #include <cstdint>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/session/operations/FloodOperation.h"
+#include "core/session/operations/segments/FloodOperation.h"
 
 #include "core/brick/BrickBits.h"
 #include "core/engine/EngineCommands.h"

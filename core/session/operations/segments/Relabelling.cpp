@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/session/operations/Relabelling.h"
+#include "core/session/operations/segments/Relabelling.h"
 
 #include "core/engine/EngineCommands.h"
 

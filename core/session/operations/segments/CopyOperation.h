@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/edits/kinds/splitting/CopySegment.h"
-#include "core/session/operations/WorkedOutOperation.h"
+#include "core/session/operations/segments/WorkedOutOperation.h"
 #include "core/session/past/LabelReading.h"
 
 #include <cstdint>
