@@ -12,7 +12,8 @@ namespace core {
 ///   |w − c|² ≤ reach.
 /// isFree(label, q) holds for a voxel of the volume if
 ///   - allows(label, q) of GrowLimits holds,
-///   - q is no barrier, and
+///   - q is no barrier,
+///   - q is among the voxels of GrowBurst::range, if there is one, and
 ///   - the label plane as it was at the opening holds 0, the label itself or a label in
 ///     `overwritable` at q, or q was grown: it is a member of a generation above 0, its direction
 ///     is neither 29 nor 30, and its label is not in `lockedLabels`. So labels that grow side by

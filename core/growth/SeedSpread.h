@@ -17,12 +17,14 @@ namespace core {
 ///
 /// Seeds: every voxel at which the plane holds a label of `seeds` is a seed of that label. Where
 ///   the plane holds 0 or a label in `overwritable`, pending seeds (SeedWord.h) of a label in
-///   `seeds` are seeds too, if they are among the voxels of `range`.
+///   `seeds` are seeds too, in `within` and among the voxels of `range`.
 /// Box: the given one. Otherwise it is the bounding box of all seeds, enlarged on every side by a
 ///   twentieth of its extent along that axis, rounded up, and by at least leastMargin voxels, and
 ///   clipped to the volume. Seeds outside the box take no part.
-/// Open voxels: those in the box, and among the voxels of `range`, that are no seed and no barrier
-///   and at which the plane holds 0 or a label in `overwritable`. Everything else is a wall.
+/// Open voxels: those in the box, in `within` and among the voxels of `range` that are no seed and
+///   no barrier and at which the plane holds 0 or a label in `overwritable`. Everything else is a
+///   wall. What the range closes is asked of the label that the plane holds now, also where growth
+///   has added it.
 /// Paths: a path begins with a seed and continues through open voxels, each a neighbour of the one
 ///   before (`connectivity` as in GrowBurst). A step in seedWord direction d between codes a and b
 ///   costs
@@ -46,6 +48,7 @@ struct SpreadLabels {
     std::bitset<256> seeds{}; ///< labels, not 0
     std::bitset<256> overwritable{}; ///< labels, none of them in `seeds`
     GrowthRange range{};
+    std::optional<VoxelBox> within{}; ///< which voxels may change; none: all
     std::optional<VoxelBox> box{}; ///< not empty, within the volume
     int connectivity = 6; ///< 6, 18 or 26
     std::uint32_t differenceWeight = 4; ///< 0 … 64

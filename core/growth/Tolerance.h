@@ -26,8 +26,8 @@ namespace core {
 ///
 /// So the voxels of tolerance ≤ t are those that the label would have after a GrowBurst from its
 /// seeds (GrowOpening::Restart) to closure with the interval centre − t … centre + t and with the
-/// neighbours, limits and `overwritable` of this rule, if every other label were locked and there
-/// were no greatest generation.
+/// neighbours, limits, `overwritable` and `range` of this rule, if every other label were locked
+/// and there were no greatest generation.
 struct ToleranceRule {
     static constexpr int greatest = 65533; ///< a field has two more values, which mean none
 

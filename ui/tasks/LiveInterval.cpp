@@ -85,6 +85,7 @@ void LiveInterval::send(bool atOnce)
         if (const auto recent = core::recentCriteria(session->history(), m_workspace.growthPlane());
             recent && recent->segments != m_segments) {
             change.criteria = *recent;
+            core::dropGoneFromRange(change.criteria, session->document());
             change.criteria.segments = m_segments;
             change.asBefore = false;
         }

@@ -39,7 +39,8 @@ public:
     using Voxel = GrowthBricks::Voxel;
 
     /// Whether it can be used for a burst: the opening is Narrow, and only codes, a box and the
-    /// label plane decide. (Whether a single label grows is found out by prepare().)
+    /// label plane decide; there is no GrowthRange. (Whether a single label grows is found out by
+    /// prepare().)
     [[nodiscard]] static bool suits(const GrowBurst& burst);
     /// Reads the growth and removes members that do not qualify under any interval. Only this step
     /// costs ∝ all that has grown. It uses all cores.

@@ -134,10 +134,7 @@ void eraseGone(std::optional<std::vector<int>>& segments, const Document& docume
 /// inside those that are gone. Errors: that of the first one, if none is left.
 Result<void> dropGone(GrowCriteria& criteria, const Document& document)
 {
-    if (criteria.editable) {
-        eraseGone(criteria.editable->inside, document);
-        eraseGone(criteria.editable->outside, document);
-    }
+    dropGoneFromRange(criteria, document);
     if (!criteria.segments)
         return {};
     std::vector<int> left;
@@ -157,6 +154,14 @@ Result<void> dropGone(GrowCriteria& criteria, const Document& document)
 }
 
 } // namespace
+
+void dropGoneFromRange(GrowCriteria& criteria, const Document& document)
+{
+    if (!criteria.editable)
+        return;
+    eraseGone(criteria.editable->inside, document);
+    eraseGone(criteria.editable->outside, document);
+}
 
 /// The first plane is not named, so that criteria that mean the same are the same.
 static void nameAlike(GrowCriteria& criteria)

@@ -15,8 +15,11 @@ struct GrowCriteria;
 
 /// The criteria of the last growth in effect in a label plane, including changes of its interval;
 /// none: nothing has grown there.
+/// They may list segments that are gone by now (dropGoneFromRange()).
 [[nodiscard]] std::optional<GrowCriteria> recentCriteria(
     const History& history, std::uint8_t plane);
+/// Takes segments that are gone from the editable range of criteria: nothing lies inside them.
+void dropGoneFromRange(GrowCriteria& criteria, const Document& document);
 
 /// The labels of the segments of a label plane that have seeds, sketched or painted, and may grow:
 /// they exist and are not locked.

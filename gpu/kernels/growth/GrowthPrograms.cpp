@@ -61,7 +61,8 @@ GrowthPrograms::GrowthPrograms(const ShaderLibrary& shaders)
 
 GrowthPrograms::Kind GrowthPrograms::keyOf(const GrowthKind& kind)
 {
-    return {unsigned(kind.connectivity), kindOf(kind.limits), (kind.overwritten ? 1u : 0u) | (kind.ranged ? 2u : 0u)};
+    return {unsigned(kind.connectivity), kindOf(kind.limits),
+        (kind.overwritten ? 1u : 0u) | (kind.ranged ? 2u : 0u)};
 }
 
 std::shared_ptr<GrowthPrograms::Rings> GrowthPrograms::rings(const GrowthKind& kind)

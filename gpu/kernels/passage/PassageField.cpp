@@ -31,11 +31,17 @@ Program& PassagePrograms::labels()
     return m_labels;
 }
 
-std::shared_ptr<Program> PassagePrograms::free(const core::GrowLimits& limits)
+std::shared_ptr<Program> PassagePrograms::free(
+    const core::GrowLimits& limits, bool overwritten, bool ranged)
 {
-    return m_free.of(kindOf(limits), [&] {
+    return m_free.of({kindOf(limits), overwritten, ranged}, [&] {
+        ShaderDefines defines = definesOf(limits);
+        if (overwritten)
+            defines.emplace_back("OVERWRITTEN", 1);
+        if (ranged)
+            defines.emplace_back("RANGE", 1);
         return std::make_shared<Program>(
-            program(m_shaders, "kernels/passage/passageFree.comp", definesOf(limits)));
+            program(m_shaders, "kernels/passage/passageFree.comp", defines));
     });
 }
 
@@ -89,13 +95,26 @@ void PassageField::setGrowthUniforms(Program& each, const GrowCriterion& criteri
         .set("volumeBricks", m_fields.grid().bricks())
         .set("overwritable", m_burst.overwritable)
         .set("lockedLabels", m_burst.lockedLabels);
+    if (m_burst.range)
+        setRange(each, *m_burst.range);
     criterion.setUniforms(each);
     BrickField& words = m_fields.seedWords(m_burst.plane);
     words.atlas().bindImage(0, GL_READ_WRITE);
     m_fields.labels(m_burst.plane).bindImage(1, GL_READ_WRITE);
     m_fields.codes().bindImage(2, GL_READ_ONLY);
     words.pageTable().bindImage(3, GL_READ_ONLY);
+    if (looksBelow()) {
+        BrickField& overwritten = m_fields.overwritten(m_burst.plane);
+        overwritten.atlas().bindImage(4, GL_READ_WRITE);
+        overwritten.pageTable().bindUnit(3);
+    }
     criterion.bind(m_fields);
+}
+
+/// Only a range asks what was there before growth came.
+bool PassageField::looksBelow() const
+{
+    return m_burst.range && (m_burst.overwritable.any() || m_fields.anyOverwritten(m_burst.plane));
 }
 
 std::vector<PassageField::LabelBits> PassageField::labelsIn(
@@ -198,7 +217,8 @@ void PassageField::workOut(
     const std::vector<std::uint32_t> far = m_fields.withNeighbours(near);
     takePages(slot, far);
 
-    const std::shared_ptr<Program> held = m_programs.free(m_burst.limits);
+    const std::shared_ptr<Program> held =
+        m_programs.free(m_burst.limits, looksBelow(), m_burst.range.has_value());
     Program& free = *held;
     setGrowthUniforms(free, criterion);
     run(free, jobsFor(slot, far, Known::Free));

@@ -8,6 +8,7 @@
 
 #include <array>
 #include <memory>
+#include <tuple>
 #include <vector>
 
 namespace gpu {
@@ -23,14 +24,16 @@ public:
     }
 
     [[nodiscard]] Program& labels();
-    [[nodiscard]] std::shared_ptr<Program> free(const core::GrowLimits& limits);
+    [[nodiscard]] std::shared_ptr<Program> free(
+        const core::GrowLimits& limits, bool overwritten, bool ranged);
     [[nodiscard]] Program& centres();
     [[nodiscard]] Program& room();
 
 private:
     const ShaderLibrary& m_shaders;
     Program m_labels;
-    RecentPrograms<unsigned, Program> m_free; ///< by kindOf()
+    using FreeKind = std::tuple<unsigned, bool, bool>; ///< kindOf(), and what else there is
+    RecentPrograms<FreeKind, Program> m_free;
     Program m_centres;
     Program m_room;
 };
@@ -65,6 +68,7 @@ private:
     using LabelBits = std::array<std::uint32_t, 8>;
 
     void setGrowthUniforms(Program& program, const GrowCriterion& criterion) const;
+    [[nodiscard]] bool looksBelow() const;
     /// For each of these bricks the set of growing labels that it holds.
     [[nodiscard]] std::vector<LabelBits> labelsIn(
         const GrowCriterion& criterion, const std::vector<std::uint32_t>& bricks);

@@ -6,6 +6,21 @@ layout(local_size_x = 64) in;
 #include "kernels/criterion/growth.glsl"
 #include "kernels/passage/passageBits.glsl"
 
+// Whether growth may take the voxel at all. What it has grown over does not change that.
+bool isInRange(ivec3 voxel, uint word, uint there)
+{
+#ifdef RANGE
+    uint before = there;
+    if (isMember(word) && generationOf(word) > 0u && hasAdded(word, voxel))
+        before = labelBelow(voxel);
+    uint code = imageLoad(codes, voxel).r;
+    return code >= rangeLow && code <= rangeHigh
+        && (closedLabels[before >> 5] >> (before & 31u) & 1u) == 0u;
+#else
+    return true;
+#endif
+}
+
 // Grown voxels count as unowned, so it does not matter when in a burst this is computed.
 bool isOpen(uint label, uint word, uint there)
 {
@@ -38,7 +53,7 @@ void main()
                 continue; // never looked at
             uint word = wordAt(voxel);
             uint there = imageLoad(labels, voxel).r;
-            if (!isOpen(job.label, word, there)
+            if (!isOpen(job.label, word, there) || !isInRange(voxel, word, there)
                 || !allows(job.label, voxel, imageLoad(codes, voxel).r))
                 blocked |= 1u << i;
             if (isSeedOf(word, job.label))

@@ -48,6 +48,9 @@ void setSeeds(Program& program, VoxelFields& fields, const core::SpreadLabels& s
         .set("seeds", spread.seeds)
         .set("overwritable", spread.overwritable);
     setRange(program, spread.range);
+    const core::VoxelBox within =
+        spread.within.value_or(core::VoxelBox{glm::ivec3(0), fields.grid().volumeSize});
+    program.set("withinLow", within.minimum).set("withinHigh", within.maximum);
     fields.codes().bindUnit(3);
     fields.labels(spread.plane).bindUnit(0);
     BrickField& seedWords = fields.seedWords(spread.plane);

@@ -33,6 +33,8 @@ uniform uint overwritable[8];
 uniform uint closedLabels[8];
 uniform uint rangeLow;
 uniform uint rangeHigh;
+uniform ivec3 withinLow;
+uniform ivec3 withinHigh; // one beyond
 uniform bool update;
 
 bool isSeedLabel(uint label)
@@ -46,6 +48,8 @@ uint atFirst(ivec3 voxel, uint entry)
     if (isSeedLabel(held))
         return held;
     if (held != 0u && (overwritable[held >> 5] >> (held & 31u) & 1u) == 0u)
+        return wall;
+    if (any(lessThan(voxel, withinLow)) || any(greaterThanEqual(voxel, withinHigh)))
         return wall;
     if ((closedLabels[held >> 5] >> (held & 31u) & 1u) != 0u)
         return wall;

@@ -3,6 +3,7 @@
 #include "core/export/ScreenshotExport.h"
 #include "core/export/common/ExportMask.h"
 #include "core/study/StudyLoader.h"
+#include "tests/support/faults/FailingLog.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/series/SyntheticSeries.h"
 #include "tests/support/servers/Python.h"

@@ -160,7 +160,11 @@ void Growth::lookForPassages()
             continue;
         passage->look(
             label, [&](const glm::ivec3& voxel) { return m_criterion.allows(label, voxel); },
-            m_words, m_labels);
+            m_words, m_labels,
+            [&](const glm::ivec3& voxel) {
+                return isInRange(voxel,
+                    seedWord::isMember(m_words.at(voxel)) ? heldBefore(voxel) : m_labels.at(voxel));
+            });
     }
     m_passage = std::move(passage);
 }
@@ -237,20 +241,29 @@ bool Growth::accepts(std::uint32_t label, const glm::ivec3& voxel) const
 
 bool Growth::acceptsMember(const glm::ivec3& voxel) const
 {
+    return mayEnter(seedWord::label(m_words.at(voxel)), voxel, heldBefore(voxel));
+}
+
+/// What the plane would hold if growth had not added the label of this member.
+std::uint8_t Growth::heldBefore(const glm::ivec3& voxel) const
+{
     const std::uint32_t word = m_words.at(voxel);
     const std::uint32_t direction = seedWord::direction(word);
-    const bool added =
-        direction != 29 && direction != 30 && m_labels.at(voxel) == seedWord::label(word);
-    return mayEnter(
-        seedWord::label(word), voxel, added ? m_overwritten.at(voxel) : m_labels.at(voxel));
+    const bool added = seedWord::generation(word) > 0 && direction != 29 && direction != 30
+        && m_labels.at(voxel) == seedWord::label(word);
+    return added ? m_overwritten.at(voxel) : m_labels.at(voxel);
+}
+
+bool Growth::isInRange(const glm::ivec3& voxel, std::uint8_t held) const
+{
+    const std::optional<core::GrowthRange>& range = m_burst.range;
+    return !range || (!range->closed.test(held) && m_criterion.isBetween(voxel, *range));
 }
 
 bool Growth::mayEnter(std::uint32_t label, const glm::ivec3& voxel, std::uint8_t held) const
 {
-    const std::optional<core::GrowthRange>& range = m_burst.range;
-    if (range && (range->closed.test(held) || !m_criterion.isBetween(voxel, *range)))
-        return false;
-    return !m_burst.lockedLabels.test(label) && m_criterion.allows(label, voxel)
+    return isInRange(voxel, held) && !m_burst.lockedLabels.test(label)
+        && m_criterion.allows(label, voxel)
         && (held == 0 || held == label || m_burst.overwritable.test(held));
 }
 

@@ -53,6 +53,8 @@ private:
     [[nodiscard]] bool accepts(std::uint32_t label, const glm::ivec3& voxel) const;
     /// The same of a member, as if it had been given back.
     [[nodiscard]] bool acceptsMember(const glm::ivec3& voxel) const;
+    [[nodiscard]] std::uint8_t heldBefore(const glm::ivec3& voxel) const;
+    [[nodiscard]] bool isInRange(const glm::ivec3& voxel, std::uint8_t held) const;
     [[nodiscard]] bool mayEnter(
         std::uint32_t label, const glm::ivec3& voxel, std::uint8_t held) const;
     /// Whether the label plane held the label there before, where that is told.

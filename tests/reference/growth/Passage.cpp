@@ -53,7 +53,8 @@ Passage::Passage(const core::GrowBurst& burst, const glm::ivec3& volumeSize)
 }
 
 void Passage::look(std::uint32_t label, const std::function<bool(const glm::ivec3&)>& allows,
-    const DenseArray<std::uint32_t>& words, const DenseArray<std::uint8_t>& labels)
+    const DenseArray<std::uint32_t>& words, const DenseArray<std::uint8_t>& labels,
+    const std::function<bool(const glm::ivec3&)>& isInRange)
 {
     const auto array = [this] {
         return DenseArray<std::uint8_t>{
@@ -68,7 +69,8 @@ void Passage::look(std::uint32_t label, const std::function<bool(const glm::ivec
             && direction != 29 && direction != 30
             && !m_burst.lockedLabels.test(seedWord::label(word));
         const bool open = grown || held == 0 || held == label || m_burst.overwritable.test(held);
-        free.at(voxel) = open && word != seedWord::barrier && allows(voxel) ? 1 : 0;
+        free.at(voxel) =
+            open && word != seedWord::barrier && isInRange(voxel) && allows(voxel) ? 1 : 0;
     });
     DenseArray<std::uint8_t> centres = array();
     DenseArray<std::uint8_t> withSeed = array();

@@ -21,7 +21,8 @@ public:
     /// Works out rooms and entries of a label as words and labels stand now: after the opening.
     /// @param allows of GrowLimits, asked of voxels of the volume
     void look(std::uint32_t label, const std::function<bool(const glm::ivec3&)>& allows,
-        const DenseArray<std::uint32_t>& words, const DenseArray<std::uint8_t>& labels);
+        const DenseArray<std::uint32_t>& words, const DenseArray<std::uint8_t>& labels,
+        const std::function<bool(const glm::ivec3&)>& isInRange);
     /// Of a label that was looked at.
     [[nodiscard]] bool passes(
         std::uint32_t label, const glm::ivec3& parent, const glm::ivec3& voxel) const;

@@ -22,20 +22,25 @@ template <class Visit> void forEachVoxel(const core::VoxelBox& box, Visit visit)
 }
 
 /// Whether a voxel that is no seed may receive another label.
-bool mayChange(std::uint32_t held, int code, const core::SpreadLabels& spread)
+bool mayChange(
+    std::uint32_t held, int code, const glm::ivec3& voxel, const core::SpreadLabels& spread)
 {
     const core::GrowthRange& range = spread.range;
+    if (spread.within
+        && (glm::any(glm::lessThan(voxel, spread.within->minimum))
+            || glm::any(glm::greaterThanEqual(voxel, spread.within->maximum))))
+        return false;
     return (held == 0 || spread.overwritable.test(held)) && !range.closed.test(held)
         && range.lowCode <= code && code <= range.highCode;
 }
 
 /// The label that a voxel is a seed of; 0: none.
-std::uint32_t seedLabel(
-    std::uint32_t held, std::uint32_t word, int code, const core::SpreadLabels& spread)
+std::uint32_t seedLabel(std::uint32_t held, std::uint32_t word, int code, const glm::ivec3& voxel,
+    const core::SpreadLabels& spread)
 {
     if (spread.seeds.test(held))
         return held;
-    if (mayChange(held, code, spread) && seedWord::isPendingSeed(word)
+    if (mayChange(held, code, voxel, spread) && seedWord::isPendingSeed(word)
         && spread.seeds.test(seedWord::label(word)))
         return seedWord::label(word);
     return 0;
@@ -53,7 +58,7 @@ core::Result<void> spreadLabels(
     std::set<std::uint32_t> seeded;
     forEachVoxel(volume, [&](const glm::ivec3& voxel) {
         const std::uint32_t label =
-            seedLabel(labels.at(voxel), words.at(voxel), codes.at(voxel), spread);
+            seedLabel(labels.at(voxel), words.at(voxel), codes.at(voxel), voxel, spread);
         if (label == 0)
             return;
         seeded.insert(label);
@@ -71,11 +76,13 @@ core::Result<void> spreadLabels(
     DenseArray<std::uint32_t> won{codes.size, std::vector<std::uint32_t>(codes.values.size(), 0)};
     forEachVoxel(box, [&](const glm::ivec3& voxel) {
         const std::uint32_t held = labels.at(voxel);
-        const std::uint32_t label = seedLabel(held, words.at(voxel), codes.at(voxel), spread);
+        const std::uint32_t label =
+            seedLabel(held, words.at(voxel), codes.at(voxel), voxel, spread);
         if (label != 0)
             queue.emplace(0, label, codes.offset(voxel));
         open.at(voxel) = label != 0
-            || (mayChange(held, codes.at(voxel), spread) && words.at(voxel) != seedWord::barrier);
+            || (mayChange(held, codes.at(voxel), voxel, spread)
+                && words.at(voxel) != seedWord::barrier);
     });
     while (!queue.empty()) {
         const auto [cost, label, at] = queue.top();

@@ -129,8 +129,11 @@ Result<SpreadLabels> spreadLabels(const GrowFromSeeds& edit, const Document& doc
     if (spread.seeds.count() < 2)
         return wrong(
             "segments", Clause::saying("at least two that are not locked are needed to compete"));
-    if (edit.box)
+    if (edit.box) {
         spread.box = boxBetween(*edit.box, volume.geometry);
+        if (spread.box->empty())
+            return wrong("box", Clause::saying("it lies outside the volume"));
+    }
     if (edit.editable) {
         const Result<GrowthRange> range =
             growthRange(*edit.editable, plane, document, QStringLiteral("growFromSeeds"));
@@ -138,15 +141,11 @@ Result<SpreadLabels> spreadLabels(const GrowFromSeeds& edit, const Document& doc
             return tl::unexpected(range.error());
         spread.range = *range;
         if (edit.editable->box) {
-            const VoxelBox within = boxBetween(*edit.editable->box, volume.geometry);
-            spread.box = spread.box ? VoxelBox{glm::max(spread.box->minimum, within.minimum),
-                             glm::min(spread.box->maximum, within.maximum)}
-                                    : within;
+            spread.within = boxBetween(*edit.editable->box, volume.geometry);
+            if (spread.within->empty())
+                return wrong("editable.box", Clause::saying("it lies outside the volume"));
         }
     }
-    if (spread.box && spread.box->empty())
-        return wrong(edit.editable && edit.editable->box ? "editable.box" : "box",
-            Clause::saying("it lies outside the volume"));
     return spread;
 }
 

@@ -21,8 +21,7 @@ struct GrowFromSeeds {
     /// Modality units per millimetre of the path; none: a thousandth of the volume's range.
     std::optional<double> lengthCost{};
     bool overwriteUnlocked = false; ///< of segments that do not compete
-    /// Which voxels may change at all; all others are walls. With its box seeds outside take no
-    /// part.
+    /// Which voxels may change at all; all others that are no seeds are walls.
     std::optional<EditableRange> editable{};
     /// The label plane that they lie in (GrowthPlane.h).
     std::optional<int> plane{};

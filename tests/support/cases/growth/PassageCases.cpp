@@ -75,6 +75,7 @@ EngineCase randomPassage(int number)
         sketch(label);
     const int connectivity = std::array<int, 3>{6, 18, 26}[random() % 3];
     const core::Passage usual = randomPassage(random);
+    Random ranges(std::uint32_t(47000 + number));
     const auto burstNow = [&] {
         GrowBurst burst{.lowCode = randomInt(random, 0, 500),
             .highCode = randomInt(random, 500, tissueCode),
@@ -99,6 +100,8 @@ EngineCase randomPassage(int number)
         burst.overwritable[4] = random() % 3 == 0;
         burst.overwritable[1] = random() % 4 == 0;
         burst.lockedLabels[3] = random() % 5 == 0;
+        if (number % 2)
+            burst.range = randomGrowthRange(tissueCode, ranges);
         return burst;
     };
     for (int move = randomInt(random, 3, 8); move > 0; --move) {

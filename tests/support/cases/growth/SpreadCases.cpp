@@ -139,8 +139,15 @@ EngineCase randomSpreading(int number)
             spread = randomSpread(size, random);
         if (random() % 5 == 0)
             spread.box.reset();
-        if (number % 2)
+        if (number % 2) {
             spread.range = randomGrowthRange(tissueCode, ranges).value_or(core::GrowthRange());
+            spread.within.reset();
+            if (ranges() % 3 == 0) {
+                const glm::ivec3 a = randomVoxel(ranges, size);
+                const glm::ivec3 b = randomVoxel(ranges, size);
+                spread.within = core::VoxelBox{glm::min(a, b), glm::max(a, b) + 1};
+            }
+        }
         const bool commit = random() % 4 == 0;
         appendPreview(made.steps, spread, commit ? core::Ending::Commit : core::Ending::Rollback,
             random() % 5);
