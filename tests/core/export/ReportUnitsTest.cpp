@@ -51,6 +51,9 @@ struct Study {
         Segment segment;
         segment.label = 1;
         segment.name = QStringLiteral("Lesion");
+        segment.code = {.scheme = QStringLiteral("SCT"),
+            .value = QStringLiteral("52988006"),
+            .meaning = QStringLiteral("Lesion")};
         return exportMask(loaded.volume,
             {.format = format,
                 .file = file(name),

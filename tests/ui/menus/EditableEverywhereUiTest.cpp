@@ -230,10 +230,9 @@ void grow(Fixture& on)
     growth.lower = -50.0;
     growth.upper = 20.0;
     on.workspace.setGrowSettings(growth);
-    auto* panel = on.window.findChild<ui::GrowthPanel*>();
-    QVERIFY(panel);
-    panel->runToClosure();
-    QVERIFY(Fixture::comes([panel] { return !panel->running(); }));
+    ui::GrowthPanel panel(on.workspace);
+    panel.runToClosure();
+    QVERIFY(Fixture::comes([&panel] { return !panel.running(); }));
     on.settle();
 }
 
@@ -247,12 +246,12 @@ void moveTheInterval(Fixture& on)
 
 void shareOut(Fixture& on)
 {
-    auto* bar = on.window.findChild<ui::SpreadBar*>();
-    QVERIFY(bar);
-    bar->preview();
-    auto* apply = bar->findChild<QPushButton*>(QStringLiteral("spreadApply"));
+    ui::SpreadBar bar(on.workspace);
+    bar.preview();
+    auto* apply = bar.findChild<QPushButton*>(QStringLiteral("spreadApply"));
     QVERIFY(Fixture::comes([apply] { return apply->isEnabled(); }));
-    bar->apply();
+    bar.apply();
+    on.settle();
 }
 
 /// One way in which tools or menus change labels.
