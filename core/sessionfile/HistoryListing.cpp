@@ -2,11 +2,10 @@
 #include "core/sessionfile/HistoryListing.h"
 
 #include "core/edits/EditJson.h"
+#include "core/edits/EditNames.h"
 #include "core/edits/document/DocumentEdits.h"
 #include "core/edits/kinds/chunks/ChunkToggle.h"
 #include "core/edits/kinds/chunks/DivideSegment.h"
-#include "core/edits/kinds/history/RevertRows.h"
-#include "core/edits/kinds/history/ReviseStroke.h"
 #include "core/sessionfile/records/StateHash.h"
 
 #include <QJsonArray>
@@ -147,17 +146,11 @@ QJsonObject historyAsRecipe(const SessionContents& contents)
 
 Edit renumbered(const Edit& edit, const std::map<RowId, RowId>& numbers)
 {
-    const auto renumber = [&numbers](RowId& row) {
+    Edit result = edit;
+    changeRowsNamed(result, [&numbers](RowId& row) {
         if (const auto number = numbers.find(row); number != numbers.end())
             row = number->second;
-    };
-    Edit result = edit;
-    if (auto* revert = result.as<RevertRows>()) {
-        for (std::int64_t& row : revert->rows)
-            renumber(row);
-    } else if (auto* revise = result.as<ReviseStroke>()) {
-        renumber(revise->row);
-    }
+    });
     return result;
 }
 
