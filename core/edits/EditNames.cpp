@@ -3,6 +3,7 @@
 
 #include "core/edits/kinds/AnyEdit.h"
 #include "core/edits/kinds/FieldRoles.h"
+#include "core/edits/kinds/FileKinds.h"
 #include "core/edits/schema/FieldVisitor.h"
 
 #include <type_traits>
@@ -46,6 +47,26 @@ private:
     const std::function<void(std::int64_t&)>& m_take;
 };
 
+/// Shows every file that an edit of kind E names.
+template <class E> class FileVisitor : public editSchema::FieldVisitor<FileVisitor<E>> {
+public:
+    explicit FileVisitor(const std::function<void(QString&)>& take)
+        : m_take(take)
+    {
+    }
+    template <class Kind>
+    void field(const char*, Presence, typename Kind::Value& value, const Kind&, const char*)
+    {
+        if constexpr (fieldRole<Kind>() == FieldRole::File) {
+            static_assert(isFileKind<E>, "an edit that names a file belongs to FileKinds");
+            m_take(value);
+        }
+    }
+
+private:
+    const std::function<void(QString&)>& m_take;
+};
+
 } // namespace
 
 RowUse rowUseOf(const Edit& edit)
@@ -85,6 +106,16 @@ std::vector<std::int64_t> rowsTakenBackBy(const Edit& edit)
     if (rowUseOf(edit) != RowUse::TakesBack)
         return {};
     return rowsNamedBy(edit).rows;
+}
+
+void changeFilesNamed(Edit& edit, const std::function<void(QString&)>& change)
+{
+    visitEdit(
+        [&change](auto& known) {
+            FileVisitor<std::decay_t<decltype(known)>> visitor(change);
+            editSchema::visitFields(visitor, known);
+        },
+        edit);
 }
 
 } // namespace core

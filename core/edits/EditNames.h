@@ -4,6 +4,8 @@
 #include "core/edits/answers/RowUse.h"
 #include "core/edits/kinds/Edit.h"
 
+#include <QString>
+
 #include <cstdint>
 #include <functional>
 #include <vector>
@@ -26,5 +28,8 @@ struct NamedRows {
 
 /// Gives the rows that an edit names other numbers, which must have the same order.
 void changeRowsNamed(Edit& edit, const std::function<void(std::int64_t&)>& change);
+
+/// Gives the files that an edit names other names. What a row holds of a file stays.
+void changeFilesNamed(Edit& edit, const std::function<void(QString&)>& change);
 
 } // namespace core

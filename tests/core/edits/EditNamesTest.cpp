@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/edits/EditNames.h"
+#include "core/edits/kinds/chunks/DivideSegment.h"
 #include "core/edits/kinds/history/RevertRows.h"
 #include "core/edits/kinds/history/ReviseStroke.h"
 #include "core/edits/kinds/sculpt/DrillStroke.h"
+#include "core/edits/kinds/segments/ImportMask.h"
 #include "tests/support/program/TestProgram.h"
 
 #include <QTest>
@@ -50,6 +52,24 @@ private Q_SLOTS:
         Edit drill = DrillStroke{.layer = 7};
         changeRowsNamed(drill, next);
         QCOMPARE(drill.get<DrillStroke>().layer, 7);
+    }
+
+    void filesGetOtherNames()
+    {
+        const auto rename = [](QString& file) { file = QStringLiteral("other.") + file; };
+        Edit mask = ImportMask{.file = QStringLiteral("a.nrrd")};
+        changeFilesNamed(mask, rename);
+        QCOMPARE(mask.get<ImportMask>().file, QStringLiteral("other.a.nrrd"));
+        Edit division = DivideSegment{.segment = 1, .probabilityFile = QStringLiteral("b.nrrd")};
+        changeFilesNamed(division, rename);
+        QCOMPARE(division.get<DivideSegment>().probabilityFile,
+            std::optional(QStringLiteral("other.b.nrrd")));
+        // One that was carried out names none.
+        Edit done = DivideSegment{.segment = 1};
+        changeFilesNamed(done, rename);
+        QVERIFY(!done.get<DivideSegment>().probabilityFile);
+        Edit drill = DrillStroke();
+        changeFilesNamed(drill, [](QString&) { QFAIL("it names no file"); });
     }
 };
 
