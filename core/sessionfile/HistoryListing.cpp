@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/sessionfile/HistoryListing.h"
 
+#include "core/edits/EditAsGiven.h"
 #include "core/edits/EditJson.h"
 #include "core/edits/EditNames.h"
 #include "core/edits/document/DocumentEdits.h"
-#include "core/edits/kinds/chunks/ChunkToggle.h"
-#include "core/edits/kinds/chunks/DivideSegment.h"
 #include "core/sessionfile/records/StateHash.h"
 
 #include <QJsonArray>
@@ -31,16 +30,6 @@ QJsonValue hashValue(const QByteArray& hash)
 QJsonValue told(const HistoryRow& row, const QString& text)
 {
     return row.origin.at.isValid() ? QJsonValue(text) : QJsonValue();
-}
-
-/// A recipe says what was done; what a row adds to it, it finds again.
-Edit asFirstGiven(Edit edit)
-{
-    if (auto* chunks = edit.as<DivideSegment>())
-        chunks->owners.reset();
-    else if (auto* toggle = edit.as<ChunkToggle>())
-        toggle->bricks.reset();
-    return edit;
 }
 
 /// The state that every session begins with.

@@ -20,20 +20,20 @@ enum class FieldRole {
     Thing, ///< for objects of the document, which may have other numbers on another study
     Row, ///< for rows of the history
     File, ///< for a file
+    Found, ///< for what the edit finds when it is carried out, and would find again
 };
 
 /// A type that is neither listed here nor in fieldRole() does not compile. Those of masks, splits
 /// and chunks hold labels, too, but their edits are bound to the study.
 template <class Kind>
-inline constexpr bool isPlainField =
-    isOneOf<Kind, editFields::Number, editFields::WholeNumber, editFields::Connectivity,
-        editFields::Flag, editFields::Text, editFields::Colour, editFields::Code, editFields::Point,
-        editFields::StepCount, editFields::PointList, editFields::ContourList, editFields::Outline,
-        editFields::ClipHalfSpaceList, editFields::SampleList, editFields::PressureList,
-        editFields::PlaceList, editFields::CornerPair, editFields::SegmentReference,
-        editFields::GridSize, editFields::ImportedSegmentList, editFields::EntryOrder,
-        editFields::PlaneList, editFields::SplitPartList, editFields::ChunkOwnerList,
-        editFields::PackedBytes, editFields::BrickList, editFields::DrawnPlaneList>;
+inline constexpr bool isPlainField = isOneOf<Kind, editFields::Number, editFields::WholeNumber,
+    editFields::Connectivity, editFields::Flag, editFields::Text, editFields::Colour,
+    editFields::Code, editFields::Point, editFields::StepCount, editFields::PointList,
+    editFields::ContourList, editFields::Outline, editFields::ClipHalfSpaceList,
+    editFields::SampleList, editFields::PressureList, editFields::PlaceList, editFields::CornerPair,
+    editFields::SegmentReference, editFields::GridSize, editFields::ImportedSegmentList,
+    editFields::EntryOrder, editFields::PlaneList, editFields::SplitPartList,
+    editFields::PackedBytes, editFields::DrawnPlaneList>;
 template <class E, std::size_t N>
 inline constexpr bool isPlainField<editFields::Choice<E, N>> = true;
 
@@ -46,6 +46,8 @@ template <class Kind> [[nodiscard]] constexpr FieldRole fieldRole()
         return FieldRole::Row;
     } else if constexpr (isOneOf<Kind, editFields::FileName>) {
         return FieldRole::File;
+    } else if constexpr (isOneOf<Kind, editFields::ChunkOwnerList, editFields::BrickList>) {
+        return FieldRole::Found;
     } else {
         static_assert(isPlainField<Kind>, "what does the value of such a field stand for?");
         return FieldRole::Plain;
