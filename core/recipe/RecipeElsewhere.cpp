@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/recipe/RecipeElsewhere.h"
 
+#include "core/edits/EditTask.h"
 #include "core/edits/document/DocumentEdits.h"
 #include "core/edits/kinds/AnyEdit.h"
 #include "core/edits/kinds/FieldRoles.h"
@@ -173,8 +174,8 @@ void RecipeElsewhere::followRecorded()
         const Result<bool> changed = applyToDocument(edit, after.document);
         if (!changed || (!*changed && changesDocumentOnly(edit)))
             continue; // no row came of it
-        const auto* islands = edit.as<SplitIslands>();
-        after.areSegmentsUnknown = before.areSegmentsUnknown || (islands && !islands->into);
+        after.areSegmentsUnknown = before.areSegmentsUnknown
+            || effectsOf(edit).fills.added == AddedSegments::UnknownNumber;
         const std::optional<Kind> kind = mayMake(edit);
         if (kind && !(kind == Kind::Segment && after.areSegmentsUnknown)) {
             for (int made = lastGiven(*kind, before.document) + 1;
