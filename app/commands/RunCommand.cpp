@@ -16,8 +16,6 @@
 #include "core/base/files/StagedFile.h"
 #include "core/edits/document/DocumentEdits.h"
 #include "core/edits/kinds/Edit.h"
-#include "core/edits/kinds/chunks/DivideSegment.h"
-#include "core/edits/kinds/segments/ImportMask.h"
 #include "core/recipe/Recipe.h"
 #include "core/session/EditSession.h"
 #include "core/session/SessionStorage.h"
@@ -32,7 +30,6 @@
 #include "gpu/engine/GpuEngine.h"
 #include "ui/texts/MaskTexts.h"
 
-#include <QDir>
 #include <QFile>
 #include <QFileInfo>
 #include <QMap>
@@ -192,23 +189,6 @@ Result<void> checkExportsBeside(const core::Recipe& recipe, const QString& sessi
     return {};
 }
 
-/// The files that readMasks() will read.
-QStringList masksOf(const core::Recipe& recipe)
-{
-    QStringList files;
-    for (const core::RecipeStep& step : recipe.steps) {
-        const auto* edit = std::get_if<core::Edit>(&step);
-        const auto* mask = edit ? edit->as<core::ImportMask>() : nullptr;
-        if (mask && !mask->segments)
-            files += {mask->file, QFileInfo(recipe.path).dir().filePath(mask->file)};
-        const auto* division = edit ? edit->as<core::DivideSegment>() : nullptr;
-        if (division && division->probabilityFile)
-            files += {*division->probabilityFile,
-                QFileInfo(recipe.path).dir().filePath(*division->probabilityFile)};
-    }
-    return files;
-}
-
 void closeSessions()
 {
     core::closeSessionFiles({core::ErrorCode::Cancelled, {}});
@@ -242,7 +222,7 @@ int run(core::Recipe recipe, const Arguments& arguments, CommandTermination& ter
     reportProblems(loaded->volume, arguments.has("study") ? arguments.value("study") : file);
     core::fillSurfaces(recipe, loaded->volume);
     const core::FileInUse sources(core::sourceFiles(loaded->volume), core::FileInUse::As::Study);
-    const core::FileInUse masks(masksOf(recipe), core::FileInUse::As::Mask);
+    const core::FileInUse masks(core::masksOf(recipe), core::FileInUse::As::Mask);
     if (!goesOn) {
         if (const Result<void> target = checkSessionTarget(file, force, false); !target)
             return reportFailure(target.error());

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/history/History.h"
 
-#include "core/edits/kinds/history/RevertRows.h"
+#include "core/edits/EditNames.h"
 
 #include <algorithm>
 #include <set>
@@ -27,8 +27,8 @@ std::vector<RowId> History::standing(RowId id) const
         if (taken.count(id) != 0)
             continue;
         stands.push_back(id);
-        if (const auto* revert = row(id).edit.as<RevertRows>())
-            taken.insert(revert->rows.begin(), revert->rows.end());
+        const std::vector<RowId> rows = rowsTakenBackBy(row(id).edit);
+        taken.insert(rows.begin(), rows.end());
     }
     std::reverse(stands.begin(), stands.end());
     return stands;

@@ -60,7 +60,7 @@ public:
     }
     /// Rows from the beginning to @p id, oldest first.
     [[nodiscard]] std::vector<RowId> pathTo(RowId id) const;
-    /// The rows on the way to @p id that are in effect: all but those that a RevertRows in effect
+    /// The rows on the way to @p id that are in effect: all but those that another row in effect
     /// took back. Oldest first.
     [[nodiscard]] std::vector<RowId> standing(RowId id) const;
     [[nodiscard]] std::vector<RowId> standing() const { return standing(m_position); }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/history/MovedGrowth.h"
 
+#include "core/edits/EditNames.h"
 #include "core/edits/EditTask.h"
-#include "core/edits/kinds/history/RevertRows.h"
 
 #include <vector>
 
@@ -18,8 +18,7 @@ std::set<std::uint8_t> movedGrowthPlanes(const Edit& edit, const History& histor
         asked.pop_back();
         if (const auto plane = effectsOf(next).movesGenerationOf)
             planes.insert(*plane);
-        const auto* revert = next.as<RevertRows>();
-        for (const RowId row : revert ? revert->rows : std::vector<RowId>()) {
+        for (const RowId row : rowsTakenBackBy(next)) {
             if (known.insert(row).second)
                 asked.push_back(&history.row(row).edit);
         }

@@ -4,8 +4,6 @@
 #include "core/base/files/FileInUse.h"
 #include "core/edits/EditTask.h"
 #include "core/edits/document/DocumentEdits.h"
-#include "core/edits/kinds/splitting/CopySegment.h"
-#include "core/edits/kinds/splitting/SplitIslands.h"
 #include "core/recipe/RecipeJson.h"
 #include "core/volume/SurfaceThreshold.h"
 
@@ -67,6 +65,20 @@ bool completeSurface(QJsonValue& json)
     return true;
 }
 
+/// Whether nobody knows the segments that an edit adds before it is carried out.
+bool areUnknown(AddedSegments added)
+{
+    switch (added) {
+    case AddedSegments::None:
+    case AddedSegments::Known:
+        return false;
+    case AddedSegments::UnknownPlane:
+    case AddedSegments::UnknownNumber:
+        return true;
+    }
+    return true;
+}
+
 /// What an edit adds to the document is last there.
 void addFilled(std::set<int>& labels, const FilledSegments& filled, const Document& document,
     std::size_t segmentsBefore)
@@ -74,7 +86,7 @@ void addFilled(std::set<int>& labels, const FilledSegments& filled, const Docume
     for (std::size_t i = 0; i < document.segments.size(); ++i) {
         const Segment& segment = document.segments[i];
         if (filled.label == segment.label || filled.other == segment.label
-            || (filled.added && i >= segmentsBefore)
+            || (filled.added != AddedSegments::None && i >= segmentsBefore)
             || (!filled.name.isEmpty() && filled.name == segment.name))
             labels.insert(segment.label);
     }
@@ -148,12 +160,9 @@ Result<void> checkRecipe(const Recipe& recipe, Document document, bool replaceEx
             return tl::unexpected(atEdit(checked.error(), entryOf(recipe, i)));
         const std::size_t segmentsBefore = document.segments.size();
         static_cast<void>(applyToDocument(*edit, document));
-        // What comes of the islands of a segment is known only when they have been counted, and
-        // the plane of a copy when it is known who has voxels there.
-        const auto* islands = edit->as<SplitIslands>();
-        const auto* copy = edit->as<CopySegment>();
-        isUnknown = (islands && !islands->into) || (copy && !copy->plane);
-        addFilled(seeded, effectsOf(*edit).fills, document, segmentsBefore);
+        const FilledSegments filled = effectsOf(*edit).fills;
+        isUnknown = areUnknown(filled.added);
+        addFilled(seeded, filled, document, segmentsBefore);
     }
     const Volume& volume = document.volumes.front();
     std::vector<FileIdentity> files;

@@ -9,6 +9,7 @@
 #include "core/sessionfile/records/SessionSource.h"
 
 #include <QString>
+#include <QStringList>
 
 #include <optional>
 #include <vector>
@@ -46,6 +47,9 @@ struct RecipeMaskNote {
 /// @return what was resampled or left out
 /// Errors: those of readMask() (core/masks/MaskOnVolume.h) and readProbabilities().
 [[nodiscard]] Result<std::vector<RecipeMaskNote>> readMasks(Recipe& recipe, const Volume& volume);
+
+/// The files that readMasks() will read, as the steps name them and beside the recipe.
+[[nodiscard]] QStringList masksOf(const Recipe& recipe);
 
 /// Checks everything about a recipe that can be checked on this document (with its volume) before
 /// it is carried out. Edits after a walk through the history, or after islands were split into

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/recipe/RecipeElsewhere.h"
 
+#include "core/edits/EditTask.h"
 #include "core/edits/document/DocumentEdits.h"
 #include "core/edits/kinds/AnyEdit.h"
-#include "core/edits/kinds/IsOneOf.h"
+#include "core/edits/kinds/FieldRoles.h"
 #include "core/edits/schema/FieldVisitor.h"
 
 #include <algorithm>
-#include <type_traits>
+#include <vector>
 
 namespace core {
 
@@ -20,23 +21,6 @@ constexpr int firstLayer = 1;
 using editFields::ThingNumber;
 using editSchema::Presence;
 
-/// Whether no field of a type names a thing that has another number elsewhere. A type that is not
-/// listed, and that NumberVisitor does not show either, does not compile. Those of masks, splits
-/// and chunks hold labels, but their edits are bound to the study.
-template <class Kind>
-inline constexpr bool namesNothing =
-    isOneOf<Kind, editFields::Number, editFields::WholeNumber, editFields::Connectivity,
-        editFields::Flag, editFields::Text, editFields::Colour, editFields::Code, editFields::Point,
-        editFields::Row, editFields::StepCount, editFields::PointList, editFields::ContourList,
-        editFields::Outline, editFields::ClipHalfSpaceList, editFields::SampleList,
-        editFields::PressureList, editFields::RowList, editFields::PlaceList,
-        editFields::CornerPair, editFields::FileName, editFields::SegmentReference,
-        editFields::GridSize, editFields::ImportedSegmentList, editFields::EntryOrder,
-        editFields::PlaneList, editFields::SplitPartList, editFields::ChunkOwnerList,
-        editFields::PackedBytes, editFields::BrickList, editFields::DrawnPlaneList>;
-template <class E, std::size_t N>
-inline constexpr bool namesNothing<editFields::Choice<E, N>> = true;
-
 /// Shows every number by which an edit names a thing, as its fields say.
 template <class Take> class NumberVisitor : public editSchema::FieldVisitor<NumberVisitor<Take>> {
 public:
@@ -47,18 +31,19 @@ public:
     template <class Kind>
     void field(const char*, Presence, typename Kind::Value& value, const Kind& kind, const char*)
     {
-        if constexpr (std::is_same_v<Kind, ThingNumber>) {
-            m_take(kind.thing, value);
-        } else if constexpr (std::is_same_v<Kind, editFields::SegmentList>) {
-            for (int& segment : value)
-                m_take(ThingNumber::Thing::Segment, segment);
-            std::sort(value.begin(), value.end());
-        } else {
-            static_assert(namesNothing<Kind>, "does such a field name things by their numbers?");
-        }
+        if constexpr (fieldRole<Kind>() == FieldRole::Thing)
+            take(value, kind);
     }
 
 private:
+    void take(int& number, const ThingNumber& kind) { m_take(kind.thing, number); }
+    void take(std::vector<int>& segments, const editFields::SegmentList&)
+    {
+        for (int& segment : segments)
+            m_take(ThingNumber::Thing::Segment, segment);
+        std::sort(segments.begin(), segments.end());
+    }
+
     const Take& m_take;
 };
 
@@ -189,8 +174,8 @@ void RecipeElsewhere::followRecorded()
         const Result<bool> changed = applyToDocument(edit, after.document);
         if (!changed || (!*changed && changesDocumentOnly(edit)))
             continue; // no row came of it
-        const auto* islands = edit.as<SplitIslands>();
-        after.areSegmentsUnknown = before.areSegmentsUnknown || (islands && !islands->into);
+        after.areSegmentsUnknown = before.areSegmentsUnknown
+            || effectsOf(edit).fills.added == AddedSegments::UnknownNumber;
         const std::optional<Kind> kind = mayMake(edit);
         if (kind && !(kind == Kind::Segment && after.areSegmentsUnknown)) {
             for (int made = lastGiven(*kind, before.document) + 1;

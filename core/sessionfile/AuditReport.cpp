@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/sessionfile/AuditReport.h"
 
-#include "core/edits/kinds/history/RevertRows.h"
-#include "core/edits/kinds/history/ReviseStroke.h"
+#include "core/edits/EditNames.h"
 #include "core/sessionfile/records/SessionTables.h"
 
 #include <QFileInfo>
@@ -20,12 +19,18 @@ struct LaterSteps {
         , revisedBy(history.rows().size() + 1, 0)
     {
         for (const RowId id : history.standing()) {
-            const Edit& edit = history.row(id).edit;
-            if (const auto* revert = edit.as<RevertRows>()) {
-                for (const RowId row : revert->rows)
+            const NamedRows named = rowsNamedBy(history.row(id).edit);
+            for (const RowId row : named.rows) {
+                switch (named.use) {
+                case RowUse::TakesBack:
                     takenBackBy[std::size_t(row)] = id;
-            } else if (const auto* revise = edit.as<ReviseStroke>()) {
-                revisedBy[std::size_t(revise->row)] = id;
+                    break;
+                case RowUse::Revises:
+                    revisedBy[std::size_t(row)] = id;
+                    break;
+                case RowUse::None:
+                    break;
+                }
             }
         }
     }

@@ -3,7 +3,7 @@
 
 #include "core/base/files/StagedError.h"
 #include "core/base/files/StagedFile.h"
-#include "core/edits/kinds/segments/ImportMask.h"
+#include "core/edits/EditNames.h"
 #include "core/sessionfile/SessionFile.h"
 #include "core/sessionfile/SessionSalvage.h"
 #include "core/sessionfile/records/RowText.h"
@@ -85,15 +85,16 @@ QString quoted(const HistoryRow& row)
 HistoryRow neutral(HistoryRow row, const Deidentifier& by, std::vector<Renaming>& quotes)
 {
     useTexts(row, [&quotes](QString& text) { renameIn(text, quotes); });
-    auto* mask = row.edit.as<ImportMask>();
-    const QFileInfo named(mask ? mask->file : QString());
-    if (!named.fileName().isEmpty()) {
-        mask->file = QStringLiteral("mask.") + named.completeSuffix();
+    changeFilesNamed(row.edit, [&](QString& file) {
+        const QFileInfo named(file);
+        if (named.fileName().isEmpty())
+            return;
+        file = QStringLiteral("mask.") + named.completeSuffix();
         const QString before = quoted(row);
-        useTexts(row, [&](QString& text) { text.replace(named.fileName(), mask->file); });
+        useTexts(row, [&](QString& text) { text.replace(named.fileName(), file); });
         if (!before.isEmpty())
             quotes.push_back({.from = before, .to = quoted(row)});
-    }
+    });
     row.origin.author.clear();
     switch (by.options().dates) {
     case DeidentifyOptions::Dates::Remove:

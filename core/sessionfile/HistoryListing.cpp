@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/sessionfile/HistoryListing.h"
 
+#include "core/edits/EditAsGiven.h"
 #include "core/edits/EditJson.h"
+#include "core/edits/EditNames.h"
 #include "core/edits/document/DocumentEdits.h"
-#include "core/edits/kinds/chunks/ChunkToggle.h"
-#include "core/edits/kinds/chunks/DivideSegment.h"
-#include "core/edits/kinds/history/RevertRows.h"
-#include "core/edits/kinds/history/ReviseStroke.h"
 #include "core/sessionfile/records/StateHash.h"
 
 #include <QJsonArray>
@@ -32,16 +30,6 @@ QJsonValue hashValue(const QByteArray& hash)
 QJsonValue told(const HistoryRow& row, const QString& text)
 {
     return row.origin.at.isValid() ? QJsonValue(text) : QJsonValue();
-}
-
-/// A recipe says what was done; what a row adds to it, it finds again.
-Edit asFirstGiven(Edit edit)
-{
-    if (auto* chunks = edit.as<DivideSegment>())
-        chunks->owners.reset();
-    else if (auto* toggle = edit.as<ChunkToggle>())
-        toggle->bricks.reset();
-    return edit;
 }
 
 /// The state that every session begins with.
@@ -147,17 +135,11 @@ QJsonObject historyAsRecipe(const SessionContents& contents)
 
 Edit renumbered(const Edit& edit, const std::map<RowId, RowId>& numbers)
 {
-    const auto renumber = [&numbers](RowId& row) {
+    Edit result = edit;
+    changeRowsNamed(result, [&numbers](RowId& row) {
         if (const auto number = numbers.find(row); number != numbers.end())
             row = number->second;
-    };
-    Edit result = edit;
-    if (auto* revert = result.as<RevertRows>()) {
-        for (std::int64_t& row : revert->rows)
-            renumber(row);
-    } else if (auto* revise = result.as<ReviseStroke>()) {
-        renumber(revise->row);
-    }
+    });
     return result;
 }
 

@@ -36,7 +36,7 @@ struct HistoryBranch {
 /// study, it ends with the same state hash.
 [[nodiscard]] QJsonObject historyAsRecipe(const SessionContents& contents);
 
-/// An edit for a history whose rows have other numbers: RevertRows and ReviseStroke refer to rows.
+/// An edit for a history whose rows have other numbers: some edits name rows (EditNames.h).
 /// @param numbers from old to new; it preserves the order of rows. Unknown rows keep their number.
 [[nodiscard]] Edit renumbered(const Edit& edit, const std::map<RowId, RowId>& numbers);
 

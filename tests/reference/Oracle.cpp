@@ -109,25 +109,6 @@ DenseArray<std::uint8_t> Oracle::carved() const
     return radiation(m_fields.composedCoverage(m_muted));
 }
 
-core::GrowthProgress Oracle::growthProgress() const
-{
-    core::GrowthProgress progress;
-    const Growth* growth = m_open ? std::get_if<Growth>(&m_open->work) : nullptr;
-    const CutBack* cut = m_open ? std::get_if<CutBack>(&m_open->work) : nullptr;
-    if (cut && cut->edit.how == core::CutGrowth::How::Backwards)
-        progress.backwards = cut->done.backwards;
-    if (!growth)
-        return progress;
-    progress.open = true;
-    progress.atClosure = growth->atClosure();
-    progress.generation = growth->generation();
-    progress.frontSizes = growth->frontSizes();
-    progress.alarm = growth->alarm();
-    for (const std::uint32_t size : progress.frontSizes)
-        progress.members += size;
-    return progress;
-}
-
 core::Result<Oracle::Work> Oracle::begin(core::SeedPlacement& edit)
 {
     if (edit.label == 0)
@@ -511,62 +492,6 @@ Oracle::Outcome Oracle::carryOut(core::ExtendEdit& command)
     if (!extended)
         return tl::unexpected(extended.error());
     return std::nullopt;
-}
-
-/// As far as the work asks for it.
-std::optional<std::int32_t> Oracle::searchedTo() const
-{
-    return std::visit(
-        [](const auto& work) -> std::optional<std::int32_t> {
-            if constexpr (requires { work.searchedTo(); })
-                return work.searchedTo();
-            else
-                return std::nullopt;
-        },
-        m_open->work);
-}
-
-Oracle::Outcome Oracle::carryOut(core::EndEdit& command)
-{
-    if (!m_open)
-        return refuse("transaction", "no edit is open");
-    core::EngineResult result;
-    Growth* growth = std::get_if<Growth>(&m_open->work);
-    const Shrunk* shrunk = std::get_if<Shrunk>(&m_open->work);
-    const CutBack* cut = std::get_if<CutBack>(&m_open->work);
-    if (command.ending == core::Ending::Rollback) {
-        if (growth)
-            result.generation = growth->openedAt();
-        if (shrunk)
-            result.generation = shrunk->edit.generation;
-        if (cut)
-            result.generation = cut->edit.generation;
-        m_fields = std::move(m_open->before);
-    } else {
-        if (growth) {
-            result.generation = growth->generation();
-            result.atClosure = growth->atClosure();
-            result.alarm = growth->alarm();
-        }
-        if (shrunk)
-            result.generation = shrunk->to;
-        if (cut)
-            result.generation = cut->done.generation;
-        result.changes = DenseFields::changes(m_open->before, m_fields);
-        result.facts = core::factsOf(result.changes, core::BrickGrid{m_codes.size});
-        result.statistics = core::statisticsOf(result.facts);
-        if (growth)
-            result.statistics.generations = int(growth->frontSizes().size());
-        if (shrunk)
-            result.statistics.generations = int(shrunk->edit.generation - shrunk->to);
-        if (cut)
-            result.statistics.generations = cut->edit.how == core::CutGrowth::How::Backwards
-                ? int(cut->done.backwards.steps)
-                : std::max(int(cut->edit.generation) - int(cut->done.generation), 0);
-        result.statistics.searchedTo = searchedTo();
-    }
-    m_open.reset();
-    return result;
 }
 
 core::Result<void> Oracle::checkImages(

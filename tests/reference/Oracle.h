@@ -12,6 +12,7 @@
 #include "tests/reference/sculpt/Peel.h"
 
 #include <optional>
+#include <type_traits>
 #include <variant>
 
 namespace reference {
@@ -48,6 +49,11 @@ private:
     /// Likewise; it may be told not to remember what it never does.
     struct Spread { };
     using Work = std::variant<Done, Shrunk, CutBack, Spread, Growth, Drill, Capsules, Peel, Laser>;
+    template <class W, class... Ws> static constexpr bool isOf = (std::is_same_v<W, Ws> || ...);
+    /// Work that moves no growth to another generation. A kind that is added does not compile until
+    /// it is listed here or says what it does to a growth (generationBefore(), report()).
+    template <class W>
+    static constexpr bool movesNoGrowth = isOf<W, Done, Spread, Drill, Capsules, Peel, Laser>;
     /// The open edit and the state at its beginning.
     struct Transaction {
         DenseFields before;
@@ -123,6 +129,30 @@ private:
     [[nodiscard]] core::Result<void> extend(Growth& growth, core::GrowAnew& anew);
     template <class Other, class Extension>
     [[nodiscard]] core::Result<void> extend(Other& other, Extension& extension);
+
+    // What is told of the growth that an open edit moves.
+
+    /// The generation that it has again if the edit is taken back.
+    [[nodiscard]] static std::uint32_t generationBefore(const Growth& growth);
+    [[nodiscard]] static std::uint32_t generationBefore(const Shrunk& shrunk);
+    [[nodiscard]] static std::uint32_t generationBefore(const CutBack& cut);
+    template <class W>
+    requires movesNoGrowth<W>
+    [[nodiscard]] static std::uint32_t generationBefore(const W&) { return 0; }
+    /// When it ends.
+    static void report(const Growth& growth, core::EngineResult& result);
+    static void report(const Shrunk& shrunk, core::EngineResult& result);
+    static void report(const CutBack& cut, core::EngineResult& result);
+    template <class W>
+    requires movesNoGrowth<W>
+    static void report(const W&, core::EngineResult&) { }
+    /// While it is open; a shrinking has no progress.
+    static void report(const Growth& growth, core::GrowthProgress& progress);
+    static void report(const Shrunk&, core::GrowthProgress&) { }
+    static void report(const CutBack& cut, core::GrowthProgress& progress);
+    template <class W>
+    requires movesNoGrowth<W>
+    static void report(const W&, core::GrowthProgress&) { }
 
     DenseArray<std::uint16_t> m_codes;
     DenseFields m_fields;

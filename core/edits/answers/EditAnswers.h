@@ -36,6 +36,9 @@ namespace core {
 //     Only for edits that are not the engine's alone and stand open otherwise than under a pen: of
 //     the surface, or of a segment, where they are worked out first. Tools of the surface are told
 //     further points of their path (SurfacePath), which needs no function.
+//   RowUse rowUse(const X&)
+//     Only for edits that name rows of the history: what it does with them (RowUse.h).
+//     EditNames.cpp does not compile without this function.
 //
 // This header contains only what headers of edits need to declare them.
 
@@ -48,5 +51,6 @@ struct EngineEdit;
 struct OpenManner;
 struct RowFacts;
 struct RowTitle;
+enum class RowUse;
 
 } // namespace core

@@ -38,12 +38,20 @@ struct StatedLabel : std::optional<int> {
     }
 };
 
+/// The segments that an edit itself adds, and what of them is known before it is carried out.
+enum class AddedSegments {
+    None,
+    Known, ///< in what label planes, and how many
+    UnknownPlane, ///< which label plane has room is found when it is carried out
+    UnknownNumber, ///< how many there are is found when it is carried out
+};
+
 /// Segments that may have their first voxels, or seeds, from an edit.
 struct FilledSegments {
     StatedLabel label;
     std::optional<int> other{}; ///< a second label that receives voxels
     QString name{}; ///< those that are called so; empty: none
-    bool added = false; ///< whether segments that the edit itself adds count, too
+    AddedSegments added = AddedSegments::None; ///< these, too
 };
 /// No segment has its first voxels, or seeds, from it.
 inline const FilledSegments fillsNothing{.label = std::nullopt};

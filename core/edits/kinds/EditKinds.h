@@ -29,5 +29,14 @@ void visitAmong(const Visitor& visitor, const Edit& edit, EditKinds<Es...>)
     };
     (visit(edit.as<Es>()), ...);
 }
+template <class Visitor, class... Es>
+void visitAmong(const Visitor& visitor, Edit& edit, EditKinds<Es...>)
+{
+    const auto visit = [&visitor](auto* known) {
+        if (known)
+            visitor(*known);
+    };
+    (visit(edit.as<Es>()), ...);
+}
 
 } // namespace core

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/session/questions/TouchSearch.h"
 
+#include "core/edits/EditNames.h"
 #include "core/edits/document/DocumentEdits.h"
 #include "core/engine/EngineCommands.h"
 #include "core/growth/SeedWord.h"
@@ -73,7 +74,7 @@ void TouchSearch::start(SessionState& state)
     m_rows = history.pathTo(history.position());
     for (const RowId row : history.standing()) {
         const Edit& edit = history.row(row).edit;
-        if (!changesDocumentOnly(edit) && !edit.is<RevertRows>())
+        if (!changesDocumentOnly(edit) && rowUseOf(edit) != RowUse::TakesBack)
             m_standing.push_back(row);
     }
     loadNext(state);

@@ -2,10 +2,9 @@
 #include "core/sessionfile/records/RowText.h"
 
 #include "core/edits/EditJson.h"
+#include "core/edits/EditNames.h"
 #include "core/edits/kinds/EditParts.h"
 #include "core/edits/kinds/growth/GrowSteps.h"
-#include "core/edits/kinds/history/RevertRows.h"
-#include "core/edits/kinds/history/ReviseStroke.h"
 #include "core/titles/TitleJson.h"
 
 #include <QCryptographicHash>
@@ -124,11 +123,8 @@ QString RowText::chain(const QString& previous) const
 
 bool namesNoEarlierRow(RowId id, const Edit& edit)
 {
-    const auto isEarlier = [id](RowId row) { return row > 0 && row < id; };
-    if (const auto* revert = edit.as<RevertRows>())
-        return !std::all_of(revert->rows.begin(), revert->rows.end(), isEarlier);
-    const auto* revise = edit.as<ReviseStroke>();
-    return revise && !isEarlier(revise->row);
+    const std::vector<RowId> rows = rowsNamedBy(edit).rows;
+    return !std::all_of(rows.begin(), rows.end(), [id](RowId row) { return row > 0 && row < id; });
 }
 
 QString firstChain(const QString& source)

@@ -16,6 +16,11 @@ using namespace core;
 
 namespace {
 
+bool adds(const EditEffects& effects)
+{
+    return effects.fills.added != AddedSegments::None;
+}
+
 template <class E> void checkKind()
 {
     const Edit edit = E();
@@ -29,9 +34,9 @@ template <class E> void checkKind()
     if (effects.task == EditTask::Document)
         QVERIFY2(effects.onlyDocument && !effects.standsOpen, name.constData());
     if (effects.writesTo)
-        QVERIFY2(effects.fills.label || effects.fills.added, name.constData());
+        QVERIFY2(effects.fills.label || adds(effects), name.constData());
     if (effects.takesVoxelsOrNothing)
-        QVERIFY2(effects.task != EditTask::Document && effects.fills.added, name.constData());
+        QVERIFY2(effects.task != EditTask::Document && adds(effects), name.constData());
 }
 
 template <class... Es> void checkKinds(EditKinds<Es...>)
@@ -112,20 +117,25 @@ private Q_SLOTS:
         contour.erase = true;
         QVERIFY(!effectsOf(contour).fills.label && effectsOf(contour).writesTo == 4);
         SplitIslands islands{.segment = 3};
-        QVERIFY(effectsOf(islands).fills.added && effectsOf(islands).writesTo == 3);
-        QVERIFY(!effectsOf(islands).boundToStudy);
+        QCOMPARE(effectsOf(islands).fills.added, AddedSegments::UnknownNumber);
+        QVERIFY(effectsOf(islands).writesTo == 3 && !effectsOf(islands).boundToStudy);
         islands.into.emplace(2); // it names what it made of the islands of one study
+        QCOMPARE(effectsOf(islands).fills.added, AddedSegments::Known);
         QVERIFY(effectsOf(islands).boundToStudy);
         const SplitSegment split{.segment = 3};
-        QVERIFY(effectsOf(split).fills.added && effectsOf(split).writesTo == 3);
+        QCOMPARE(effectsOf(split).fills.added, AddedSegments::Known);
+        QVERIFY(effectsOf(split).writesTo == 3);
         QVERIFY(effectsOf(split).boundToStudy); // it names a place
         CopySegment copy{.segment = 3};
-        QVERIFY(effectsOf(copy).fills.added && !effectsOf(copy).writesTo);
-        QVERIFY(!effectsOf(copy).boundToStudy);
+        QCOMPARE(effectsOf(copy).fills.added, AddedSegments::UnknownPlane);
+        QVERIFY(!effectsOf(copy).writesTo && !effectsOf(copy).boundToStudy);
+        copy.plane = 1;
+        QCOMPARE(effectsOf(copy).fills.added, AddedSegments::Known);
         copy.editable.emplace().box = GrowBox{};
         QVERIFY(effectsOf(copy).boundToStudy); // it names places
         const SplitByCurve curve{.segment = 3};
-        QVERIFY(effectsOf(curve).fills.added && effectsOf(curve).writesTo == 3);
+        QCOMPARE(effectsOf(curve).fills.added, AddedSegments::Known);
+        QVERIFY(effectsOf(curve).writesTo == 3);
         QVERIFY(effectsOf(curve).boundToStudy); // it names places
         ThresholdSegment threshold{.segment = 5};
         QVERIFY(effectsOf(threshold).fills.label == 5 && effectsOf(threshold).writesTo == 5);

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/dialogs/export/ExportSegments.h"
 
-#include "core/edits/kinds/EditParts.h"
-#include "core/edits/kinds/growth/GrowCriteria.h"
+#include "core/edits/kinds/GrowthKinds.h"
+#include "core/edits/kinds/IsOneOf.h"
+#include "core/edits/kinds/growth/ChangeInterval.h"
+#include "core/edits/kinds/growth/GrowSteps.h"
 #include "core/edits/kinds/growth/ShrinkSteps.h"
 #include "core/edits/kinds/parts/GrowthPlane.h"
 #include "core/edits/kinds/segments/ChangeSegment.h"
@@ -52,38 +54,73 @@ QString codeText(const core::Segment& segment, const core::SegCodes& codes)
     return words.join(QStringLiteral(", "));
 }
 
-} // namespace
+/// Which labels grow after each row of a history, from the first on.
+class GrowingAlong {
+public:
+    explicit GrowingAlong(const core::Document& document)
+        : m_document(document)
+    {
+    }
 
-std::bitset<256> growingLabels(core::EditSession& session)
-{
+    void follow(const core::HistoryRow& row)
+    {
+        if (const std::optional<int> label = core::segmentOfSeeds(row.edit)) {
+            const core::Segment* segment = m_document.segment(*label);
+            Growing& growing = m_growths[segment ? segment->plane : std::uint8_t(0)];
+            growing.seeded.set(std::size_t(*label));
+            growing.pending.set(std::size_t(*label));
+        }
+        core::visitAmong(
+            [&](const auto& known) { take(known, row.statistics); }, row.edit, core::GrowthKinds());
+    }
+    [[nodiscard]] std::bitset<256> labels() const
+    {
+        std::bitset<256> labels;
+        for (const auto& [plane, growing] : m_growths)
+            labels |= growing.grown ? growing.pending : growing.seeded;
+        return labels;
+    }
+
+private:
     struct Growing {
         std::bitset<256> seeded;
         std::bitset<256> pending; ///< since the last growth
         bool grown = false; ///< to closure
     };
-    std::map<std::uint8_t, Growing> growths; // by label plane
-    const core::History& history = session.history();
-    for (const core::RowId id : history.standing()) {
-        const core::Edit& edit = history.row(id).edit;
-        if (const std::optional<int> label = core::segmentOfSeeds(edit)) {
-            const core::Segment* segment = session.document().segment(*label);
-            Growing& growing = growths[segment ? segment->plane : std::uint8_t(0)];
-            growing.seeded.set(std::size_t(*label));
-            growing.pending.set(std::size_t(*label));
-        } else if (const std::optional<int>* asked = core::growStepsOf(edit)) {
-            Growing& growing = growths[core::growthPlaneOf(core::growCriteriaOf(edit)->plane)];
-            growing.pending.reset();
-            // A row without a number of steps ran to closure; so did one that stopped early.
-            const int steps = history.row(id).statistics.generations;
-            growing.grown = !*asked || steps < **asked;
-        } else if (const auto* shrink = edit.as<core::ShrinkSteps>()) {
-            growths[core::growthPlaneOf(shrink->plane)].grown = false;
-        }
+
+    template <class E>
+    requires core::isOneOf<E, core::GrowSteps, core::ChangeInterval>
+    void take(const E& growth, const core::EditStatistics& statistics)
+    {
+        Growing& growing = m_growths[core::growthPlaneOf(growth.criteria.plane)];
+        growing.pending.reset();
+        // A row without a number of steps ran to closure; so did one that stopped early.
+        growing.grown = !growth.steps || statistics.generations < *growth.steps;
     }
-    std::bitset<256> labels;
-    for (const auto& [plane, growing] : growths)
-        labels |= growing.grown ? growing.pending : growing.seeded;
-    return labels;
+    void take(const core::ShrinkSteps& shrink, const core::EditStatistics&)
+    {
+        m_growths[core::growthPlaneOf(shrink.plane)].grown = false;
+    }
+    /// After these a growth counts as finished if it did before. Seeds are counted by follow(),
+    /// since painted ones are of no kind of growth; ResumeGrowth stands in no row.
+    template <class E>
+    requires core::isOneOf<E, core::SeedStroke, core::BarrierStroke, core::ResumeGrowth,
+        core::ShrinkAt, core::PlugLeak, core::GrowFromSeeds>
+    void take(const E&, const core::EditStatistics&) { }
+
+    const core::Document& m_document;
+    std::map<std::uint8_t, Growing> m_growths; ///< by label plane
+};
+
+} // namespace
+
+std::bitset<256> growingLabels(core::EditSession& session)
+{
+    const core::History& history = session.history();
+    GrowingAlong growing(session.document());
+    for (const core::RowId id : history.standing())
+        growing.follow(history.row(id));
+    return growing.labels();
 }
 
 ExportSegments::ExportSegments(Workspace& workspace, QWidget* parent)

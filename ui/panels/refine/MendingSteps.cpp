@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/panels/refine/MendingSteps.h"
 
-#include "core/edits/kinds/history/RevertRows.h"
-#include "core/edits/kinds/history/ReviseStroke.h"
+#include "core/edits/EditNames.h"
 #include "core/edits/sculpt/SculptEdits.h"
 #include "ui/panels/refine/ComparePanel.h"
 #include "ui/panels/refine/LookFirstSection.h"
@@ -31,10 +30,8 @@ bool canChangeLabels(const core::History& history, const core::Edit& edit)
     const auto ofRow = [&history](std::int64_t row) {
         return canChangeLabels(history, history.row(core::RowId(row)).edit);
     };
-    if (const auto* revert = edit.as<core::RevertRows>())
-        return std::any_of(revert->rows.begin(), revert->rows.end(), ofRow);
-    const auto* revise = edit.as<core::ReviseStroke>();
-    return !revise || ofRow(revise->row);
+    const std::vector<std::int64_t> rows = core::rowsNamedBy(edit).rows;
+    return rows.empty() || std::any_of(rows.begin(), rows.end(), ofRow);
 }
 
 } // namespace

@@ -4,6 +4,7 @@
 #include "core/edits/answers/EditDependencies.h"
 #include "core/edits/answers/EditEffects.h"
 #include "core/edits/answers/RowFacts.h"
+#include "core/edits/answers/RowUse.h"
 
 namespace core {
 
@@ -44,6 +45,11 @@ RowTitle rowTitle(const RevertRows& edit, const RowFacts& row)
 EditDependencies dependencies(const RevertRows&, const DependencyFacts& row)
 {
     return row.whatWasWritten();
+}
+
+RowUse rowUse(const RevertRows&)
+{
+    return RowUse::TakesBack;
 }
 
 } // namespace core

@@ -19,5 +19,6 @@ Result<bool> apply(const RevertRows& edit, Document& document);
 [[nodiscard]] EditEffects effects(const RevertRows& edit);
 [[nodiscard]] RowTitle rowTitle(const RevertRows& edit, const RowFacts& row);
 [[nodiscard]] EditDependencies dependencies(const RevertRows& edit, const DependencyFacts& row);
+[[nodiscard]] RowUse rowUse(const RevertRows& edit);
 
 } // namespace core

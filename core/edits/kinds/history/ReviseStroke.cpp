@@ -4,6 +4,7 @@
 #include "core/edits/answers/EditDependencies.h"
 #include "core/edits/answers/EditEffects.h"
 #include "core/edits/answers/RowFacts.h"
+#include "core/edits/answers/RowUse.h"
 
 namespace core {
 
@@ -86,6 +87,11 @@ RowTitle rowTitle(const ReviseStroke& edit, const RowFacts& row)
 EditDependencies dependencies(const ReviseStroke&, const DependencyFacts& row)
 {
     return row.whatWasWritten();
+}
+
+RowUse rowUse(const ReviseStroke&)
+{
+    return RowUse::Revises;
 }
 
 } // namespace core

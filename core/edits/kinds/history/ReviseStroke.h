@@ -30,5 +30,6 @@ Result<bool> apply(const ReviseStroke& edit, Document& document);
 [[nodiscard]] EditEffects effects(const ReviseStroke& edit);
 [[nodiscard]] RowTitle rowTitle(const ReviseStroke& edit, const RowFacts& row);
 [[nodiscard]] EditDependencies dependencies(const ReviseStroke& edit, const DependencyFacts& row);
+[[nodiscard]] RowUse rowUse(const ReviseStroke& edit);
 
 } // namespace core

@@ -57,7 +57,7 @@ EditEffects effectsOn(const SegmentChoice& choice, EditTask task, bool boundToSt
         .changes = choice.segment ? std::nullopt : std::optional(DocumentChange::What::Segments),
         .takesVoxelsOrNothing = true,
         .writesTo = choice.segment,
-        .fills = {.label = choice.segment, .added = true},
+        .fills = {.label = choice.segment, .added = AddedSegments::Known},
         .boundToStudy = boundToStudy};
 }
 

@@ -158,7 +158,9 @@ EditEffects effects(const ImportMask& edit)
         .changes = named ? std::nullopt : std::optional(DocumentChange::What::Segments),
         .takesVoxelsOrNothing = true,
         .writesTo = named,
-        .fills = {.label = named, .name = edit.as ? edit.as->name : QString(), .added = true},
+        .fills = {.label = named,
+            .name = edit.as ? edit.as->name : QString(),
+            .added = AddedSegments::Known},
         .boundToStudy = true};
 }
 

@@ -86,7 +86,8 @@ EditEffects effects(const CopySegment& edit)
         .standsOpen = false,
         .changes = DocumentChange::What::Segments,
         .takesVoxelsOrNothing = true,
-        .fills = {.label = std::nullopt, .added = true},
+        .fills = {.label = std::nullopt,
+            .added = edit.plane ? AddedSegments::Known : AddedSegments::UnknownPlane},
         .boundToStudy = namesPlaces(edit.editable)};
 }
 

@@ -80,6 +80,8 @@ EditEffects effects(const SplitIslands& edit)
     EditEffects all =
         splitEffects(edit.segment, edit.into.has_value() || namesPlaces(edit.editable));
     all.standsOpen = opens<SplitIslands>();
+    if (!edit.into)
+        all.fills.added = AddedSegments::UnknownNumber;
     return all;
 }
 

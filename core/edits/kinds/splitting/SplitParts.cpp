@@ -85,7 +85,7 @@ EditEffects splitEffects(int segment, bool isBoundToStudy)
         .changes = DocumentChange::What::Segments,
         .takesVoxelsOrNothing = true,
         .writesTo = segment,
-        .fills = {.label = std::nullopt, .added = true},
+        .fills = {.label = std::nullopt, .added = AddedSegments::Known},
         .boundToStudy = isBoundToStudy};
 }
 

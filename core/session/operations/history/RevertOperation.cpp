@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/session/operations/history/RevertOperation.h"
 
+#include "core/edits/EditNames.h"
 #include "core/edits/document/DocumentEdits.h"
 #include "core/edits/kinds/EditParts.h"
 #include "core/edits/kinds/growth/GrowCriteria.h"
@@ -86,19 +87,24 @@ struct Claim {
 
     [[nodiscard]] bool isHurtBy(const Edit& later) const
     {
-        // What took back only rows after this one cancels with them.
-        const auto* revert = later.as<RevertRows>();
-        return later.is<ReviseStroke>() || (revert && returning != 0 && revert->rows.front() < row);
+        const NamedRows named = rowsNamedBy(later);
+        switch (named.use) {
+        case RowUse::None:
+            return false;
+        case RowUse::TakesBack:
+            // What took back only rows after this one cancels with them.
+            return returning != 0 && named.rows.front() < row;
+        case RowUse::Revises:
+            return true;
+        }
+        return true;
     }
 };
 
 /// Every row that "undo only" takes back or brings back, itself or by rows that it took back.
 void addDecided(const History& history, RowId revert, std::set<RowId>& decided)
 {
-    const auto* edit = history.row(revert).edit.as<RevertRows>();
-    if (!edit)
-        return;
-    for (const RowId taken : edit->rows) {
+    for (const RowId taken : rowsTakenBackBy(history.row(revert).edit)) {
         decided.insert(taken);
         addDecided(history, taken, decided);
     }
@@ -109,12 +115,9 @@ void addDecided(const History& history, RowId revert, std::set<RowId>& decided)
 void claimWhatReturns(const SessionState& state, RowId row, RowId taken,
     const std::vector<BrickKey>& written, std::vector<Claim>& claims)
 {
-    const auto* revert = state.history.row(row).edit.as<RevertRows>();
-    if (!revert)
-        return;
-    for (const RowId id : revert->rows) {
+    for (const RowId id : rowsTakenBackBy(state.history.row(row).edit)) {
         const Edit& edit = state.history.row(id).edit;
-        if (!edit.is<RevertRows>())
+        if (rowUseOf(edit) != RowUse::TakesBack)
             claims.push_back({RowDependencies(edit, state.document, written), taken, id});
         if (const auto* revise = edit.as<ReviseStroke>()) {
             for (const SculptEdit& form : formsOf(state.history, revise->row))
@@ -191,7 +194,7 @@ void RevertOperation::start(SessionState& state)
 
 bool RevertOperation::isNeeded(RowId row, const Edit& edit) const
 {
-    return isTakenBack(row) || edit.is<RevertRows>() || edit.is<ReviseStroke>();
+    return isTakenBack(row) || rowUseOf(edit) != RowUse::None;
 }
 
 RowTrace RevertOperation::traceOf(const SessionState& state, RowId row) const
@@ -307,7 +310,7 @@ Result<void> RevertOperation::checkDependencies(const SessionState& state) const
                     return entangled(row, history.row(claim.row));
             }
         }
-        if (row.edit.is<RevertRows>())
+        if (rowUseOf(row.edit) == RowUse::TakesBack)
             continue;
         const RowDependencies dependencies(row.edit, state.document,
             differences == m_differences.end() ? std::vector<BrickKey>()

@@ -264,8 +264,12 @@ private Q_SLOTS:
                  "export": [{"format": "dicom-seg", "file": "a.dcm"}]})");
         Result<Recipe> recipe = readRecipe(path);
         QVERIFY(recipe);
+        QCOMPARE(masksOf(*recipe),
+            (QStringList{
+                QStringLiteral("part.nrrd"), folder.filePath(QStringLiteral("part.nrrd"))}));
         const auto notes = readMasks(*recipe, volume);
         QVERIFY(notes);
+        QCOMPARE(masksOf(*recipe), QStringList()); // the edit holds what the file held
         const auto& mask = std::get<Edit>(recipe->steps.front()).get<ImportMask>();
         QCOMPARE(mask.segments->size(), std::size_t(2));
         QVERIFY(checkAgainst(initialDocument(volume), Edit(mask)));

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/edits/answers/RowUse.h"
+#include "core/edits/kinds/Edit.h"
+
+#include <QString>
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+namespace core {
+
+// What an edit names that is not in the document, found by the types of its fields (FieldRoles.h).
+
+/// The rows of the history that an edit names, and what it does with them.
+struct NamedRows {
+    RowUse use = RowUse::None;
+    std::vector<std::int64_t> rows{}; ///< RowId, as the edit lists them
+};
+[[nodiscard]] NamedRows rowsNamedBy(const Edit& edit);
+
+[[nodiscard]] RowUse rowUseOf(const Edit& edit);
+
+/// Those that are not in effect as long as this edit is; none if it does something else with rows.
+[[nodiscard]] std::vector<std::int64_t> rowsTakenBackBy(const Edit& edit);
+
+/// Gives the rows that an edit names other numbers, which must have the same order.
+void changeRowsNamed(Edit& edit, const std::function<void(std::int64_t&)>& change);
+
+/// Gives the files that an edit names other names. What a row holds of a file stays.
+void changeFilesNamed(Edit& edit, const std::function<void(QString&)>& change);
+
+} // namespace core
