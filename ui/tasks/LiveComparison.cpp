@@ -54,16 +54,14 @@ LiveComparison::LiveComparison(Workspace& workspace, QObject* parent)
     connect(&m_timer, &QTimer::timeout, this, &LiveComparison::look);
     connect(&workspace, &Workspace::sessionClosing, this, &LiveComparison::forget);
     connect(&workspace, &Workspace::sessionChanged, this, &LiveComparison::forget);
-    connect(&workspace, &Workspace::activeSegmentChanged, this, [this] {
-        const int place = m_masks ? placeFor(comparedSegment()) : -1;
-        // A file's reference stays where none belongs to the segment.
-        if (m_masks && (m_imported || (place >= 0 && place != m_chosen))) {
-            m_chosen = place;
-            m_outcome.reset();
-        }
-        later();
+    connect(&workspace, &Workspace::activeSegmentChanged, this, &LiveComparison::followCompared);
+    // A surface that is laid or dropped may make another segment the compared one.
+    connect(&workspace.refinement(), &Refinement::changed, this, [this] {
+        if (comparedLabel() != m_followed)
+            followCompared();
+        else
+            later();
     });
-    connect(&workspace.refinement(), &Refinement::changed, this, &LiveComparison::later);
     connect(
         &workspace, &Workspace::documentChanged, this, [this](const core::DocumentChange& change) {
             if (change.what == core::DocumentChange::What::Labels)
@@ -72,10 +70,23 @@ LiveComparison::LiveComparison(Workspace& workspace, QObject* parent)
         });
     connect(&m_fetch, &LabelFetch::finished, this, [this](const LabelFetch::Planes& planes) {
         m_labels = {planes, &planes->front().labels};
+        m_labelsPlane = planes->front().plane;
         compare();
     });
     // Edited meanwhile: once more.
     connect(&m_fetch, &LabelFetch::failed, this, &LiveComparison::later);
+}
+
+void LiveComparison::followCompared()
+{
+    m_followed = comparedLabel();
+    const int place = m_masks ? placeFor(comparedSegment()) : -1;
+    // A file's reference stays where none belongs to the segment.
+    if (m_masks && (m_imported || (place >= 0 && place != m_chosen))) {
+        m_chosen = place;
+        m_outcome.reset();
+    }
+    later();
 }
 
 bool LiveComparison::isBehind() const
@@ -169,6 +180,7 @@ void LiveComparison::takeMasks(core::Result<core::MaskOnVolume>&& read)
         return Q_EMIT failed(read.error());
     }
     m_masks = std::make_shared<const std::vector<core::MaskSegment>>(std::move(read->segments));
+    m_followed = comparedLabel();
     m_chosen = placeFor(comparedSegment());
     if (m_chosen < 0 && !m_imported && !m_masks->empty())
         m_chosen = 0;
@@ -222,6 +234,18 @@ const core::Segment* LiveComparison::comparedSegment() const
     return session->document().segment(surface ? surface->segment : m_workspace.activeSegment());
 }
 
+int LiveComparison::comparedLabel() const
+{
+    const core::Segment* segment = comparedSegment();
+    return segment ? int(segment->label) : 0;
+}
+
+/// The labels of the plane before are not those of this segment.
+bool LiveComparison::knowsLabelsOf(const core::Segment& segment) const
+{
+    return m_labels && m_labelsPlane == segment.plane;
+}
+
 void LiveComparison::later()
 {
     if (m_chosen >= 0)
@@ -241,7 +265,7 @@ void LiveComparison::look()
     // What stands open would be closed by the question.
     if (session->transactionOpen() || !session->idle())
         return later();
-    if (session->surface().mesh() || m_labels)
+    if (session->surface().mesh() || knowsLabelsOf(*segment))
         compare();
     else
         m_fetch.start(*session, {segment->plane});
@@ -255,7 +279,7 @@ void LiveComparison::compare()
         return;
     const core::SimplexMesh* mesh = session->surface().mesh();
     // What was fetched may not be what is asked by now.
-    if (!mesh && !m_labels)
+    if (!mesh && !knowsLabelsOf(*segment))
         return later();
     Job job;
     job.outcome.segment = segment->label;

@@ -72,11 +72,14 @@ private:
     struct Job;
 
     void forget();
+    void followCompared();
     void later();
     void look();
     void compare();
     void takeMasks(core::Result<core::MaskOnVolume>&& read);
     [[nodiscard]] const core::Segment* comparedSegment() const;
+    [[nodiscard]] int comparedLabel() const;
+    [[nodiscard]] bool knowsLabelsOf(const core::Segment& segment) const;
     [[nodiscard]] int placeFor(const core::Segment* segment) const;
 
     Workspace& m_workspace;
@@ -89,7 +92,9 @@ private:
     std::optional<Outcome> m_outcome;
     QTimer m_timer; ///< delay after the last change
     LabelFetch m_fetch;
-    Labels m_labels; ///< the present label plane of the compared segment; null if not known
+    Labels m_labels; ///< a present label plane; null if not known
+    std::uint8_t m_labelsPlane = 0; ///< which one it is
+    int m_followed = 0; ///< the label to which the reference was chosen last; 0: none
     core::Background m_background; ///< last: it uses all of the above
 };
 

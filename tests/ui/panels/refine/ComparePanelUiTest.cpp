@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/brick/VoxelRuns.h"
+#include "core/edits/kinds/segments/ImportMask.h"
 #include "core/edits/kinds/surface/DropSurface.h"
 #include "core/edits/kinds/surface/LaySurface.h"
 #include "core/edits/kinds/surface/SpherePush.h"
@@ -22,6 +23,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
+#include <vector>
 
 namespace comparePanelUiTest {
 
@@ -73,6 +77,29 @@ public:
     std::vector<std::uint8_t> truth;
     ui::ComparePanel panel;
 };
+
+/// A cube of voxels away from the ball. @param from its first voxel on each axis
+core::ImportedSegment cubeAt(const char* name, int from, int side)
+{
+    constexpr int row = test::smallHead::side;
+    core::VoxelRuns runs;
+    for (int k = from; k < from + side; ++k) {
+        for (int j = from; j < from + side; ++j)
+            runs.append(std::uint64_t((k * row + j) * row + from), std::uint64_t(side));
+    }
+    return {.name = QLatin1String(name), .rgb = 0, .code = {}, .voxels = core::packedRuns(runs)};
+}
+
+core::ImportMask maskOf(
+    std::vector<core::ImportedSegment> segments, std::optional<std::vector<int>> planes = {})
+{
+    core::ImportMask mask;
+    mask.file = QStringLiteral("cubes");
+    mask.size = glm::ivec3(test::smallHead::side);
+    mask.segments = std::move(segments);
+    mask.planes = std::move(planes);
+    return mask;
+}
 
 /// The same by the definition (seed B §7.3), from labels.
 double errorOf(const std::vector<std::uint8_t>& mask, const std::vector<std::uint8_t>& reference)
@@ -174,6 +201,46 @@ private Q_SLOTS:
         const double written = *fixture.outcome().relativeVolumeError;
         QVERIFY(written > before + 0.005);
         QVERIFY(std::abs((written - before) - (dented - laid)) < 0.005);
+    }
+
+    /// Labels of one plane say nothing of a segment of another one.
+    void segmentsOfTwoPlanes()
+    {
+        CompareFixture fixture;
+        fixture.apply(maskOf({cubeAt("Lower", 1, 4), cubeAt("Upper", 3, 5)}, {{0, 1}}));
+        const core::Document& document = fixture.session().document();
+        QVERIFY(document.segment(2)->plane != document.segment(3)->plane);
+        fixture.workspace.setActiveSegment(2);
+        fixture.panel.comparison().takeImported();
+        QTRY_VERIFY(fixture.upToDate());
+        QCOMPARE(fixture.outcome().voxels, std::uint64_t(4 * 4 * 4));
+        QCOMPARE(fixture.outcome().dice, 1.0);
+        fixture.workspace.setActiveSegment(3);
+        QTRY_VERIFY(fixture.upToDate() && fixture.panel.comparison().outcome()->segment == 3);
+        QCOMPARE(fixture.outcome().voxels, std::uint64_t(5 * 5 * 5));
+        QCOMPARE(fixture.outcome().dice, 1.0);
+    }
+
+    /// As long as there is a surface its segment is compared, and then the active one.
+    void theReferenceFollowsWhenASurfaceGoes()
+    {
+        CompareFixture fixture;
+        fixture.apply(maskOf({cubeAt("Cube", 1, 4)}));
+        const ui::LiveComparison& comparison = fixture.panel.comparison();
+        const auto chosen = [&] { return comparison.references().value(comparison.chosen()); };
+        fixture.panel.comparison().takeImported();
+        QTRY_VERIFY(fixture.upToDate());
+        fixture.apply(core::LaySurface{.segment = 1, .vertices = 800});
+        QTRY_VERIFY(fixture.upToDate() && comparison.outcome()->ofSurface);
+        fixture.workspace.setActiveSegment(2);
+        QTRY_VERIFY(fixture.upToDate() && comparison.outcome()->ofSurface);
+        QCOMPARE(comparison.outcome()->segment, 1);
+        QCOMPARE(chosen(), QStringLiteral("Ball"));
+        fixture.apply(core::DropSurface{});
+        QTRY_VERIFY(fixture.upToDate() && comparison.outcome()->segment == 2);
+        QCOMPARE(chosen(), QStringLiteral("Cube"));
+        QVERIFY(!comparison.outcome()->ofSurface);
+        QCOMPARE(fixture.outcome().dice, 1.0);
     }
 
     void badFilesAreTold()
