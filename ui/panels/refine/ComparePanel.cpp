@@ -105,6 +105,10 @@ ComparePanel::ComparePanel(Workspace& workspace, QWidget* parent)
         &workspace, &Workspace::documentChanged, this, [this](const core::DocumentChange& change) {
             if (change.what == core::DocumentChange::What::History)
                 allow();
+            // The reference's segments have the names of today.
+            if (change.what == core::DocumentChange::What::Segments
+                && m_comparison.references() != m_references)
+                show();
         });
     show();
 }
@@ -134,7 +138,8 @@ QString ComparePanel::whatIsCompared() const
     const auto& outcome = m_comparison.outcome();
     if (m_comparison.isReading())
         return tr("Reading …");
-    if (m_comparison.chosen() < 0 && m_comparison.isImported())
+    const bool hasImported = m_comparison.isImported() && !m_comparison.references().isEmpty();
+    if (m_comparison.chosen() < 0 && hasImported)
         return tr("No mask was imported as this segment; choose one in the list.");
     if (m_comparison.chosen() < 0)
         return m_comparison.canTakeImported()
@@ -159,7 +164,8 @@ void ComparePanel::show()
 {
     const QSignalBlocker blocker(m_reference);
     m_reference->clear();
-    m_reference->addItems(m_comparison.references());
+    m_references = m_comparison.references();
+    m_reference->addItems(m_references);
     m_reference->setCurrentIndex(m_comparison.chosen());
     m_reference->setEnabled(m_reference->count() > 1);
     m_reference->setVisible(m_reference->count() > 0);

@@ -221,6 +221,67 @@ private Q_SLOTS:
         QCOMPARE(fixture.outcome().dice, 1.0);
     }
 
+    /// What was imported belongs to the segment that it became, whatever that is called.
+    void importsOfOneName()
+    {
+        CompareFixture fixture;
+        fixture.apply(maskOf({cubeAt("Ball", 1, 4)}));
+        const ui::LiveComparison& comparison = fixture.panel.comparison();
+        const auto isComparedWith = [&](int segment) {
+            return fixture.upToDate() && comparison.outcome()->segment == segment;
+        };
+        fixture.panel.comparison().takeImported();
+        QTRY_VERIFY(isComparedWith(1));
+        QCOMPARE(fixture.outcome().dice, 1.0);
+        fixture.workspace.setActiveSegment(2);
+        QTRY_VERIFY(isComparedWith(2));
+        QCOMPARE(fixture.outcome().dice, 1.0);
+        fixture.apply(test::renameSegment(2, QStringLiteral("Cube")));
+        QTRY_COMPARE(
+            comparison.references(), QStringList({QStringLiteral("Ball"), QStringLiteral("Cube")}));
+        const auto* list = fixture.panel.findChild<QComboBox*>(QStringLiteral("compareReference"));
+        QTRY_COMPARE(list->currentText(), QStringLiteral("Cube"));
+        // Also if it is taken only now.
+        fixture.panel.comparison().takeImported();
+        QTRY_VERIFY(isComparedWith(2));
+        QCOMPARE(fixture.outcome().dice, 1.0);
+        // What was drawn was not imported, whatever its name.
+        fixture.apply(test::newSegment(QStringLiteral("Ball")));
+        fixture.workspace.setActiveSegment(3);
+        QCOMPARE(comparison.chosen(), -1);
+    }
+
+    /// What is imported later is a reference, too, and no longer when it is undone.
+    void importsThatComeAndGo()
+    {
+        CompareFixture fixture;
+        const ui::LiveComparison& comparison = fixture.panel.comparison();
+        const auto isComparedWith = [&](int segment) {
+            return fixture.upToDate() && comparison.outcome()->segment == segment;
+        };
+        fixture.panel.comparison().takeImported();
+        QTRY_VERIFY(isComparedWith(1));
+        fixture.apply(maskOf({cubeAt("Cube", 1, 4)}));
+        fixture.workspace.setActiveSegment(2);
+        QTRY_VERIFY(isComparedWith(2));
+        QCOMPARE(fixture.outcome().dice, 1.0);
+        QCOMPARE(comparison.references().size(), 2);
+        fixture.workspace.setActiveSegment(1);
+        QVERIFY(fixture.session().undo());
+        fixture.settle();
+        QTRY_VERIFY(isComparedWith(1) && comparison.references().size() == 1);
+        QVERIFY(fixture.session().undo());
+        fixture.settle();
+        QTRY_VERIFY(!comparison.isBehind() && comparison.references().isEmpty());
+        QVERIFY(!comparison.outcome());
+        QVERIFY(fixture.text("compareWhat").contains(QStringLiteral("Choose a mask")));
+        QVERIFY(fixture.session().redo());
+        fixture.settle();
+        fixture.workspace.setActiveSegment(1);
+        QTRY_VERIFY(isComparedWith(1));
+        QCOMPARE(fixture.outcome().dice, 1.0);
+    }
+
     /// As long as there is a surface its segment is compared, and then the active one.
     void theReferenceFollowsWhenASurfaceGoes()
     {
