@@ -2,6 +2,7 @@
 #include "ui/panels/refine/ComparePanel.h"
 
 #include "ui/base/NumberText.h"
+#include "ui/base/StudyTexts.h"
 #include "ui/base/Theme.h"
 #include "ui/panels/refine/LookFirstSection.h"
 #include "ui/tasks/MaskImporter.h"
@@ -177,13 +178,13 @@ void ComparePanel::show()
         value->setText(QStringLiteral("–"));
     if (const auto& outcome = m_comparison.outcome()) {
         const core::MaskComparison& comparison = outcome->comparison;
-        const glm::dvec3 spacing = m_workspace.volume()->geometry.spacingMm();
-        const auto millilitres = [&](std::uint64_t voxels) {
-            return tr("%1 mL").arg(
-                numberText(double(voxels) * spacing.x * spacing.y * spacing.z / 1000.0, 2));
+        // That nothing was added is a figure, too, and not the dash of one that is not known.
+        const auto sizeOf = [volume = m_workspace.volume()](std::uint64_t voxels) {
+            return voxels == 0 ? volumeText(*volume, 0)
+                               : millilitreText(*volume, std::int64_t(voxels));
         };
-        m_values[0]->setText(millilitres(comparison.voxels - comparison.sharedVoxels));
-        m_values[1]->setText(millilitres(comparison.referenceVoxels - comparison.sharedVoxels));
+        m_values[0]->setText(sizeOf(comparison.voxels - comparison.sharedVoxels));
+        m_values[1]->setText(sizeOf(comparison.referenceVoxels - comparison.sharedVoxels));
         if (comparison.relativeVolumeError)
             m_values[2]->setText(
                 tr("%1 %").arg(numberText(100.0 * *comparison.relativeVolumeError, 2)));

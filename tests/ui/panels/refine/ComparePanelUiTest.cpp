@@ -10,6 +10,7 @@
 #include "tests/support/fixtures/WorkspaceFixture.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/PlainEdits.h"
+#include "ui/base/NumberText.h"
 #include "ui/panels/refine/ComparePanel.h"
 
 #include <QComboBox>
@@ -36,8 +37,9 @@ constexpr double radius = 10.0; // voxels
 /// A ball as segment 1, and a mask's file with one that is a voxel wider.
 class CompareFixture : public test::WorkspaceFixture {
 public:
-    CompareFixture()
-        : panel(workspace)
+    explicit CompareFixture(core::LoadedVolume volume = test::smallHead::volume())
+        : WorkspaceFixture(std::move(volume))
+        , panel(workspace)
     {
         apply(test::ballMask(glm::ivec3(test::smallHead::side), radius));
         workspace.setActiveSegment(1);
@@ -201,6 +203,31 @@ private Q_SLOTS:
         const double written = *fixture.outcome().relativeVolumeError;
         QVERIFY(written > before + 0.005);
         QVERIFY(std::abs((written - before) - (dented - laid)) < 0.005);
+    }
+
+    /// A voxel of a tilted series is less than the product of its edges; where the source does not
+    /// say how large voxels are, they are counted.
+    void sizesAreTrue()
+    {
+        for (const bool isKnown : {true, false}) {
+            core::LoadedVolume tilted = test::smallHead::volume();
+            tilted.volume.geometry.indexToWorld[2].x = 1.0;
+            if (!isKnown)
+                tilted.volume.problems.push_back({.kind = core::VolumeProblem::Kind::AssumedSpacing,
+                    .said = {core::ProblemCode::SpacingAssumed}});
+            CompareFixture fixture(std::move(tilted));
+            fixture.panel.comparison().takeImported();
+            QTRY_VERIFY(fixture.upToDate());
+            const std::uint64_t before = fixture.outcome().voxels;
+            fixture.apply(test::paintAt(1, {glm::dvec3(radius + 6.0, 0.0, 0.0)}, 4.0));
+            QTRY_VERIFY(fixture.upToDate() && fixture.outcome().voxels > before);
+            const std::uint64_t added = fixture.outcome().voxels - before;
+            QCOMPARE(fixture.text("compareAdded"),
+                isKnown ? ui::numberText(double(added) * 1.5 / 1000.0, 2) + QStringLiteral(" mL")
+                        : ui::countText(qlonglong(added)) + QStringLiteral(" voxels"));
+            QCOMPARE(fixture.text("compareTaken"),
+                isKnown ? QStringLiteral("0.00 mL") : QStringLiteral("0 voxels"));
+        }
     }
 
     /// Labels of one plane say nothing of a segment of another one.
