@@ -39,7 +39,8 @@ public:
     /// Copies everything so far, without the study's images, to @p path, which must not exist; the
     /// session continues in its present file. Errors: those of saveAs().
     void copyTo(const QString& path, std::function<void(const Result<void>&)> done) const;
-    /// Reads the file again and checks it. A session without a file reports InvalidField.
+    /// Reads the file again and checks it. Errors: InvalidField (a session without a file),
+    /// FileUnwritable (steps wait that are not in the file).
     void audit(std::function<void(const Result<AuditReport>&)> take) const;
 
     /// Why steps wait in memory instead of being on disk (a full disk, for example); none: they do

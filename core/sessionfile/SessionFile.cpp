@@ -166,7 +166,11 @@ void SessionFile::audit(std::function<void(const Result<AuditReport>&)> take)
 {
     m_writer.post(
         [this, take] {
-            if (m_tables)
+            // What waits in memory is history, too, and no report is whole without it.
+            writeWaiting();
+            if (const std::optional<Error> why = trouble())
+                take(tl::unexpected(*why));
+            else if (m_tables)
                 take(auditReport(*m_tables, m_path));
             else
                 take(tl::unexpected(whyNoTables()));

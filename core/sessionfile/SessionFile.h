@@ -83,8 +83,8 @@ public:
     /// thread.
     void fetchKeyframe(RowId row, std::function<void(const QByteArray& png)> take);
 
-    /// Reads and checks everything again. @p take is called on the writer's thread; later writes
-    /// wait.
+    /// Reads and checks everything again, after writing what waits in memory. @p take is called on
+    /// the writer's thread; later writes wait. Errors: FileUnwritable (something still waits).
     void audit(std::function<void(const Result<AuditReport>&)> take);
 
     /// Blocks. A delta that still waits in memory is returned from there. Errors: SessionDamaged.

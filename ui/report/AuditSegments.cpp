@@ -7,6 +7,7 @@
 #include <QBuffer>
 
 #include <algorithm>
+#include <utility>
 
 namespace ui {
 
@@ -42,19 +43,26 @@ void addPicture(
 core::Result<AuditSegments> auditSegments(
     const core::Volume& volume, const core::ExportRequest& request, const core::Progress& progress)
 {
-    const core::Result<core::MaskSelection> selection = core::selectMask(volume, request);
+    core::Result<core::MaskSelection> selection = core::selectMask(volume, request);
     if (!selection) {
         if (selection.error().code != core::ErrorCode::NothingToExport)
             return tl::unexpected(selection.error());
-        AuditSegments none;
-        for (const core::Segment& segment : request.segments)
-            none.empty += segment.name;
-        return none;
+        selection = core::MaskSelection{};
     }
     auto measured = core::segmentStatistics(volume, request, *selection, progress);
     if (!measured)
         return tl::unexpected(measured.error());
-    AuditSegments found{.segments = {}, .empty = selection->empty};
+    // What was erased completely was changed, too.
+    for (const core::Segment& segment : request.segments) {
+        if (std::any_of(selection->segments.begin(), selection->segments.end(),
+                [&](const core::Segment& each) { return each.label == segment.label; }))
+            continue;
+        core::SegmentStatistics& none = measured->emplace_back();
+        none.segment = segment;
+        none.sinceImport =
+            core::changeSinceImport({}, segment.label, request.imported, volume.geometry);
+    }
+    AuditSegments found;
     for (core::SegmentStatistics& each : *measured) {
         AuditSegments::One one{.measured = std::move(each), .changes = {}};
         addPicture(one, volume, request);

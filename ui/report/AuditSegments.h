@@ -6,7 +6,6 @@
 #include "core/history/History.h"
 
 #include <QByteArray>
-#include <QStringList>
 
 #include <vector>
 
@@ -24,8 +23,9 @@ struct AuditSegments {
     };
     bool areUnknown = false; ///< the study could not be read, so nothing was measured
     core::RowId position = 0; ///< the row of the history after which they were measured
-    std::vector<One> segments; ///< the segments with voxels
-    QStringList empty; ///< names of the segments without voxels
+    /// First those with voxels, then those without: of these nothing is measured but what was taken
+    /// since their import.
+    std::vector<One> segments;
 };
 
 /// Measures the segments. Any thread. Cost: that of the statistics (SegmentStatistics.h). Errors:

@@ -254,8 +254,10 @@ QString millilitresText(double millilitres)
 AuditTexts::Segment segmentTexts(const core::SegmentStatistics& measured)
 {
     AuditTexts::Segment texts{.name = measured.segment.name,
-        .size = QStringLiteral("%1, %2").arg(millilitresText(measured.millilitres),
-            unbroken(counted(qlonglong(measured.voxels), "voxel", "voxels"))),
+        .size = measured.voxels == 0
+            ? tr("no voxel")
+            : QStringLiteral("%1, %2").arg(millilitresText(measured.millilitres),
+                unbroken(counted(qlonglong(measured.voxels), "voxel", "voxels"))),
         .change = {}};
     if (const auto& change = measured.sinceImport)
         texts.change = tr("imported; %1 added and %2 taken since, Dice %3")
@@ -280,8 +282,6 @@ void addSegments(AuditTexts& texts, const AuditSegments& segments)
                 .sha256 = QString::fromLatin1(hash),
                 .png = one.changes});
     }
-    for (const QString& name : segments.empty)
-        texts.segments.push_back({.name = name, .size = tr("no voxel"), .change = {}});
     texts.aboutSegments = segments.position == 0
         ? tr("As the study was opened.")
         : tr("As they stand after step %1.").arg(qlonglong(segments.position));

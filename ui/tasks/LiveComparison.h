@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/Background.h"
+#include "core/history/History.h"
 #include "core/masks/MaskOnVolume.h"
 #include "core/metrics/MaskComparison.h"
 #include "ui/tasks/LabelFetch.h"
@@ -31,16 +32,19 @@ public:
     /// active or choose() is called.
     void read(const QString& path);
     /// Takes the imported masks, as they were read, as the reference, to show what was changed
-    /// since. Whichever segment is compared, the one of its name is chosen.
+    /// since: for each segment that was imported, the newest mask of it. Whichever segment is
+    /// compared, its own is chosen, whatever it is called. When the session comes to a state with
+    /// other imports, theirs are taken.
     void takeImported();
     /// Whether an import of a mask is among the steps that led to the present state.
     [[nodiscard]] bool canTakeImported() const;
-    /// Whether the reference is what was imported.
+    /// Whether the reference is what was imported, be it nothing in the present state.
     [[nodiscard]] bool isImported() const { return m_imported; }
     [[nodiscard]] bool isReading() const { return m_reading; }
     /// The reference file; empty if there is none, or if it is what was imported.
     [[nodiscard]] const QString& path() const { return m_path; }
-    [[nodiscard]] QStringList references() const; ///< names of the segments of the reference
+    /// Names of the segments of the reference: what was imported has the names of today.
+    [[nodiscard]] QStringList references() const;
     /// Chooses which segment of the reference is compared. If the reference is a file, the choice
     /// is kept for the compared segment until the reference is another one.
     /// @param place index in references()
@@ -72,16 +76,24 @@ private:
     struct Job;
 
     void forget();
+    void followCompared();
     void later();
     void look();
     void compare();
-    void takeMasks(core::Result<core::MaskOnVolume>&& read);
+    void fetchImported();
+    void followImports();
+    /// @param labels of the segments that the masks were imported into; empty: of a file
+    void takeMasks(core::Result<std::vector<core::MaskSegment>>&& read, std::vector<int> labels);
     [[nodiscard]] const core::Segment* comparedSegment() const;
+    [[nodiscard]] int comparedLabel() const;
+    [[nodiscard]] bool knowsLabelsOf(const core::Segment& segment) const;
     [[nodiscard]] int placeFor(const core::Segment* segment) const;
 
     Workspace& m_workspace;
     QString m_path;
     Masks m_masks;
+    std::vector<int> m_importedLabels; ///< one for each of m_masks, if they are imported ones
+    std::vector<core::RowId> m_importRows; ///< whose masks these are
     int m_chosen = -1;
     std::map<int, int> m_byHand; ///< places in m_masks that were chosen, by label
     bool m_reading = false;
@@ -89,7 +101,9 @@ private:
     std::optional<Outcome> m_outcome;
     QTimer m_timer; ///< delay after the last change
     LabelFetch m_fetch;
-    Labels m_labels; ///< the present label plane of the compared segment; null if not known
+    Labels m_labels; ///< a present label plane; null if not known
+    std::uint8_t m_labelsPlane = 0; ///< which one it is
+    int m_followed = 0; ///< the label to which the reference was chosen last; 0: none
     core::Background m_background; ///< last: it uses all of the above
 };
 

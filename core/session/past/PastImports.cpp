@@ -10,15 +10,14 @@
 
 namespace core {
 
-std::vector<ImportMask> importsOf(const History& history)
+std::vector<RowId> importRows(const History& history)
 {
-    std::vector<ImportMask> imports;
-    for (const RowId row : history.pathTo(history.position())) {
+    std::vector<RowId> rows = history.pathTo(history.position());
+    std::erase_if(rows, [&](RowId row) {
         const auto* mask = history.row(row).edit.as<ImportMask>();
-        if (mask && mask->segments)
-            imports.push_back(*mask);
-    }
-    return imports;
+        return !mask || !mask->segments;
+    });
+    return rows;
 }
 
 std::vector<DoneImport> doneImports(const History& history)

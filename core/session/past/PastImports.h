@@ -8,11 +8,11 @@
 
 namespace core {
 
-/// The imports of masks on the path to the present position, oldest first, with their voxels.
-[[nodiscard]] std::vector<ImportMask> importsOf(const History& history);
+/// The rows of the imports of masks on the path to the present position, oldest first.
+[[nodiscard]] std::vector<RowId> importRows(const History& history);
 
-/// The same, with the labels that each import gave. Labels identify segments even after they were
-/// renamed, and are never given to another segment.
+/// These imports, with their voxels and the labels that each of them gave. Labels identify segments
+/// even after they were renamed, and are never given to another segment.
 [[nodiscard]] std::vector<DoneImport> doneImports(const History& history);
 
 } // namespace core

@@ -24,6 +24,14 @@ bool changesSegment(const ChangeFacts& facts, const Segment& segment)
     return flow.gained > 0 || flow.lost > 0;
 }
 
+std::vector<int> labelsOf(const Document& document)
+{
+    std::vector<int> labels;
+    for (const Segment& segment : document.segments)
+        labels.push_back(segment.label);
+    return labels;
+}
+
 /// What a row made of a document.
 void applyRow(RowId row, const Edit& edit, const EditStatistics& statistics, Document& document)
 {
@@ -65,9 +73,11 @@ RowId SessionState::append(const Edit& edit, const ChangeFacts& facts,
         row.statistics.surfaceMaskChanged =
             !edit.is<WriteBack>() && changesSegment(facts, *refined);
     noteIntervals(edit, facts, row.statistics);
+    const std::vector<int> labelsBefore = labelsOf(document);
     applyRow(RowId(history.rows().size()) + 1, edit, row.statistics, document);
     std::erase_if(row.statistics.intervalsLeft, // of what is deleted nobody wants to know
         [this](int label) { return !document.segment(label); });
+    showNewSegments(labelsBefore);
     placeSegments();
     muteLayers();
     showSurface();
@@ -343,6 +353,18 @@ void SessionState::placeSegments()
         segment.voxels = m_voxels[segment.label];
         segment.visible = m_hidden.count(segment.label) == 0;
     }
+}
+
+/// The label of a segment that was undone may have been hidden, and is given again.
+void SessionState::showNewSegments(const std::vector<int>& labelsBefore)
+{
+    std::size_t shown = 0;
+    for (const int label : labelsOf(document)) {
+        if (std::find(labelsBefore.begin(), labelsBefore.end(), label) == labelsBefore.end())
+            shown += m_hidden.erase(label);
+    }
+    if (shown > 0 && file)
+        file->setHiddenSegments({m_hidden.begin(), m_hidden.end()});
 }
 
 void SessionState::setVisible(const std::vector<std::pair<int, bool>>& segments)

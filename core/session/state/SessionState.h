@@ -127,6 +127,7 @@ private:
     void takeIn(const ChangeFacts& facts);
     void placeDocument();
     void placeSegments();
+    void showNewSegments(const std::vector<int>& labelsBefore);
     void muteLayers();
     void showSurface();
 

@@ -148,6 +148,29 @@ private Q_SLOTS:
             QStringList());
     }
 
+    /// While images are still read for one place, the session may be saved at another one, and
+    /// stays there.
+    void aLaterPlaceCounts()
+    {
+        open(path("case/ct"));
+        edit(test::drillAt(0));
+        ui::SessionSaver saver(workspace(), window());
+        QSignalSpy ended(&saver, &ui::SessionSaver::imagesEnded);
+        std::optional<bool> first;
+        std::optional<bool> second;
+        saver.save(
+            {.target = path("first.burin"), .images = true}, [&first](bool done) { first = done; });
+        saver.save({.target = path("second.burin")}, [&second](bool done) { second = done; });
+        QTRY_VERIFY_WITH_TIMEOUT(first && second, patience);
+        QVERIFY(!*first);
+        QVERIFY(*second);
+        QCOMPARE(ended.size(), 1);
+        QVERIFY(session().settle());
+        QCOMPARE(session().file(), path("second.burin"));
+        QVERIFY(!session().storage().holdsImages());
+        QVERIFY(!QFile::exists(path("first.burin")));
+    }
+
     /// The question's way out: the steps go to another place, and what was asked goes on.
     void unwrittenStepsAreSavedElsewhere()
     {

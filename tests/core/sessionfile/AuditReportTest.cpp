@@ -7,6 +7,7 @@
 #include "core/sessionfile/SessionFile.h"
 #include "tests/reference/ReferenceEngine.h"
 #include "tests/support/faults/FailingLog.h"
+#include "tests/support/faults/FileSizeLimit.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/PlainEdits.h"
 #include "tests/support/scenes/SmallStudy.h"
@@ -16,6 +17,8 @@
 #include <QSqlQuery>
 #include <QTemporaryDir>
 #include <QTest>
+
+#include <future>
 
 namespace auditReportTest {
 
@@ -104,6 +107,38 @@ private Q_SLOTS:
         QVERIFY(report->damage.empty());
         QCOMPARE(report->keyframes.size(), std::size_t(1));
         QCOMPARE(report->keyframes.front().png, QByteArray("seven"));
+    }
+
+    /// A report of the file alone would be whole, and lack steps.
+    void stepsThatWaitForTheDisk()
+    {
+        const QString path = m_folder.filePath(QStringLiteral("waiting.burin"));
+        reference::ReferenceEngine engine;
+        const auto session = *EditSession::create(engine, test::smallStudy(), {.file = path});
+        session->setErrorListener([](const Error&) {});
+        const auto audited = [&session] {
+            std::promise<Result<AuditReport>> made;
+            session->storage().audit(
+                [&made](const Result<AuditReport>& report) { made.set_value(report); });
+            return made.get_future().get();
+        };
+        QVERIFY(session->apply(test::drillAt(-6)));
+        QVERIFY(session->settle());
+        {
+            const test::FileSizeLimit limit(1);
+            QVERIFY(session->apply(test::addSegment("A")));
+            QVERIFY(!session->settle());
+            const Result<AuditReport> refused = audited();
+            QVERIFY(!refused);
+            QCOMPARE(refused.error().code, ErrorCode::FileUnwritable);
+            QCOMPARE(refused.error().arguments.value(0), path);
+        }
+        const Result<AuditReport> report = audited();
+        QVERIFY(report);
+        QVERIFY(report->damage.empty());
+        QCOMPARE(report->steps.size(), std::size_t(2));
+        QCOMPARE(report->sealed, 2);
+        QVERIFY(!session->storage().trouble());
     }
 
     void laterStepsAreNamed()

@@ -119,6 +119,8 @@ void SessionSaver::save(const Choice& choice, std::function<void(bool)> done)
     core::EditSession* session = m_workspace.session();
     if (!session)
         return done ? done(false) : void();
+    // What is staged for another place would move the session there later.
+    cancel();
     if (choice.images && !session->storage().holdsImages())
         stage(choice, std::move(done));
     else
@@ -143,7 +145,6 @@ void SessionSaver::cancel()
 
 void SessionSaver::stage(const Choice& choice, std::function<void(bool)> done)
 {
-    cancel();
     m_done = std::move(done);
     Q_EMIT imagesBegun(choice.target);
     using Staged = core::Result<std::shared_ptr<core::StagedFile>>;

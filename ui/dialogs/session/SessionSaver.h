@@ -45,7 +45,8 @@ public:
     /// @return whether the session was saved
     bool askAndWait();
     /// Saves without asking and replaces an existing file. Images that the session's file does not
-    /// hold are read from the study again, on another thread.
+    /// hold are read from the study again, on another thread; if that is still going on for an
+    /// earlier call, it is cancelled.
     void save(const Choice& choice, std::function<void(bool saved)> done = {});
     /// Cancels saving and leaves no file behind. Has no effect once the images are written.
     void cancel();

@@ -24,6 +24,18 @@ std::optional<core::StandingStroke> standingStroke(const core::History& history,
     return {};
 }
 
+/// The revision that makes a removed stroke what it was before, be it what was drawn.
+core::ReviseStroke asBeforeRemoval(const core::History& history, core::RowId row)
+{
+    core::ReviseStroke revise{.row = row};
+    for (const core::RowId each : history.standing()) {
+        const auto* earlier = history.row(each).edit.as<core::ReviseStroke>();
+        if (earlier && earlier->row == row && !earlier->removed)
+            revise = *earlier;
+    }
+    return revise;
+}
+
 } // namespace
 
 StrokeRevision::StrokeRevision(Workspace& workspace, QWidget* parent)
@@ -74,7 +86,14 @@ void StrokeRevision::remove(core::RowId row)
 
 void StrokeRevision::restore(core::RowId row)
 {
-    apply(core::ReviseStroke{.row = row});
+    const core::EditSession* session = m_workspace.session();
+    if (!session)
+        return;
+    core::ReviseStroke revise = asBeforeRemoval(session->history(), row);
+    // The layer that it was moved to may be gone since.
+    if (revise.layer && !session->document().layer(*revise.layer))
+        revise.layer.reset();
+    apply(revise);
 }
 
 void StrokeRevision::apply(const core::Edit& edit)

@@ -25,7 +25,7 @@ public:
     /// Asks for the new parameters and revises the stroke.
     void change(core::RowId row);
     void remove(core::RowId row);
-    /// Restores the stroke as it was drawn.
+    /// Restores the stroke as it was before it was removed.
     void restore(core::RowId row);
 
 private:

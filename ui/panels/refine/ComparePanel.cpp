@@ -2,6 +2,7 @@
 #include "ui/panels/refine/ComparePanel.h"
 
 #include "ui/base/NumberText.h"
+#include "ui/base/StudyTexts.h"
 #include "ui/base/Theme.h"
 #include "ui/panels/refine/LookFirstSection.h"
 #include "ui/tasks/MaskImporter.h"
@@ -105,6 +106,10 @@ ComparePanel::ComparePanel(Workspace& workspace, QWidget* parent)
         &workspace, &Workspace::documentChanged, this, [this](const core::DocumentChange& change) {
             if (change.what == core::DocumentChange::What::History)
                 allow();
+            // The reference's segments have the names of today.
+            if (change.what == core::DocumentChange::What::Segments
+                && m_comparison.references() != m_references)
+                show();
         });
     show();
 }
@@ -134,7 +139,8 @@ QString ComparePanel::whatIsCompared() const
     const auto& outcome = m_comparison.outcome();
     if (m_comparison.isReading())
         return tr("Reading …");
-    if (m_comparison.chosen() < 0 && m_comparison.isImported())
+    const bool hasImported = m_comparison.isImported() && !m_comparison.references().isEmpty();
+    if (m_comparison.chosen() < 0 && hasImported)
         return tr("No mask was imported as this segment; choose one in the list.");
     if (m_comparison.chosen() < 0)
         return m_comparison.canTakeImported()
@@ -159,7 +165,8 @@ void ComparePanel::show()
 {
     const QSignalBlocker blocker(m_reference);
     m_reference->clear();
-    m_reference->addItems(m_comparison.references());
+    m_references = m_comparison.references();
+    m_reference->addItems(m_references);
     m_reference->setCurrentIndex(m_comparison.chosen());
     m_reference->setEnabled(m_reference->count() > 1);
     m_reference->setVisible(m_reference->count() > 0);
@@ -171,13 +178,13 @@ void ComparePanel::show()
         value->setText(QStringLiteral("–"));
     if (const auto& outcome = m_comparison.outcome()) {
         const core::MaskComparison& comparison = outcome->comparison;
-        const glm::dvec3 spacing = m_workspace.volume()->geometry.spacingMm();
-        const auto millilitres = [&](std::uint64_t voxels) {
-            return tr("%1 mL").arg(
-                numberText(double(voxels) * spacing.x * spacing.y * spacing.z / 1000.0, 2));
+        // That nothing was added is a figure, too, and not the dash of one that is not known.
+        const auto sizeOf = [volume = m_workspace.volume()](std::uint64_t voxels) {
+            return voxels == 0 ? volumeText(*volume, 0)
+                               : millilitreText(*volume, std::int64_t(voxels));
         };
-        m_values[0]->setText(millilitres(comparison.voxels - comparison.sharedVoxels));
-        m_values[1]->setText(millilitres(comparison.referenceVoxels - comparison.sharedVoxels));
+        m_values[0]->setText(sizeOf(comparison.voxels - comparison.sharedVoxels));
+        m_values[1]->setText(sizeOf(comparison.referenceVoxels - comparison.sharedVoxels));
         if (comparison.relativeVolumeError)
             m_values[2]->setText(
                 tr("%1 %").arg(numberText(100.0 * *comparison.relativeVolumeError, 2)));

@@ -4,6 +4,8 @@
 #include "ui/frame/Panel.h"
 #include "ui/tasks/LiveComparison.h"
 
+#include <QStringList>
+
 #include <array>
 
 class QComboBox;
@@ -42,6 +44,7 @@ private:
     QPushButton* m_open = nullptr;
     QPushButton* m_imported = nullptr;
     QComboBox* m_reference = nullptr;
+    QStringList m_references; ///< what it lists
     QLabel* m_what = nullptr;
     QWidget* m_figures = nullptr; ///< hidden until there is a reference
     std::array<QLabel*, 6> m_values{}; ///< added, taken, relative volume error, Dice, 95 %, mean

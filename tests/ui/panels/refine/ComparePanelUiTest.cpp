@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/brick/VoxelRuns.h"
+#include "core/edits/kinds/segments/ImportMask.h"
 #include "core/edits/kinds/surface/DropSurface.h"
 #include "core/edits/kinds/surface/LaySurface.h"
 #include "core/edits/kinds/surface/SpherePush.h"
@@ -9,6 +10,7 @@
 #include "tests/support/fixtures/WorkspaceFixture.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/PlainEdits.h"
+#include "ui/base/NumberText.h"
 #include "ui/panels/refine/ComparePanel.h"
 
 #include <QComboBox>
@@ -22,6 +24,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
+#include <vector>
 
 namespace comparePanelUiTest {
 
@@ -32,8 +37,9 @@ constexpr double radius = 10.0; // voxels
 /// A ball as segment 1, and a mask's file with one that is a voxel wider.
 class CompareFixture : public test::WorkspaceFixture {
 public:
-    CompareFixture()
-        : panel(workspace)
+    explicit CompareFixture(core::LoadedVolume volume = test::smallHead::volume())
+        : WorkspaceFixture(std::move(volume))
+        , panel(workspace)
     {
         apply(test::ballMask(glm::ivec3(test::smallHead::side), radius));
         workspace.setActiveSegment(1);
@@ -73,6 +79,29 @@ public:
     std::vector<std::uint8_t> truth;
     ui::ComparePanel panel;
 };
+
+/// A cube of voxels away from the ball. @param from its first voxel on each axis
+core::ImportedSegment cubeAt(const char* name, int from, int side)
+{
+    constexpr int row = test::smallHead::side;
+    core::VoxelRuns runs;
+    for (int k = from; k < from + side; ++k) {
+        for (int j = from; j < from + side; ++j)
+            runs.append(std::uint64_t((k * row + j) * row + from), std::uint64_t(side));
+    }
+    return {.name = QLatin1String(name), .rgb = 0, .code = {}, .voxels = core::packedRuns(runs)};
+}
+
+core::ImportMask maskOf(
+    std::vector<core::ImportedSegment> segments, std::optional<std::vector<int>> planes = {})
+{
+    core::ImportMask mask;
+    mask.file = QStringLiteral("cubes");
+    mask.size = glm::ivec3(test::smallHead::side);
+    mask.segments = std::move(segments);
+    mask.planes = std::move(planes);
+    return mask;
+}
 
 /// The same by the definition (seed B §7.3), from labels.
 double errorOf(const std::vector<std::uint8_t>& mask, const std::vector<std::uint8_t>& reference)
@@ -174,6 +203,132 @@ private Q_SLOTS:
         const double written = *fixture.outcome().relativeVolumeError;
         QVERIFY(written > before + 0.005);
         QVERIFY(std::abs((written - before) - (dented - laid)) < 0.005);
+    }
+
+    /// A voxel of a tilted series is less than the product of its edges; where the source does not
+    /// say how large voxels are, they are counted.
+    void sizesAreTrue()
+    {
+        for (const bool isKnown : {true, false}) {
+            core::LoadedVolume tilted = test::smallHead::volume();
+            tilted.volume.geometry.indexToWorld[2].x = 1.0;
+            if (!isKnown)
+                tilted.volume.problems.push_back({.kind = core::VolumeProblem::Kind::AssumedSpacing,
+                    .said = {core::ProblemCode::SpacingAssumed}});
+            CompareFixture fixture(std::move(tilted));
+            fixture.panel.comparison().takeImported();
+            QTRY_VERIFY(fixture.upToDate());
+            const std::uint64_t before = fixture.outcome().voxels;
+            fixture.apply(test::paintAt(1, {glm::dvec3(radius + 6.0, 0.0, 0.0)}, 4.0));
+            QTRY_VERIFY(fixture.upToDate() && fixture.outcome().voxels > before);
+            const std::uint64_t added = fixture.outcome().voxels - before;
+            QCOMPARE(fixture.text("compareAdded"),
+                isKnown ? ui::numberText(double(added) * 1.5 / 1000.0, 2) + QStringLiteral(" mL")
+                        : ui::countText(qlonglong(added)) + QStringLiteral(" voxels"));
+            QCOMPARE(fixture.text("compareTaken"),
+                isKnown ? QStringLiteral("0.00 mL") : QStringLiteral("0 voxels"));
+        }
+    }
+
+    /// Labels of one plane say nothing of a segment of another one.
+    void segmentsOfTwoPlanes()
+    {
+        CompareFixture fixture;
+        fixture.apply(maskOf({cubeAt("Lower", 1, 4), cubeAt("Upper", 3, 5)}, {{0, 1}}));
+        const core::Document& document = fixture.session().document();
+        QVERIFY(document.segment(2)->plane != document.segment(3)->plane);
+        fixture.workspace.setActiveSegment(2);
+        fixture.panel.comparison().takeImported();
+        QTRY_VERIFY(fixture.upToDate());
+        QCOMPARE(fixture.outcome().voxels, std::uint64_t(4 * 4 * 4));
+        QCOMPARE(fixture.outcome().dice, 1.0);
+        fixture.workspace.setActiveSegment(3);
+        QTRY_VERIFY(fixture.upToDate() && fixture.panel.comparison().outcome()->segment == 3);
+        QCOMPARE(fixture.outcome().voxels, std::uint64_t(5 * 5 * 5));
+        QCOMPARE(fixture.outcome().dice, 1.0);
+    }
+
+    /// What was imported belongs to the segment that it became, whatever that is called.
+    void importsOfOneName()
+    {
+        CompareFixture fixture;
+        fixture.apply(maskOf({cubeAt("Ball", 1, 4)}));
+        const ui::LiveComparison& comparison = fixture.panel.comparison();
+        const auto isComparedWith = [&](int segment) {
+            return fixture.upToDate() && comparison.outcome()->segment == segment;
+        };
+        fixture.panel.comparison().takeImported();
+        QTRY_VERIFY(isComparedWith(1));
+        QCOMPARE(fixture.outcome().dice, 1.0);
+        fixture.workspace.setActiveSegment(2);
+        QTRY_VERIFY(isComparedWith(2));
+        QCOMPARE(fixture.outcome().dice, 1.0);
+        fixture.apply(test::renameSegment(2, QStringLiteral("Cube")));
+        QTRY_COMPARE(
+            comparison.references(), QStringList({QStringLiteral("Ball"), QStringLiteral("Cube")}));
+        const auto* list = fixture.panel.findChild<QComboBox*>(QStringLiteral("compareReference"));
+        QTRY_COMPARE(list->currentText(), QStringLiteral("Cube"));
+        // Also if it is taken only now.
+        fixture.panel.comparison().takeImported();
+        QTRY_VERIFY(isComparedWith(2));
+        QCOMPARE(fixture.outcome().dice, 1.0);
+        // What was drawn was not imported, whatever its name.
+        fixture.apply(test::newSegment(QStringLiteral("Ball")));
+        fixture.workspace.setActiveSegment(3);
+        QCOMPARE(comparison.chosen(), -1);
+    }
+
+    /// What is imported later is a reference, too, and no longer when it is undone.
+    void importsThatComeAndGo()
+    {
+        CompareFixture fixture;
+        const ui::LiveComparison& comparison = fixture.panel.comparison();
+        const auto isComparedWith = [&](int segment) {
+            return fixture.upToDate() && comparison.outcome()->segment == segment;
+        };
+        fixture.panel.comparison().takeImported();
+        QTRY_VERIFY(isComparedWith(1));
+        fixture.apply(maskOf({cubeAt("Cube", 1, 4)}));
+        fixture.workspace.setActiveSegment(2);
+        QTRY_VERIFY(isComparedWith(2));
+        QCOMPARE(fixture.outcome().dice, 1.0);
+        QCOMPARE(comparison.references().size(), 2);
+        fixture.workspace.setActiveSegment(1);
+        QVERIFY(fixture.session().undo());
+        fixture.settle();
+        QTRY_VERIFY(isComparedWith(1) && comparison.references().size() == 1);
+        QVERIFY(fixture.session().undo());
+        fixture.settle();
+        QTRY_VERIFY(!comparison.isBehind() && comparison.references().isEmpty());
+        QVERIFY(!comparison.outcome());
+        QVERIFY(fixture.text("compareWhat").contains(QStringLiteral("Choose a mask")));
+        QVERIFY(fixture.session().redo());
+        fixture.settle();
+        fixture.workspace.setActiveSegment(1);
+        QTRY_VERIFY(isComparedWith(1));
+        QCOMPARE(fixture.outcome().dice, 1.0);
+    }
+
+    /// As long as there is a surface its segment is compared, and then the active one.
+    void theReferenceFollowsWhenASurfaceGoes()
+    {
+        CompareFixture fixture;
+        fixture.apply(maskOf({cubeAt("Cube", 1, 4)}));
+        const ui::LiveComparison& comparison = fixture.panel.comparison();
+        const auto chosen = [&] { return comparison.references().value(comparison.chosen()); };
+        fixture.panel.comparison().takeImported();
+        QTRY_VERIFY(fixture.upToDate());
+        fixture.apply(core::LaySurface{.segment = 1, .vertices = 800});
+        QTRY_VERIFY(fixture.upToDate() && comparison.outcome()->ofSurface);
+        fixture.workspace.setActiveSegment(2);
+        QTRY_VERIFY(fixture.upToDate() && comparison.outcome()->ofSurface);
+        QCOMPARE(comparison.outcome()->segment, 1);
+        QCOMPARE(chosen(), QStringLiteral("Ball"));
+        fixture.apply(core::DropSurface{});
+        QTRY_VERIFY(fixture.upToDate() && comparison.outcome()->segment == 2);
+        QCOMPARE(chosen(), QStringLiteral("Cube"));
+        QVERIFY(!comparison.outcome()->ofSurface);
+        QCOMPARE(fixture.outcome().dice, 1.0);
     }
 
     void badFilesAreTold()
