@@ -209,7 +209,7 @@ Result<void> dilate(ByteMask& mask, const MillimetreBall& ball, const FilterStag
 
 Result<void> keepMajority(ByteMask& mask, const MillimetreBall& ball, const FilterStage& stage)
 {
-    return keepCounted(mask, ball, voxelCount(ball, mask.size) / 2 + 1, stage);
+    return keepCounted(mask, ball, voxelCount(ball) / 2 + 1, stage);
 }
 
 Result<void> fillEnclosed(ByteMask& mask, const Progress& progress)

@@ -43,8 +43,8 @@ struct FilterStage {
     ByteMask& mask, const MillimetreBall& ball, const FilterStage& stage);
 
 /// Sets exactly those voxels for which more than half of the ball's voxels around them are in the
-/// mask. Along an axis on which the box has a single voxel, the ball makes no step: in one slice it
-/// is a disc. Cost ∝ voxels of the box × rows of the ball.
+/// mask; of a flat ball those that it has (MillimetreBall::isFlat). The box has a single voxel
+/// along such an axis. Cost ∝ voxels of the box × rows of the ball.
 [[nodiscard]] Result<void> keepMajority(
     ByteMask& mask, const MillimetreBall& ball, const FilterStage& stage);
 

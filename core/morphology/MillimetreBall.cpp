@@ -107,6 +107,13 @@ MillimetreBall ballOf(const VolumeGeometry& geometry, double radiusMm)
     return ball;
 }
 
+MillimetreBall flatBallOf(const VolumeGeometry& geometry, double radiusMm)
+{
+    MillimetreBall ball = ballOf(geometry, radiusMm);
+    ball.isFlat = glm::equal(geometry.size, glm::ivec3(1));
+    return ball;
+}
+
 std::vector<BallRow> ballRows(const MillimetreBall& ball, const glm::ivec3& box)
 {
     const glm::ivec3 most = glm::min(ball.extent, box - 1);
@@ -122,18 +129,13 @@ std::vector<BallRow> ballRows(const MillimetreBall& ball, const glm::ivec3& box)
 
 std::int64_t voxelCount(const MillimetreBall& ball)
 {
-    return voxelCount(ball, 2 * ball.extent + 1);
-}
-
-std::int64_t voxelCount(const MillimetreBall& ball, const glm::ivec3& box)
-{
-    const int lastY = box.y == 1 ? 0 : ball.extent.y;
-    const int lastZ = box.z == 1 ? 0 : ball.extent.z;
+    const int lastY = ball.isFlat.y ? 0 : ball.extent.y;
+    const int lastZ = ball.isFlat.z ? 0 : ball.extent.z;
     std::int64_t count = 0;
     for (int z = -lastZ; z <= lastZ; ++z) {
         for (int y = -lastY; y <= lastY; ++y) {
             const std::optional<BallRow> row = rowAt(ball, y, z);
-            if (row && box.x > 1)
+            if (row && !ball.isFlat.x)
                 count += row->to - row->from + 1;
             else if (row && row->from <= 0 && row->to >= 0)
                 ++count;

@@ -31,6 +31,8 @@ struct MillimetreBall {
     std::int64_t squaredRadius = 0;
     /// The longest step of the ball along each axis at most, in voxels; at least 1.
     glm::ivec3 extent{0};
+    /// Along these axes nothing lies beside a voxel: no step leads there, and the ball is a disc.
+    glm::bvec3 isFlat{false};
 
     [[nodiscard]] bool isStraight() const { return xy == 0 && xz == 0 && yz == 0; }
     [[nodiscard]] std::int64_t squared(std::int64_t x, std::int64_t y, std::int64_t z) const
@@ -46,6 +48,9 @@ struct MillimetreBall {
 /// Makes a ball for a grid.
 /// @pre ballVoxels() is at most mostBallVoxels
 [[nodiscard]] MillimetreBall ballOf(const VolumeGeometry& geometry, double radiusMm);
+
+/// The same as a disc where the grid has a single slice, or a single row or column.
+[[nodiscard]] MillimetreBall flatBallOf(const VolumeGeometry& geometry, double radiusMm);
 
 /// The greatest number of voxels that a ball may reach from its centre along an axis; greater radii
 /// are refused.
@@ -65,8 +70,5 @@ struct BallRow {
 [[nodiscard]] std::vector<BallRow> ballRows(const MillimetreBall& ball, const glm::ivec3& box);
 /// The number of voxels of the whole ball.
 [[nodiscard]] std::int64_t voxelCount(const MillimetreBall& ball);
-/// The number of its voxels that can lie in a box around its middle: along an axis on which the box
-/// has a single voxel only those that make no step along it, so that it is a disc in one slice.
-[[nodiscard]] std::int64_t voxelCount(const MillimetreBall& ball, const glm::ivec3& box);
 
 } // namespace core

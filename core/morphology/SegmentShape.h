@@ -27,8 +27,8 @@ enum class ShapeOperation : std::uint8_t {
     Open, ///< voxels that no ball within the segment covers leave: spurs, bridges, specks
     Close, ///< free voxels that no ball outside the segment covers join: clefts, holes, gaps
     /// Voxels change sides if more than half of the whole ball around them lies on the other side.
-    /// What lies beyond the border of the image counts for neither side. Along an axis on which the
-    /// image has a single voxel nothing is beside it: there the ball is a disc.
+    /// What lies beyond the border of the image counts for neither side; of a flat ball
+    /// (flatBallOf()) nothing does along an axis on which the image has a single voxel.
     Median,
     /// Free voxels join if the ball cannot reach them when it is rolled around the segment from
     /// outside: holes, and everything behind openings that are narrower than the ball. Like closing

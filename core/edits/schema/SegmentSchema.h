@@ -160,6 +160,8 @@ template <class Visitor> void visitFields(Visitor& visit, ReshapeSegment& edit)
         "each voxel of theirs, or of none, goes to the one that is most around it, so that no gap "
         "opens",
         "the segment alone");
+    visit.maybe("flat", edit.flat, editFields::Flag{},
+        "for median only: whether the ball is a disc in a study of a single slice", "false");
     const auto side = [&](const char* name, std::optional<double>& mm) {
         visit.maybe(name, mm, editFields::Number{"mm", 0.0, 100.0, quantum::perMillimetre},
             "for grow and shrink only: the margin on this side of the patient; 0 leaves this side "

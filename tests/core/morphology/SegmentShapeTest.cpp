@@ -122,13 +122,7 @@ public:
     {
         const auto count = std::count_if(
             m_steps.begin(), m_steps.end(), [&](const glm::ivec3& step) { return is(at + step); });
-        // Where the volume has a single voxel along an axis, no step leads along it.
-        const auto possible =
-            std::count_if(m_steps.begin(), m_steps.end(), [this](const glm::ivec3& step) {
-                return (m_size.x > 1 || step.x == 0) && (m_size.y > 1 || step.y == 0)
-                    && (m_size.z > 1 || step.z == 0);
-            });
-        return 2 * count > possible;
+        return 2 * std::size_t(count) > m_steps.size();
     }
     [[nodiscard]] bool nearOwn(const glm::ivec3& at) const
     {
@@ -333,7 +327,14 @@ private Q_SLOTS:
         const std::size_t spur = indexOf({15, 9, 0}, size);
         labels[hole] = 0;
         labels[spur] = 1;
-        const auto change = shaped(geometry, labels, ShapeOperation::Median, 1.5);
+        const auto majority = [&](const core::MillimetreBall& ball) {
+            return core::shapeChange(labels, size, 1, ShapeOperation::Median, ShellPlace::Inside,
+                ball, core::Progress());
+        };
+        // As sessions of before have it.
+        const auto whole = majority(core::ballOf(geometry, 1.5));
+        QVERIFY(whole && after(labels, *whole) != labels);
+        const auto change = majority(core::flatBallOf(geometry, 1.5));
         QVERIFY(change);
         Labels expected = labels;
         expected[hole] = 1;

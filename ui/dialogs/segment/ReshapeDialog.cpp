@@ -274,6 +274,8 @@ core::ReshapeSegment ReshapeDialog::chosen() const
         .operation = reshaping.operation,
         .mm = m_mm->value(),
         .shell = reshaping.shell};
+    if (reshaping.operation == core::ShapeOperation::Median)
+        edit.flat = true;
     if (reshaping.isJoint)
         edit.with = segmentsBeside(workspace(), label());
     if (m_bySides->isVisibleTo(this) && m_bySides->isChecked())

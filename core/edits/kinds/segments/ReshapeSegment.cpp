@@ -85,6 +85,8 @@ std::optional<Error> fieldAtFaultIn(const ReshapeSegment& edit, const VolumeGeom
 {
     if (edit.shell && edit.operation != ShapeOperation::Hollow)
         return fieldError("shell", Clause::saying("means nothing where nothing is hollowed out"));
+    if (edit.flat && edit.operation != ShapeOperation::Median)
+        return fieldError("flat", Clause::saying("means nothing where no majority decides"));
     if (!(edit.mm > 0.0))
         return fieldError("mm", Clause::saying("is no length"));
     if (hasSides(edit)) {
@@ -178,8 +180,10 @@ Result<ShapeChange> changeOf(const ReshapeSegment& edit, const VolumeGeometry& g
         return sidedMarginChange(labels, geometry.size, label,
             edit.operation == ShapeOperation::Grow, sidedBallOf(geometry, marginsOf(edit)),
             progress);
+    const MillimetreBall ball = edit.flat.value_or(false) ? flatBallOf(geometry, ballMm(edit))
+                                                          : ballOf(geometry, ballMm(edit));
     return shapeChange(labels, geometry.size, label, edit.operation,
-        edit.shell.value_or(ShellPlace::Inside), ballOf(geometry, ballMm(edit)), progress);
+        edit.shell.value_or(ShellPlace::Inside), ball, progress);
 }
 
 } // namespace

@@ -47,6 +47,9 @@ struct ReshapeSegment {
     /// Only for Gaussian: labels of other segments of its plane, ascending, that are smoothed
     /// together with it (jointGaussianChange()).
     std::optional<std::vector<int>> with{};
+    /// Only for Median: in a study of a single slice the ball is a disc (flatBallOf()). Sessions of
+    /// before count the whole ball.
+    std::optional<bool> flat{};
     SideMargins sides{}; ///< only for Grow and Shrink (core/morphology/SidedMargin.h)
     std::optional<EditableRange> editable{}; ///< which voxels may change; none: any
 };
