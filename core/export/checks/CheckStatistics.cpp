@@ -352,6 +352,14 @@ Result<ReportLines> checkStatisticsExport(
         if (isInVoxels) {
             for (const char* name : {"volumeMl", "importAddedMl", "importTakenMl"})
                 right.erase(QString::fromLatin1(name));
+            // They would be sizes that nobody measured.
+            for (const char* name : {"volumeMl", "surfaceMm2", "sphericity", "longestDiameterMm",
+                     "acrossDiameterMm", "importAddedMl", "importTakenMl"}) {
+                if (!isReport && all[i].numbers.contains(QLatin1String(name)))
+                    return mismatch(Clause::saying("%1 of segment %2, although the source does not "
+                                                   "state the spacing",
+                        QLatin1String(name), i + 1));
+            }
             // A report has them as the segment's volume.
             if (isReport)
                 right[QStringLiteral("volumeMl")] = right[QStringLiteral("voxels")];

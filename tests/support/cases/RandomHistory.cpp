@@ -207,11 +207,14 @@ private:
         std::optional<EditableRange>* const range =
             m_draws.limited ? editableRangeOf(edit) : nullptr;
         const GrowCriteria* const criteria = growCriteriaOf(edit);
+        const auto* const sharing = edit.as<GrowFromSeeds>();
         // Most ranges leave a growth nothing.
         const bool isLimited = range && chance(criteria ? 25 : 70);
+        std::optional<std::uint8_t> plane;
+        if (criteria || sharing)
+            plane = growthPlaneOf(criteria ? criteria->plane : sharing->plane);
         if (isLimited)
-            *range = randomRange(
-                criteria ? std::optional(growthPlaneOf(criteria->plane)) : std::nullopt);
+            *range = randomRange(plane);
         const std::size_t rows = m_session->history().rows().size();
         const bool inFurtherPlane = isInFurtherPlane(edit);
         const QString kind = note(kindOf(edit), m_session->apply(edit), rows);

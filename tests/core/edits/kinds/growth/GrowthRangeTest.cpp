@@ -3,6 +3,7 @@
 #include "core/edits/kinds/EditParts.h"
 #include "core/edits/kinds/growth/ChangeInterval.h"
 #include "core/edits/kinds/growth/GrowCriteria.h"
+#include "core/edits/kinds/growth/GrowFromSeeds.h"
 #include "core/edits/kinds/growth/GrowSteps.h"
 #include "core/edits/kinds/growth/ResumeGrowth.h"
 #include "core/edits/kinds/segments/ImportMask.h"
@@ -103,6 +104,28 @@ bool mayChange(const EditableRange& range, double value, const glm::ivec3& voxel
     return (!range.inside || lists(range.inside, label)) && !lists(range.outside, label);
 }
 
+template <class Visit> void forEachIn(const glm::ivec3& size, const Visit& visit)
+{
+    for (int z = 0; z < size.z; ++z)
+        for (int y = 0; y < size.y; ++y)
+            for (int x = 0; x < size.x; ++x)
+                visit(glm::ivec3(x, y, z));
+}
+
+/// The voxels that share a face with one.
+template <class Visit>
+void forEachBeside(const glm::ivec3& voxel, const glm::ivec3& size, const Visit& visit)
+{
+    for (int axis = 0; axis < 3; ++axis) {
+        for (const int step : {-1, 1}) {
+            glm::ivec3 next = voxel;
+            next[axis] += step;
+            if (next[axis] >= 0 && next[axis] < size[axis])
+                visit(next);
+        }
+    }
+}
+
 /// What a growth makes of the labels: all that the range and the interval leave and that hangs
 /// together with the seed, found by a plain flood.
 std::vector<std::uint8_t> flooded(const Bench& bench, const GrowCriteria& criteria)
@@ -126,14 +149,10 @@ std::vector<std::uint8_t> flooded(const Bench& bench, const GrowCriteria& criter
     while (!front.empty()) {
         const glm::ivec3 voxel = front.back();
         front.pop_back();
-        for (int axis = 0; axis < 3; ++axis) {
-            for (const int step : {-1, 1}) {
-                glm::ivec3 next = voxel;
-                next[axis] += step;
-                if (next[axis] >= 0 && next[axis] < geometry.size[axis] && open(next))
-                    take(next);
-            }
-        }
+        forEachBeside(voxel, geometry.size, [&](const glm::ivec3& next) {
+            if (open(next))
+                take(next);
+        });
     }
     return labels;
 }
@@ -179,6 +198,75 @@ private Q_SLOTS:
             if (bench.session->history().position() != position)
                 bench.undo();
         }
+    }
+
+    /// A box of growth and one of editing: growth stays in both.
+    void boxesNarrowEachOther()
+    {
+        const Bench bench;
+        const GrowBox left{bench.at({8.0, 10.0, 10.0}), bench.at({20.0, 26.0, 24.0})};
+        const GrowBox right{bench.at({15.0, 12.0, 12.0}), bench.at({30.0, 30.0, 22.0})};
+        GrowCriteria both = criteriaWith({.box = right}, 2000.0);
+        both.box = left;
+        const GrowBox common{bench.at({15.0, 12.0, 12.0}), bench.at({20.0, 26.0, 22.0})};
+        QVERIFY(bench.labelsAfter(test::growBy(both))
+            == flooded(bench, criteriaWith({.box = common}, 2000.0)));
+        both.box = GrowBox{bench.at({2.0, 2.0, 2.0}), bench.at({8.0, 8.0, 8.0})};
+        QVERIFY(bench.labelsAfter(test::growBy(both)) == bench.before); // they do not meet
+    }
+
+    /// Which of two segments wins a voxel is another test's matter; here which voxels are won.
+    void sharingOutStaysThere()
+    {
+        const Bench bench;
+        bench.run(test::paintAt(growing, {bench.at({20.0, 24.0, 17.0})}, 4.0));
+        const std::vector<std::uint8_t> before = bench.labels();
+        const LoadedVolume study = test::smallStudy();
+        const VolumeGeometry& geometry = bench.geometry();
+        GrowFromSeeds edit{.segments = std::vector{first, second},
+            .box = GrowBox{bench.at({0.0, 0.0, 0.0}), bench.at(glm::dvec3(geometry.size - 1))},
+            .overwriteUnlocked = true};
+        int won = 0;
+        for (const EditableRange& range : bench.ranges()) {
+            edit.editable = range;
+            const std::vector<std::uint8_t> found = bench.labelsAfter(edit);
+            std::vector<char> reached(before.size(), 0);
+            std::vector<glm::ivec3> front;
+            const auto take = [&](const glm::ivec3& voxel) {
+                reached[test::smallIndexOf(voxel)] = 1;
+                front.push_back(voxel);
+            };
+            forEachIn(geometry.size, [&](const glm::ivec3& voxel) {
+                const int label = before[test::smallIndexOf(voxel)];
+                if (label == first || label == second)
+                    take(voxel);
+            });
+            while (!front.empty()) {
+                const glm::ivec3 voxel = front.back();
+                front.pop_back();
+                forEachBeside(voxel, geometry.size, [&](const glm::ivec3& next) {
+                    const std::size_t at = test::smallIndexOf(next);
+                    if (!reached[at]
+                        && mayChange(range, study.codes[at] - 1024.0, next, geometry, before[at]))
+                        take(next);
+                });
+            }
+            for (std::size_t at = 0; at < before.size(); ++at) {
+                const bool isWon = found[at] == first || found[at] == second;
+                QCOMPARE(isWon, reached[at] != 0);
+                if (!isWon)
+                    QCOMPARE(found[at], before[at]);
+                won += isWon && found[at] != before[at] ? 1 : 0;
+            }
+        }
+        QVERIFY(won > 1000);
+        // A range around all of it takes nothing away, and gives nothing either.
+        edit.box.reset();
+        edit.editable.reset();
+        const std::vector<std::uint8_t> freely = bench.labelsAfter(edit);
+        edit.editable.emplace().box =
+            GrowBox{bench.at({0.0, 0.0, 0.0}), bench.at(glm::dvec3(geometry.size - 1))};
+        QVERIFY(bench.labelsAfter(edit) == freely && freely != before);
     }
 
     void itIsPartOfTheRecipeAndOfWhatGoesOn()
