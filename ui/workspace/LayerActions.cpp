@@ -9,6 +9,7 @@
 #include "core/edits/kinds/parts/SegmentChoice.h"
 #include "core/edits/kinds/segments/LayerToSegment.h"
 #include "core/edits/kinds/segments/SegmentSeen.h"
+#include "ui/workspace/CuttingPlane.h"
 #include "ui/workspace/SegmentActions.h"
 #include "ui/workspace/ShownValues.h"
 #include "ui/workspace/Workspace.h"
@@ -175,7 +176,7 @@ void segmentWhatIsSeen(Workspace& workspace, std::optional<int> label)
         return workspace.say(shown.why);
     core::SegmentSeen edit{.target = {.segment = label}, .lower = shown.lower};
     edit.upper = shown.upper;
-    edit.hidden = core::clipHalfSpaces(workspace.clip(), workspace.volume()->geometry);
+    edit.hidden = core::clipHalfSpaces(shownClip(workspace), workspace.volume()->geometry);
     if (!label)
         edit.target = newSegment(workspace.session()->foreseenDocument(), {});
     edit.editable = workspace.editableRange();
