@@ -91,7 +91,7 @@ SurfaceDoubts::SurfaceDoubts(Workspace& workspace, QObject* parent)
     connect(&workspace, &Workspace::sessionClosing, this, &SurfaceDoubts::forget);
     connect(&workspace, &Workspace::sessionChanged, this, &SurfaceDoubts::forget);
     connect(&workspace.refinement(), &Refinement::changed, this, [this] {
-        if (!m_workspace.refinement().surface() && (m_job || !m_doubts.empty()))
+        if (!m_workspace.refinement().surface() && (m_job || m_hasFound))
             forget();
     });
     connect(&m_fetch, &LabelFetch::finished, this, [this](const LabelFetch::Planes& planes) {
@@ -109,6 +109,7 @@ void SurfaceDoubts::forget()
     m_background.cancel();
     m_job.reset();
     m_doubts.clear();
+    m_hasFound = false;
     Q_EMIT changed();
 }
 
@@ -159,6 +160,7 @@ void SurfaceDoubts::workOut(const std::shared_ptr<Job>& job)
                 return fail(found.error());
             m_job.reset();
             m_doubts = *std::move(found);
+            m_hasFound = true;
             Q_EMIT changed();
         });
 }
