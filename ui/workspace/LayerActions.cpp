@@ -10,6 +10,7 @@
 #include "core/edits/kinds/segments/LayerToSegment.h"
 #include "core/edits/kinds/segments/SegmentSeen.h"
 #include "ui/workspace/CuttingPlane.h"
+#include "ui/workspace/LayerLooks.h"
 #include "ui/workspace/SegmentActions.h"
 #include "ui/workspace/ShownValues.h"
 #include "ui/workspace/Workspace.h"
@@ -44,6 +45,7 @@ core::Result<int> addLayer(Workspace& workspace)
     if (const auto added = session->apply(edit); !added)
         return tl::unexpected(added.error());
     const int id = session->foreseenDocument().layers.back().id;
+    workspace.layerLooks().setLook(id, {}); // not that of an undone one, whose number it takes
     workspace.setActiveLayer(id);
     return id;
 }
