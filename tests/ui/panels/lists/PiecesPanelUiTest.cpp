@@ -13,6 +13,8 @@
 
 #include <QtTest>
 
+#include <cstdint>
+
 namespace piecesPanelUiTest {
 
 namespace {
@@ -112,6 +114,33 @@ private Q_SLOTS:
         QCOMPARE(fixture.onlyPiece(), number);
         QVERIFY(fixture.pieces.look(number) == ui::PieceLook());
         QCOMPARE(fixture.pieces.scene().front().opacity, 1.0f);
+    }
+
+    /// A single voxel is something, wherever it lies.
+    void theSmallestPieceIsOne()
+    {
+        PiecesFixture fixture;
+        QSignalSpy said(&fixture.workspace, &ui::Workspace::said);
+        int segment = 1;
+        for (const glm::dvec3& index :
+            {glm::dvec3(2, 2, 2), glm::dvec3(2, 2, 3), glm::dvec3(2, 3, 3)}) {
+            const glm::dvec3 place = fixture.place(index);
+            fixture.apply(test::newSegment(QStringLiteral("Speck")));
+            fixture.apply(test::paintAt(++segment, {place}, 0.4));
+            QCOMPARE(fixture.session().document().segment(segment)->voxels, std::int64_t(1));
+            fixture.paste(segment);
+            QVERIFY(!fixture.all().empty());
+            const core::Piece& piece = fixture.all().back();
+            QCOMPARE(piece.segment, segment);
+            QVERIFY(piece.pivotLps && glm::distance(*piece.pivotLps, place) < 0.1);
+        }
+        QCOMPARE(fixture.all().size(), std::size_t(3));
+        // What is empty is not.
+        fixture.apply(test::newSegment(QStringLiteral("Nothing")));
+        said.clear();
+        fixture.paste(++segment);
+        QVERIFY(!said.isEmpty());
+        QCOMPARE(fixture.all().size(), std::size_t(3));
     }
 
     void aNewLayerLooksLikeOne()
