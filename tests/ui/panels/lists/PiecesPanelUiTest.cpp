@@ -11,6 +11,7 @@
 #include "ui/workspace/LayerLooks.h"
 #include "ui/workspace/Pieces.h"
 
+#include <QComboBox>
 #include <QtTest>
 
 #include <cstdint>
@@ -114,6 +115,27 @@ private Q_SLOTS:
         QCOMPARE(fixture.onlyPiece(), number);
         QVERIFY(fixture.pieces.look(number) == ui::PieceLook());
         QCOMPARE(fixture.pieces.scene().front().opacity, 1.0f);
+    }
+
+    /// What was cut out has no body in a colour, so there is no such choice.
+    void wholeIsForSegmentsAlone()
+    {
+        PiecesFixture fixture;
+        const auto* map = fixture.panel->findChild<QComboBox*>(QStringLiteral("pieceMap"));
+        QVERIFY(map);
+        const auto isWholeOffered = [map] {
+            const int row = map->findText(QStringLiteral("Whole"));
+            return row >= 0 && map->model()->flags(map->model()->index(row, 0)) & Qt::ItemIsEnabled;
+        };
+        fixture.lift();
+        QVERIFY(!isWholeOffered());
+        QCOMPARE(map->currentText(), QStringLiteral("As volume"));
+        fixture.paste();
+        QCOMPARE(fixture.pieces.active(), fixture.all().back().id);
+        QVERIFY(isWholeOffered());
+        QCOMPARE(map->currentText(), QStringLiteral("Whole"));
+        fixture.pieces.setActive(fixture.all().front().id);
+        QVERIFY(!isWholeOffered());
     }
 
     /// A single voxel is something, wherever it lies.
