@@ -27,7 +27,7 @@ public:
             OffMask, ///< a part marked green or red is away from the present segment
         };
         Why why = Why::NoEdge;
-        core::MarkedRegion region;
+        core::MarkedRegion region; ///< where views show it
     };
 
     explicit SurfaceDoubts(Workspace& workspace, QObject* parent = nullptr);

@@ -8,6 +8,8 @@
 #include "core/edits/kinds/surface/SmoothSurface.h"
 #include "core/edits/kinds/surface/SpherePush.h"
 #include "core/edits/kinds/surface/SurfacePath.h"
+#include "core/measure/MeasuredSize.h"
+#include "core/refine/mesh/ShownSurface.h"
 #include "core/volume/ClipRegion.h"
 #include "ui/base/NumberText.h"
 #include "ui/tools/aim/CursorLabel.h"
@@ -234,8 +236,9 @@ std::optional<glm::dvec3> RefineTool::placeOf(Stroke& stroke, const PointerSampl
 
 core::Edit RefineTool::editOf(const Stroke& stroke, const glm::dvec3& placeLps) const
 {
+    const core::VolumeGeometry& geometry = m_workspace.volume()->geometry;
     core::SurfacePath path{.radiusMm = stroke.settings.radiusMm,
-        .pointsLps = {placeLps},
+        .pointsLps = {core::truePlace(geometry, placeLps)},
         .rules = core::newestSurfaceRules};
     if (stroke.isPressed)
         path.pressures = std::vector<double>{stroke.lastPressure};
@@ -247,11 +250,12 @@ core::Edit RefineTool::editOf(const Stroke& stroke, const glm::dvec3& placeLps) 
     case Refinement::Mode::Sphere:
         return core::SpherePush{.path = path};
     case Refinement::Mode::Scrape: {
-        const core::VertexId near = stroke.surface.nearestVertex(placeLps);
-        glm::dvec3 normal = stroke.surface.vertex(near).normalLps;
+        const auto& near = stroke.surface.vertex(stroke.surface.nearestVertex(placeLps));
+        glm::dvec3 normal = core::trueNormal(geometry, near.positionLps, near.normalLps);
         std::optional<glm::dvec3> across;
         if (const auto* slice = std::get_if<gpu::SliceScene>(&stroke.view.scene)) {
-            across = glm::cross(slice->rightLps, slice->downLps);
+            across =
+                core::trueNormal(geometry, placeLps, glm::cross(slice->rightLps, slice->downLps));
             normal -= glm::dot(normal, *across) * *across;
         }
         const double length = glm::length(normal);
@@ -316,7 +320,8 @@ void RefineTool::drag(const PointerSample& sample, const ViewContext& view)
     const double pressure = pressedShare(sample);
     const bool widens = m_stroke->isPressed && pressesHarder(pressure, m_stroke->lastPressure);
     if (place && (*place != m_stroke->last || widens)) {
-        m_workspace.session()->extend(core::PathPoints{.pointsLps = {*place},
+        const glm::dvec3 truth = core::truePlace(m_workspace.volume()->geometry, *place);
+        m_workspace.session()->extend(core::PathPoints{.pointsLps = {truth},
             .pressures =
                 m_stroke->isPressed ? std::vector<double>{pressure} : std::vector<double>()});
         m_stroke->last = *place;

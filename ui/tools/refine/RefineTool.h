@@ -21,6 +21,8 @@ namespace ui {
 /// with Ctrl it lies inside and pushes outwards. On a slice the sphere lies at the mirror image of
 /// the pen about the surface with Ctrl, so that it pushes the other way there, too; and the scraper
 /// fills up to its plane. Ctrl does nothing to tools without an opposite.
+///
+/// Places are those that views show until they become part of an edit, which has the true ones.
 class RefineTool : public CursorTool {
     Q_OBJECT
 
@@ -69,6 +71,7 @@ private:
     /// What is seen of the surface at a pixel of the 3D view; its distance is along the view.
     [[nodiscard]] std::optional<core::MeshHit> hitAt(
         const core::SurfaceMirror& surface, const ViewContext& view, const QPointF& pixel) const;
+    /// @param placeLps as views show it
     [[nodiscard]] core::Edit editOf(const Stroke& stroke, const glm::dvec3& placeLps) const;
     [[nodiscard]] QColor colour() const;
     void endContour();
