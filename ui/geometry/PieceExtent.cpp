@@ -2,6 +2,7 @@
 #include "ui/geometry/PieceExtent.h"
 
 #include <algorithm>
+#include <optional>
 
 namespace ui {
 
@@ -17,6 +18,7 @@ PieceExtent extentOf(
     constexpr int side = core::BrickGrid::side;
     const core::BrickGrid grid{geometry.size};
     PieceExtent extent;
+    std::optional<glm::dvec3> first;
     glm::dvec3 low(1e300);
     glm::dvec3 high(-1e300);
     for (const core::BrickImage& brick : bricks) {
@@ -30,11 +32,15 @@ PieceExtent extentOf(
             const glm::dvec3 at = geometry.toWorld(glm::dvec3(origin + local));
             low = glm::min(low, at);
             high = glm::max(high, at);
+            first = first.value_or(at);
             if ((local.x + local.y + local.z) % 3 == 0)
                 extent.pointsLps.push_back(at);
         }
     }
-    if (!extent.pointsLps.empty()) {
+    // Every third voxel of very few may be none.
+    if (first && extent.pointsLps.empty())
+        extent.pointsLps.push_back(*first);
+    if (first) {
         extent.middleLps = (low + high) / 2.0;
         extent.sizeLps = high - low;
     }

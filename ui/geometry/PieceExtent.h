@@ -13,7 +13,7 @@ namespace ui {
 
 /// Where the voxels of a piece lie, in world space (LPS mm) and without the piece's pose.
 struct PieceExtent {
-    std::vector<glm::dvec3> pointsLps; ///< centres of every third voxel, evenly distributed
+    std::vector<glm::dvec3> pointsLps; ///< centres of every third voxel; one if there is any voxel
     glm::dvec3 middleLps{0.0}; ///< centre of their bounding box
     glm::dvec3 sizeLps{0.0}; ///< size of the bounding box
 };

@@ -2,8 +2,10 @@
 #include "ui/tasks/SurfaceDoubts.h"
 
 #include "core/refine/fit/DoubtfulVertices.h"
+#include "core/refine/mesh/ShownSurface.h"
 #include "core/refine/voxels/BoxMask.h"
 #include "core/session/questions/VoxelQuestions.h"
+#include "core/volume/WorldToIndex.h"
 #include "ui/workspace/Refinement.h"
 #include "ui/workspace/Workspace.h"
 
@@ -34,8 +36,9 @@ core::VoxelBox boxAround(
 {
     glm::dvec3 least(std::numeric_limits<double>::max());
     glm::dvec3 most(std::numeric_limits<double>::lowest());
+    const core::WorldToIndex toIndex(geometry);
     surface.forEachVertex([&](core::VertexId, const core::SurfaceUpdate::Vertex& vertex) {
-        const glm::dvec3 index = geometry.toIndex(vertex.positionLps);
+        const glm::dvec3 index = toIndex(vertex.positionLps);
         least = glm::min(least, index);
         most = glm::max(most, index);
     });
@@ -54,7 +57,7 @@ core::VoxelBox boxAround(
 
 /// The thread's from when all is fetched.
 struct SurfaceDoubts::Job {
-    core::SurfaceMirror surface;
+    core::SurfaceMirror surface; ///< where it truly lies
     core::VolumeGeometry geometry;
     int label = 0;
     std::shared_ptr<const std::vector<std::uint8_t>> labels; ///< of its plane, x fastest
@@ -71,7 +74,7 @@ std::vector<SurfaceDoubts::Doubt> SurfaceDoubts::Job::found()
     const auto add = [&](const std::vector<bool>& isDoubted, Doubt::Why why) {
         for (const core::MarkedRegion& region : surface.regions(isDoubted)) {
             if (region.vertices >= leastVertices)
-                doubts.push_back({.why = why, .region = region});
+                doubts.push_back({.why = why, .region = core::shownRegion(region, geometry)});
         }
     };
     const core::BoxMask mask = core::BoxMask::of(*labels, std::uint8_t(label), geometry.size);
@@ -91,7 +94,7 @@ SurfaceDoubts::SurfaceDoubts(Workspace& workspace, QObject* parent)
     connect(&workspace, &Workspace::sessionClosing, this, &SurfaceDoubts::forget);
     connect(&workspace, &Workspace::sessionChanged, this, &SurfaceDoubts::forget);
     connect(&workspace.refinement(), &Refinement::changed, this, [this] {
-        if (!m_workspace.refinement().surface() && (m_job || !m_doubts.empty()))
+        if (!m_workspace.refinement().surface() && (m_job || m_hasFound))
             forget();
     });
     connect(&m_fetch, &LabelFetch::finished, this, [this](const LabelFetch::Planes& planes) {
@@ -109,6 +112,7 @@ void SurfaceDoubts::forget()
     m_background.cancel();
     m_job.reset();
     m_doubts.clear();
+    m_hasFound = false;
     Q_EMIT changed();
 }
 
@@ -126,7 +130,7 @@ void SurfaceDoubts::look()
         return;
     forget();
     m_job = std::make_shared<Job>();
-    m_job->surface = m_workspace.refinement().mirror();
+    m_job->surface = m_workspace.refinement().trueMirror();
     m_job->geometry = m_workspace.volume()->geometry;
     m_job->label = surface->segment;
     m_job->box =
@@ -151,7 +155,7 @@ void SurfaceDoubts::askForCodes(const std::shared_ptr<Job>& job)
 void SurfaceDoubts::workOut(const std::shared_ptr<Job>& job)
 {
     // What was under way when the question came has changed it since.
-    job->surface = m_workspace.refinement().mirror();
+    job->surface = m_workspace.refinement().trueMirror();
     m_background.start(
         this, [job] { return job->found(); },
         [this](core::Result<std::vector<Doubt>>&& found) {
@@ -159,6 +163,7 @@ void SurfaceDoubts::workOut(const std::shared_ptr<Job>& job)
                 return fail(found.error());
             m_job.reset();
             m_doubts = *std::move(found);
+            m_hasFound = true;
             Q_EMIT changed();
         });
 }

@@ -27,7 +27,7 @@ public:
             OffMask, ///< a part marked green or red is away from the present segment
         };
         Why why = Why::NoEdge;
-        core::MarkedRegion region;
+        core::MarkedRegion region; ///< where views show it
     };
 
     explicit SurfaceDoubts(Workspace& workspace, QObject* parent = nullptr);
@@ -38,6 +38,8 @@ public:
     /// The results, of each kind the largest first, for the surface as it was when the search
     /// began.
     [[nodiscard]] const std::vector<Doubt>& doubts() const { return m_doubts; }
+    /// Whether these are the results of a search: without one, none means nothing.
+    [[nodiscard]] bool hasFound() const { return m_hasFound; }
 
 Q_SIGNALS:
     void changed();
@@ -54,6 +56,7 @@ private:
     LabelFetch m_fetch;
     std::shared_ptr<Job> m_job; ///< what is under way
     std::vector<Doubt> m_doubts;
+    bool m_hasFound = false;
     core::Background m_background; ///< last: it uses all of the above
 };
 

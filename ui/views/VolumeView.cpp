@@ -149,22 +149,16 @@ gpu::Scene VolumeView::scene() const
     gpu::VolumeScene scene = volumeScene(m_camera, workspace().volumeDisplay());
     if (m_stereo.mode != Stereo::Mode::Off)
         scene.eyeShiftMm = -eyeShiftMm();
-    scene.clip = workspace().clip();
+    scene.clip = shownClip(workspace());
     scene.pieces = workspace().pieces().scene();
     scene.seeds = workspace().seeds().scene();
     scene.surface = workspace().refinement().scene();
     scene.bodiless = workspace().refinement().bodiless();
     scene.chunks = workspace().chunks().bodies();
     scene.plane = workspace().plane().scene();
-    if (const std::optional<core::ClipPlane> above = workspace().plane().clip()) {
-        // Where the user has three planes of his own, only the surface is cut.
-        const auto unused = std::find_if(scene.clip.planes.begin(), scene.clip.planes.end(),
-            [](const core::ClipPlane& plane) { return !plane.on; });
-        if (unused != scene.clip.planes.end())
-            *unused = *above;
-        if (scene.surface)
-            scene.surface->clip = *above;
-    }
+    const std::optional<core::ClipPlane> above = workspace().plane().clip();
+    if (above && scene.surface)
+        scene.surface->clip = *above;
     const std::vector<gpu::ScenePiece> partlyHidden = workspace().layerLooks().scene();
     scene.pieces.insert(scene.pieces.end(), partlyHidden.begin(), partlyHidden.end());
     // Only where it shows: other colours of the slices are no other picture else.

@@ -224,4 +224,15 @@ std::optional<core::ClipPlane> CuttingPlane::clip() const
         .pointLps = m_pose.centreLps, .normalLps = -m_pose.normalLps(), .on = true};
 }
 
+core::ClipRegion shownClip(const Workspace& workspace)
+{
+    core::ClipRegion region = workspace.clip();
+    const std::optional<core::ClipPlane> above = workspace.plane().clip();
+    const auto unused = std::find_if(region.planes.begin(), region.planes.end(),
+        [](const core::ClipPlane& plane) { return !plane.on; });
+    if (above && unused != region.planes.end())
+        *unused = *above;
+    return region;
+}
+
 } // namespace ui

@@ -87,4 +87,8 @@ private:
     Look m_look;
 };
 
+/// What the 3D view shows of the volume: the clip region, whose first free plane is what the
+/// cutting plane hides. Where the user has three planes of his own, only the surface is cut by it.
+[[nodiscard]] core::ClipRegion shownClip(const Workspace& workspace);
+
 } // namespace ui

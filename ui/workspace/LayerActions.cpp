@@ -9,6 +9,8 @@
 #include "core/edits/kinds/parts/SegmentChoice.h"
 #include "core/edits/kinds/segments/LayerToSegment.h"
 #include "core/edits/kinds/segments/SegmentSeen.h"
+#include "ui/workspace/CuttingPlane.h"
+#include "ui/workspace/LayerLooks.h"
 #include "ui/workspace/SegmentActions.h"
 #include "ui/workspace/ShownValues.h"
 #include "ui/workspace/Workspace.h"
@@ -43,6 +45,7 @@ core::Result<int> addLayer(Workspace& workspace)
     if (const auto added = session->apply(edit); !added)
         return tl::unexpected(added.error());
     const int id = session->foreseenDocument().layers.back().id;
+    workspace.layerLooks().setLook(id, {}); // not that of an undone one, whose number it takes
     workspace.setActiveLayer(id);
     return id;
 }
@@ -175,7 +178,7 @@ void segmentWhatIsSeen(Workspace& workspace, std::optional<int> label)
         return workspace.say(shown.why);
     core::SegmentSeen edit{.target = {.segment = label}, .lower = shown.lower};
     edit.upper = shown.upper;
-    edit.hidden = core::clipHalfSpaces(workspace.clip(), workspace.volume()->geometry);
+    edit.hidden = core::clipHalfSpaces(shownClip(workspace), workspace.volume()->geometry);
     if (!label)
         edit.target = newSegment(workspace.session()->foreseenDocument(), {});
     edit.editable = workspace.editableRange();

@@ -15,6 +15,7 @@
 #include "ui/base/RowTitleText.h"
 #include "ui/base/StudyTexts.h"
 #include "ui/workspace/LayerActions.h"
+#include "ui/workspace/LayerLooks.h"
 #include "ui/workspace/OpeningView.h"
 #include "ui/workspace/Workspace.h"
 
@@ -215,6 +216,7 @@ void Pieces::cutPiece(
             // An undo that waits before it may leave no such layer; it is refused in its turn then.
             const core::Document expected = open.foreseenDocument();
             if (const core::Piece* piece = expected.pieceOfLayer(layer)) {
+                setLook(piece->id, {}); // not that of an undone one, whose number it takes
                 setActive(piece->id);
                 then();
             }
@@ -296,6 +298,7 @@ void Pieces::liftCut(core::RowId cut)
     if (const auto added = session.apply(core::AddLayer{.name = name}); !added)
         return m_workspace.fail(added.error());
     const int layer = session.foreseenDocument().layers.back().id;
+    m_workspace.layerLooks().setLook(layer, {});
     revise.layer = layer;
     if (const auto revised = session.apply(revise); !revised) {
         m_workspace.fail(revised.error());
@@ -371,8 +374,10 @@ void Pieces::paste(int segment)
             return m_workspace.fail(pasted.error());
         // None, if an undo that waits before it leaves no such segment.
         if (const core::Document expected = open.foreseenDocument();
-            expected.pieces.size() > before)
+            expected.pieces.size() > before) {
+            setLook(expected.pieces.back().id, {});
             setActive(expected.pieces.back().id);
+        }
     });
 }
 

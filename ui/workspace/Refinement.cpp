@@ -8,6 +8,8 @@
 #include "core/edits/kinds/surface/LaySurface.h"
 #include "core/edits/kinds/surface/SurfaceBarrier.h"
 #include "core/edits/kinds/surface/WriteBack.h"
+#include "core/measure/MeasuredSize.h"
+#include "core/refine/mesh/ShownSurface.h"
 #include "core/session/SessionSurface.h"
 #include "ui/workspace/Workspace.h"
 
@@ -64,28 +66,48 @@ void Refinement::forgetTaken()
         m_taken.clear();
 }
 
-/// Updates come from the thread that deforms: those for pictures go on at once, ours in line.
+/// Updates come from the thread that deforms: those for pictures go on at once, ours in line. They
+/// tell true places; views show unevenly spaced slices as if they were evenly spaced.
 void Refinement::follow()
 {
     const core::SurfaceUpdate nothing{.isWhole = true, .vertices = {}, .faces = {}};
     core::EditSession* session = m_workspace.session();
     if (!session) {
         m_workspace.frames().updateSurface(nothing);
-        take(nothing);
+        take(nothing, std::nullopt);
         return;
     }
-    session->surface().setListener(
-        [this, &frames = m_workspace.frames()](core::SurfaceUpdate update) {
-            frames.updateSurface(update);
-            QMetaObject::invokeMethod(
-                this, [this, update = std::move(update)] { take(update); }, Qt::QueuedConnection);
-        });
+    const core::Volume* volume = m_workspace.volume();
+    session->surface().setListener([this, &frames = m_workspace.frames(),
+                                       geometry = volume
+                                           ? volume->geometry
+                                           : core::VolumeGeometry()](core::SurfaceUpdate update) {
+        std::optional<core::SurfaceUpdate> truth;
+        if (!geometry.slicePositions.empty()) {
+            truth = update;
+            core::moveToShown(update, geometry);
+        }
+        frames.updateSurface(update);
+        QMetaObject::invokeMethod(
+            this,
+            [this, update = std::move(update), truth = std::move(truth)] { take(update, truth); },
+            Qt::QueuedConnection);
+    });
 }
 
-void Refinement::take(const core::SurfaceUpdate& update)
+void Refinement::take(
+    const core::SurfaceUpdate& shown, const std::optional<core::SurfaceUpdate>& truth)
 {
-    m_mirror.take(update);
-    m_errors = m_mirror.regions(core::SurfaceMark::Red);
+    m_mirror.take(shown);
+    if (truth)
+        m_trueMirror.take(*truth);
+    else
+        m_trueMirror = {};
+    m_errors = trueMirror().regions(core::SurfaceMark::Red);
+    if (const core::Volume* volume = m_workspace.volume()) {
+        for (core::MarkedRegion& error : m_errors)
+            error = core::shownRegion(error, volume->geometry);
+    }
     m_error = std::min(m_error, int(m_errors.size()) - 1);
     Q_EMIT changed();
 }
@@ -216,8 +238,13 @@ void Refinement::previewTemplate()
     core::EditSession* session = m_workspace.session();
     if (!session || m_contours.empty() || isPreviewing())
         return;
+    std::vector<std::vector<glm::dvec3>> contours = m_contours;
+    for (std::vector<glm::dvec3>& contour : contours) {
+        for (glm::dvec3& point : contour)
+            point = core::truePlace(m_workspace.volume()->geometry, point);
+    }
     const auto begun = session->begin(
-        core::ApplyTemplate{.contoursLps = m_contours, .rules = core::newestSurfaceRules});
+        core::ApplyTemplate{.contoursLps = std::move(contours), .rules = core::newestSurfaceRules});
     if (!begun)
         return m_workspace.fail(begun.error());
     Q_EMIT contoursChanged();
@@ -327,7 +354,7 @@ void Refinement::signOff(int place)
         return;
     apply(core::ChangeMarks{.mark = core::SurfaceMark::Red,
         .way = core::ChangeMarks::Way::Accept,
-        .nearLps = m_mirror.vertex(m_errors[std::size_t(place)].first).positionLps});
+        .nearLps = trueMirror().vertex(m_errors[std::size_t(place)].first).positionLps});
 }
 
 void Refinement::goToError(int by)

@@ -48,10 +48,16 @@ public:
 
     /// The state of the surface; none if no surface is being refined.
     [[nodiscard]] std::optional<core::RefinedSurface> surface() const;
-    /// A copy of the surface as last reported by the session; it follows while an edit is under
-    /// way.
+    /// A copy of the surface as last reported by the session, where views show it; it follows while
+    /// an edit is under way.
     [[nodiscard]] const core::SurfaceMirror& mirror() const { return m_mirror; }
-    /// The parts that are marked red and not signed off, largest first.
+    /// The same, with the same ids, where it truly lies; views show unevenly spaced slices as if
+    /// they were evenly spaced.
+    [[nodiscard]] const core::SurfaceMirror& trueMirror() const
+    {
+        return m_trueMirror.empty() ? m_mirror : m_trueMirror;
+    }
+    /// The parts that are marked red and not signed off, largest first, where views show them.
     [[nodiscard]] const std::vector<core::MarkedRegion>& errors() const { return m_errors; }
 
     [[nodiscard]] const Look& look() const { return m_look; }
@@ -69,7 +75,8 @@ public:
     /// from it; 0: none, or nothing of the surface is drawn.
     [[nodiscard]] int mask() const;
 
-    /// Contours of a template that were drawn but not applied (seed B §4.4), LPS.
+    /// Contours of a template that were drawn but not applied (seed B §4.4), LPS as views show
+    /// them.
     [[nodiscard]] const std::vector<std::vector<glm::dvec3>>& contours() const
     {
         return m_contours;
@@ -111,7 +118,7 @@ public:
     void goToError(int by);
     /// @param place in errors()
     void showError(int place);
-    /// Moves the crosshair and the views to a part of the surface.
+    /// Moves the crosshair and the views to a part of the surface, which is told as it is shown.
     void showRegion(const core::MarkedRegion& region);
     /// Signs an error off: it turns green.
     /// @param place index in errors()
@@ -130,12 +137,13 @@ private:
     void follow();
     void followTaken();
     void forgetTaken();
-    void take(const core::SurfaceUpdate& update);
+    void take(const core::SurfaceUpdate& shown, const std::optional<core::SurfaceUpdate>& truth);
     void apply(const core::Edit& edit);
     [[nodiscard]] gpu::SurfaceColours colours() const;
 
     Workspace& m_workspace;
     core::SurfaceMirror m_mirror;
+    core::SurfaceMirror m_trueMirror; ///< empty where slices are evenly spaced
     std::vector<core::MarkedRegion> m_errors;
     int m_error = -1; ///< index of the error last visited
     Look m_look;

@@ -88,7 +88,7 @@ glm::dvec3 SurfaceMirror::middleOf(const FaceRing& ring) const
 }
 
 std::optional<MeshHit> SurfaceMirror::hit(
-    const glm::dvec3& fromLps, const glm::dvec3& directionLps) const
+    const glm::dvec3& fromLps, const glm::dvec3& directionLps, FaceSides sides) const
 {
     const Ray ray{.fromLps = fromLps, .directionLps = directionLps};
     std::optional<double> nearest;
@@ -107,9 +107,12 @@ std::optional<MeshHit> SurfaceMirror::hit(
         if (glm::dot(away, away) > radiusSquared)
             continue;
         for (std::size_t i = 0; i < ring.size(); ++i) {
-            const std::optional<double> distance =
-                crossing(ray, middle, m_vertices[ring[i]].positionLps,
-                    m_vertices[ring[(i + 1) % ring.size()]].positionLps);
+            const glm::dvec3& one = m_vertices[ring[i]].positionLps;
+            const glm::dvec3& other = m_vertices[ring[(i + 1) % ring.size()]].positionLps;
+            std::optional<double> distance = crossing(ray, middle, one, other);
+            // The other way round the back of a triangle is its front.
+            if (!distance && sides == FaceSides::Both)
+                distance = crossing(ray, middle, other, one);
             if (distance && (!nearest || *distance < *nearest)) {
                 nearest = distance;
                 met = &ring;

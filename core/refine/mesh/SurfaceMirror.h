@@ -17,6 +17,12 @@ struct MeshHit {
     VertexId vertex = noId; ///< the nearest of the face that was hit
 };
 
+/// Which side of its faces a ray may meet.
+enum class FaceSides {
+    Outer, ///< the outside alone, as of a closed surface that is seen from outside
+    Both, ///< the inside as well, which is seen where a part of the surface is hidden
+};
+
 /// A connected part of the surface with one mark; a red one is an error.
 struct MarkedRegion {
     glm::dvec3 middleLps{0.0}; ///< the mean of its vertices
@@ -37,11 +43,11 @@ public:
     [[nodiscard]] std::size_t faceCount() const { return m_faceCount; }
     [[nodiscard]] const SurfaceUpdate::Vertex& vertex(VertexId id) const { return m_vertices[id]; }
 
-    /// The first point of the surface that the ray meets from outside; none: it misses. Every face
-    /// is tested: 72 000 triangles take about a millisecond.
+    /// The first point of the surface that the ray meets; none: it misses. Every face is tested:
+    /// 72 000 triangles take about a millisecond.
     /// @param directionLps of length 1
-    [[nodiscard]] std::optional<MeshHit> hit(
-        const glm::dvec3& fromLps, const glm::dvec3& directionLps) const;
+    [[nodiscard]] std::optional<MeshHit> hit(const glm::dvec3& fromLps,
+        const glm::dvec3& directionLps, FaceSides sides = FaceSides::Outer) const;
     /// The nearest vertex; noId if there is none.
     [[nodiscard]] VertexId nearestVertex(const glm::dvec3& placeLps) const;
     /// Largest area first, then by their least vertex.

@@ -24,6 +24,7 @@
 #include <QMenu>
 #include <QSignalBlocker>
 #include <QSlider>
+#include <QStandardItemModel>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -35,6 +36,7 @@ namespace ui {
 namespace {
 
 constexpr int mostPieceRows = 5;
+constexpr int wholeEntry = 1; // of the colours; before it "As volume", after it the presets
 
 QDoubleSpinBox* numberBox(QWidget* parent, double reach, int decimals, const QString& name)
 {
@@ -254,6 +256,7 @@ void PiecesPanel::showMaps()
         for (const TransferPreset& preset : transferPresets(*volume))
             m_map->addItem(preset.name);
     }
+    showPiece(); // what it chooses of them
 }
 
 void PiecesPanel::showPiece()
@@ -279,7 +282,10 @@ void PiecesPanel::showPiece()
     const core::Segment* segment = m_workspace.session()->document().segment(piece->segment);
     m_colour->setColour(QColor(QRgb(look.rgb.value_or(segment ? segment->rgb : 0xFFFFFFU))));
     m_plain->setEnabled(look.rgb.has_value());
-    int map = segment && !look.tissue ? 1 : 0;
+    // Only a segment has a body to be whole; what was cut out is always shown by its values.
+    if (const auto* entries = qobject_cast<const QStandardItemModel*>(m_map->model()))
+        entries->item(wholeEntry)->setEnabled(segment != nullptr);
+    int map = segment && !look.tissue ? wholeEntry : 0;
     if (!look.map.points.empty()) {
         const std::vector<TransferPreset> presets = transferPresets(*m_workspace.volume());
         for (std::size_t i = 0; i < presets.size(); ++i) {
@@ -321,7 +327,7 @@ void PiecesPanel::takeLook()
     PieceLook look = m_workspace.pieces().look(piece->id);
     look.opacity = m_opacity->value() / 100.0;
     const int map = m_map->currentIndex();
-    look.tissue = map != 1;
+    look.tissue = map != wholeEntry;
     look.map = {};
     if (map >= 2)
         look.map = transferPresets(*m_workspace.volume())[std::size_t(map - 2)].function;

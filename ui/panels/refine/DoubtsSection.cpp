@@ -44,6 +44,7 @@ DoubtsSection::DoubtsSection(Workspace& workspace, QWidget* parent)
     m_look->setToolTip(
         tr("Where yellow follows the mask though grey values show no edge, and where "
            "green or red stands off the mask. Nothing is marked by itself"));
+    m_found->setObjectName(QStringLiteral("doubtsFound"));
     m_found->setFont(theme::smallFont());
     m_found->setProperty("role", QStringLiteral("secondary"));
     m_list->setObjectName(QStringLiteral("surfaceDoubts"));
@@ -58,10 +59,7 @@ DoubtsSection::DoubtsSection(Workspace& workspace, QWidget* parent)
     layout->addLayout(row);
     layout->addWidget(m_list);
 
-    connect(m_look, &QPushButton::clicked, this, [this] {
-        m_looked = true;
-        m_doubts.look();
-    });
+    connect(m_look, &QPushButton::clicked, this, [this] { m_doubts.look(); });
     connect(&m_doubts, &SurfaceDoubts::changed, this, &DoubtsSection::show);
     connect(&m_doubts, &SurfaceDoubts::failed, &workspace, &Workspace::fail);
     const auto fly = [this](QListWidgetItem* item) {
@@ -86,9 +84,8 @@ void DoubtsSection::show()
     m_list->setFixedHeight(
         rowHeight * std::clamp(m_list->count(), 1, mostDoubtRows) + 2 * m_list->frameWidth());
     m_look->setEnabled(!m_doubts.isLooking());
-    m_found->setText(m_doubts.isLooking() ? tr("looking …")
-            : m_looked && all.empty()     ? tr("none")
-                                          : QString());
+    const bool isClear = m_doubts.hasFound() && all.empty();
+    m_found->setText(m_doubts.isLooking() ? tr("looking …") : isClear ? tr("none") : QString());
 }
 
 } // namespace ui

@@ -29,7 +29,6 @@ private:
     QPushButton* m_look = nullptr;
     QLabel* m_found = nullptr;
     QListWidget* m_list = nullptr;
-    bool m_looked = false;
 };
 
 } // namespace ui

@@ -8,6 +8,9 @@
 #include "core/edits/kinds/surface/SmoothSurface.h"
 #include "core/edits/kinds/surface/SpherePush.h"
 #include "core/edits/kinds/surface/SurfacePath.h"
+#include "core/measure/MeasuredSize.h"
+#include "core/refine/mesh/ShownSurface.h"
+#include "core/volume/ClipRegion.h"
 #include "ui/base/NumberText.h"
 #include "ui/tools/aim/CursorLabel.h"
 #include "ui/tools/common/PenPressure.h"
@@ -31,6 +34,20 @@ glm::dvec3 forwardOf(const ViewContext& view)
 {
     const auto& scene = std::get<gpu::VolumeScene>(view.scene);
     return glm::normalize(scene.targetLps - scene.eyeLps);
+}
+
+/// What clipping leaves of the surface in the 3D view, in index space; empty: it hides nothing.
+std::vector<core::HalfSpace> seenSides(
+    const gpu::VolumeScene& scene, const core::VolumeGeometry& geometry)
+{
+    std::vector<core::HalfSpace> sides = core::halfSpaces(scene.clip, geometry);
+    if (scene.surface) {
+        core::ClipRegion own;
+        own.planes[0] = scene.surface->clip;
+        const std::vector<core::HalfSpace> more = core::halfSpaces(own, geometry);
+        sides.insert(sides.end(), more.begin(), more.end());
+    }
+    return sides;
 }
 
 /// Whether a tool has an opposite, which Ctrl and the pen's eraser end choose. A drag goes either
@@ -169,8 +186,25 @@ bool RefineTool::isInverse(const PointerSample& sample) const
 std::optional<core::MeshHit> RefineTool::hitAt(
     const core::SurfaceMirror& surface, const ViewContext& view, const QPointF& pixel) const
 {
+    const auto& scene = std::get<gpu::VolumeScene>(view.scene);
+    const core::VolumeGeometry& geometry = m_workspace.volume()->geometry;
     const glm::dvec3 forward = forwardOf(view);
-    return surface.hit(view.toLps(pixel) - farMm * forward, forward);
+    const glm::dvec3 from = view.toLps(pixel) - farMm * forward;
+    const std::vector<core::HalfSpace> seen = seenSides(scene, geometry);
+    if (seen.empty())
+        return surface.hit(from, forward);
+    const glm::dvec3 origin = geometry.toIndex(from);
+    const glm::dvec3 perMm = geometry.toIndex(from + forward) - origin;
+    const auto stretch = core::stretchInside({.from = 0.0, .to = 2.0 * farMm}, origin, perMm, seen);
+    if (!stretch)
+        return std::nullopt;
+    // Where the near side is hidden, the far one is seen from within.
+    std::optional<core::MeshHit> hit =
+        surface.hit(from + stretch->from * forward, forward, core::FaceSides::Both);
+    if (!hit || stretch->from + hit->distanceMm > stretch->to)
+        return std::nullopt;
+    hit->distanceMm += stretch->from;
+    return hit;
 }
 
 std::optional<glm::dvec3> RefineTool::placeOf(Stroke& stroke, const PointerSample& sample) const
@@ -202,8 +236,9 @@ std::optional<glm::dvec3> RefineTool::placeOf(Stroke& stroke, const PointerSampl
 
 core::Edit RefineTool::editOf(const Stroke& stroke, const glm::dvec3& placeLps) const
 {
+    const core::VolumeGeometry& geometry = m_workspace.volume()->geometry;
     core::SurfacePath path{.radiusMm = stroke.settings.radiusMm,
-        .pointsLps = {placeLps},
+        .pointsLps = {core::truePlace(geometry, placeLps)},
         .rules = core::newestSurfaceRules};
     if (stroke.isPressed)
         path.pressures = std::vector<double>{stroke.lastPressure};
@@ -215,11 +250,12 @@ core::Edit RefineTool::editOf(const Stroke& stroke, const glm::dvec3& placeLps) 
     case Refinement::Mode::Sphere:
         return core::SpherePush{.path = path};
     case Refinement::Mode::Scrape: {
-        const core::VertexId near = stroke.surface.nearestVertex(placeLps);
-        glm::dvec3 normal = stroke.surface.vertex(near).normalLps;
+        const auto& near = stroke.surface.vertex(stroke.surface.nearestVertex(placeLps));
+        glm::dvec3 normal = core::trueNormal(geometry, near.positionLps, near.normalLps);
         std::optional<glm::dvec3> across;
         if (const auto* slice = std::get_if<gpu::SliceScene>(&stroke.view.scene)) {
-            across = glm::cross(slice->rightLps, slice->downLps);
+            across =
+                core::trueNormal(geometry, placeLps, glm::cross(slice->rightLps, slice->downLps));
             normal -= glm::dot(normal, *across) * *across;
         }
         const double length = glm::length(normal);
@@ -284,7 +320,8 @@ void RefineTool::drag(const PointerSample& sample, const ViewContext& view)
     const double pressure = pressedShare(sample);
     const bool widens = m_stroke->isPressed && pressesHarder(pressure, m_stroke->lastPressure);
     if (place && (*place != m_stroke->last || widens)) {
-        m_workspace.session()->extend(core::PathPoints{.pointsLps = {*place},
+        const glm::dvec3 truth = core::truePlace(m_workspace.volume()->geometry, *place);
+        m_workspace.session()->extend(core::PathPoints{.pointsLps = {truth},
             .pressures =
                 m_stroke->isPressed ? std::vector<double>{pressure} : std::vector<double>()});
         m_stroke->last = *place;

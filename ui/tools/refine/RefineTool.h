@@ -15,11 +15,14 @@ namespace ui {
 /// it back. For a template it draws contours on slices of any orientation, which become an edit
 /// when they are applied.
 ///
-/// On a slice the tool is at the pen. In the 3D view it follows the surface as it was at pen-down.
+/// On a slice the tool is at the pen. In the 3D view it follows the surface as it was at pen-down,
+/// as far as it is seen: what clipping hides is not there.
 /// The centre of the sphere then lies half its radius outside of the surface and pushes inwards;
 /// with Ctrl it lies inside and pushes outwards. On a slice the sphere lies at the mirror image of
 /// the pen about the surface with Ctrl, so that it pushes the other way there, too; and the scraper
 /// fills up to its plane. Ctrl does nothing to tools without an opposite.
+///
+/// Places are those that views show until they become part of an edit, which has the true ones.
 class RefineTool : public CursorTool {
     Q_OBJECT
 
@@ -65,8 +68,10 @@ private:
         Stroke& stroke, const PointerSample& sample) const;
     /// Whether Ctrl, or the pen's eraser end, is held where it does the opposite.
     [[nodiscard]] bool isInverse(const PointerSample& sample) const;
+    /// What is seen of the surface at a pixel of the 3D view; its distance is along the view.
     [[nodiscard]] std::optional<core::MeshHit> hitAt(
         const core::SurfaceMirror& surface, const ViewContext& view, const QPointF& pixel) const;
+    /// @param placeLps as views show it
     [[nodiscard]] core::Edit editOf(const Stroke& stroke, const glm::dvec3& placeLps) const;
     [[nodiscard]] QColor colour() const;
     void endContour();

@@ -46,6 +46,25 @@ private Q_SLOTS:
         QVERIFY(!mirror.hit({0.0, 0.0, 50.0}, glm::dvec3(0.0, 0.0, 1.0)));
     }
 
+    /// Where a part of the surface is hidden one sees its inside.
+    void raysMeetTheInsideWhereTheyAreAskedTo()
+    {
+        SurfaceMirror mirror;
+        mirror.take(wholeUpdate(ball()));
+        const glm::dvec3 upwards(0.0, 0.0, 1.0);
+        const std::optional<MeshHit> hit = mirror.hit({3.0, 2.0, 0.0}, upwards, FaceSides::Both);
+        QVERIFY(hit);
+        QVERIFY(std::abs(glm::length(hit->placeLps) - 10.0) < 0.2);
+        QVERIFY(hit->placeLps.z > 0.0);
+        QVERIFY(hit->normalLps.z > 0.5); // outwards all the same
+        // From outside it is the same face as ever.
+        const glm::dvec3 above(3.0, 2.0, 50.0);
+        const std::optional<MeshHit> outer = mirror.hit(above, -upwards);
+        const std::optional<MeshHit> both = mirror.hit(above, -upwards, FaceSides::Both);
+        QVERIFY(outer && both);
+        QCOMPARE(both->placeLps, outer->placeLps);
+    }
+
     void partsAreTakenIn()
     {
         SimplexMesh mesh = ball();

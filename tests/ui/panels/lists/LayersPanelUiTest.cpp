@@ -7,6 +7,7 @@
 #include "core/edits/kinds/pieces/CutPiece.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/fixtures/WindowFixture.h"
+#include "tests/support/fixtures/WorkspaceFixture.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/SmallStudy.h"
 #include "ui/frame/PanelColumn.h"
@@ -15,6 +16,7 @@
 #include "ui/panels/lists/LayerDelegate.h"
 #include "ui/tools/sculpt/DrillTool.h"
 #include "ui/views/ViewGrid.h"
+#include "ui/workspace/CuttingPlane.h"
 #include "ui/workspace/LayerActions.h"
 #include "ui/workspace/LayerLooks.h"
 
@@ -24,6 +26,10 @@
 #include <QSlider>
 #include <QToolButton>
 #include <QtTest>
+
+#include <array>
+#include <optional>
+#include <utility>
 
 namespace layersPanelUiTest {
 
@@ -185,6 +191,43 @@ private Q_SLOTS:
         ui::removeLayer(fixture.workspace, 3);
         QVERIFY(fixture.session().settle());
         QCOMPARE(fixture.workspace.activeLayer(), 2);
+    }
+
+    /// What the cutting plane hides in the 3D view is not seen, and gets no segment.
+    void whatThePlaneHidesIsNotSeen()
+    {
+        test::WindowFixture fixture(test::smallHead::volume());
+        ui::Workspace::VolumeDisplay display = fixture.workspace.volumeDisplay();
+        display.mode = gpu::RenderMode::Surface;
+        display.surfaceThreshold = 300.0; // the bone
+        fixture.workspace.setVolumeDisplay(display);
+        ui::CuttingPlane& plane = fixture.workspace.plane();
+        const ui::CuttingPlane::Pose pose = plane.pose(); // axial, between the middle slices
+        const auto sides = [&](int label) {
+            std::pair<int, int> count; // of voxels above and below the plane
+            for (const std::array<int, 3>& voxel : fixture.voxels(label)) {
+                const glm::dvec3 place = fixture.place({voxel[0], voxel[1], voxel[2]});
+                const bool above = glm::dot(place - pose.centreLps, pose.normalLps()) < 0.0;
+                ++(above ? count.first : count.second);
+            }
+            return count;
+        };
+        const auto isSeen = [&] {
+            ui::segmentWhatIsSeen(fixture.workspace, std::nullopt);
+            return fixture.session().settle().has_value();
+        };
+        plane.setLook({.shown = true, .clipsAbove = true});
+        QVERIFY(isSeen());
+        const std::pair<int, int> half = sides(fixture.workspace.activeSegment());
+        QCOMPARE(half.first, 0);
+        QVERIFY(half.second > 1000);
+        QVERIFY(fixture.session().undo());
+        QVERIFY(fixture.session().settle());
+        plane.setLook({.shown = true, .clipsAbove = false});
+        QVERIFY(isSeen());
+        const std::pair<int, int> whole = sides(fixture.workspace.activeSegment());
+        QVERIFY(whole.first > 1000);
+        QCOMPARE(whole.second, half.second);
     }
 
     void followsUndo()

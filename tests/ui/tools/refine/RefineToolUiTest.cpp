@@ -733,6 +733,8 @@ private Q_SLOTS:
         fixture.lay();
         auto* look = fixture.panel.findChild<QPushButton*>(QStringLiteral("lookForDoubts"));
         auto* list = fixture.panel.findChild<QListWidget*>(QStringLiteral("surfaceDoubts"));
+        const auto* state = fixture.panel.findChild<QLabel*>(QStringLiteral("doubtsFound"));
+        const auto isToldNone = [&] { return state->text() == QStringLiteral("none"); };
         const auto found = [&] {
             fixture.session().poll();
             QCoreApplication::processEvents();
@@ -742,10 +744,13 @@ private Q_SLOTS:
         // but that is so everywhere.
         fixture.apply(core::MarkSurface{.mark = SurfaceMark::Green,
             .path = {.radiusMm = 6.0, .pointsLps = {glm::dvec3(radius, 0.0, 0.0)}}});
+        QVERIFY(!isToldNone());
         look->click();
         QVERIFY(!look->isEnabled());
+        QVERIFY(!isToldNone());
         QTRY_VERIFY(found());
         const int before = list->count();
+        QCOMPARE(isToldNone(), before == 0);
         // The segment grows under what is green.
         fixture.apply(test::paintAt(1, {glm::dvec3(radius + 1.0, 0.0, 0.0)}, 7.0));
         const std::size_t green = fixture.marked(SurfaceMark::Green);
@@ -761,6 +766,9 @@ private Q_SLOTS:
         fixture.refinement().drop();
         fixture.settle();
         QCOMPARE(list->count(), 0);
+        QVERIFY(!isToldNone()); // nothing was looked at
+        look->click();
+        QVERIFY(!isToldNone());
     }
 
     void contoursOnTwoPlanesMakeATemplate()
