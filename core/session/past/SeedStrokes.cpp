@@ -39,9 +39,9 @@ struct SegmentOfSeeds {
         return std::nullopt;
     }
     template <class E>
-    requires isOneOf<E, BrushStroke, CombineSegments, DrillStroke, FillOutline, ImportMask,
-        InvertSegment, LaserStroke, LayerToSegment, MergeLayers, PeelCut, RemoveLayer,
-        RemoveSegment, ScissorsCut, SegmentScissors, SegmentSeen, SegmentToLayer, ThresholdSegment>
+    requires isOneOf<E, BrushStroke, CombineSegments, DrillStroke, FillOutline, InvertSegment,
+        LaserStroke, LayerToSegment, MergeLayers, PeelCut, RemoveLayer, RemoveSegment, ScissorsCut,
+        SegmentScissors, SegmentSeen, SegmentToLayer, ThresholdSegment>
         Found operator()(const E&) const
     {
         static_assert(!isGrowthKind<E>);
