@@ -109,6 +109,7 @@ struct WebConnection::Parts {
     QByteArray authorization;
     QSslConfiguration tls;
     QNetworkAccessManager manager;
+    int lastStatus = 0;
 };
 
 /// Of one try.
@@ -162,6 +163,11 @@ WebConnection::~WebConnection() = default;
 const WebNode& WebConnection::node() const
 {
     return m_parts->node;
+}
+
+int WebConnection::lastStatus() const
+{
+    return m_parts->lastStatus;
 }
 
 /// One question and its answer.
@@ -345,6 +351,7 @@ Result<WebAnswer> WebConnection::exchange(const QByteArray& path, const QByteArr
     int pauseMs = node.firstPauseMs;
     for (int retry = 0;; ++retry) {
         const Outcome outcome = Exchange(*m_parts, sink).run(path, accept, file);
+        m_parts->lastStatus = outcome.answer.status;
         const bool again = outcome.mayPassAway && retry < node.retries
             && (repeatable || !outcome.began) && !(file && outcome.error);
         if (again) {

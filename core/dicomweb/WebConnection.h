@@ -64,6 +64,8 @@ public:
     /// Waits before another attempt. Errors: Cancelled.
     [[nodiscard]] Result<void> pause(int milliseconds) const;
     [[nodiscard]] const WebNode& node() const;
+    /// The status of the last answer, whether success or not; 0: none came.
+    [[nodiscard]] int lastStatus() const;
 
     struct Parts;
     explicit WebConnection(std::unique_ptr<Parts> parts);

@@ -32,11 +32,21 @@ Result<void> fetch(WebConnection& connection, const QByteArray& path, WebIntake&
 }
 
 /// Whatever of a series is still missing.
+/// @param unlisted grows by what the server counts, does not list, and did not send
 Result<void> fetchSeries(WebConnection& connection, const QString& studyUid,
-    const RetrievePlan::Series& series, WebIntake& intake)
+    const RetrievePlan::Series& series, WebIntake& intake, qsizetype& unlisted)
 {
     const QByteArray path = pathOfSeries(studyUid, series.seriesUid);
     const auto isMissing = [&](const QString& uid) { return intake.missing().contains(uid); };
+    if (!series.isListed()) {
+        const int before = intake.accepted();
+        if (Result<void> fetched = fetch(connection, path, intake); !fetched)
+            return fetched;
+        const qsizetype awaited =
+            std::count_if(series.missing.begin(), series.missing.end(), isMissing);
+        unlisted += std::max<qsizetype>(0, series.counted - (intake.accepted() - before) - awaited);
+        return {};
+    }
     const bool isWhole =
         series.asWhole() && std::all_of(series.missing.begin(), series.missing.end(), isMissing);
     if (isWhole)
@@ -52,14 +62,17 @@ Result<void> fetchSeries(WebConnection& connection, const QString& studyUid,
     return {};
 }
 
-Result<void> fetchAll(WebConnection& connection, const RetrievePlan& plan, WebIntake& intake)
+Result<void> fetchAll(
+    WebConnection& connection, const RetrievePlan& plan, WebIntake& intake, qsizetype& unlisted)
 {
+    unlisted = 0;
     std::optional<Error> none;
     bool lacksUnlisted = false;
     for (const RetrievePlan::Series& series : plan.series) {
-        if (!series.instances.empty() && series.missing.isEmpty())
+        if (series.isHere())
             continue;
-        const Result<void> fetched = fetchSeries(connection, plan.studyUid, series, intake);
+        const Result<void> fetched =
+            fetchSeries(connection, plan.studyUid, series, intake, unlisted);
         if (fetched)
             continue;
         if (fetched.error().code != ErrorCode::NodeHasNone)
@@ -67,7 +80,7 @@ Result<void> fetchAll(WebConnection& connection, const RetrievePlan& plan, WebIn
         // The other series come nevertheless.
         if (!none)
             none = fetched.error();
-        lacksUnlisted = lacksUnlisted || series.instances.empty();
+        lacksUnlisted = lacksUnlisted || !series.isListed();
     }
     // What is missing of listed series the intake knows, and counts.
     if (none && (lacksUnlisted || intake.received() == 0))
@@ -76,14 +89,15 @@ Result<void> fetchAll(WebConnection& connection, const RetrievePlan& plan, WebIn
 }
 
 /// Takes a connection that ended up again, as long as that brings something.
-Result<void> fetchPatiently(WebConnection& connection, const RetrievePlan& plan, WebIntake& intake)
+Result<void> fetchPatiently(
+    WebConnection& connection, const RetrievePlan& plan, WebIntake& intake, qsizetype& unlisted)
 {
     const WebNode& node = connection.node();
     int retries = 0;
     int pauseMs = node.firstPauseMs;
     for (;;) {
         const int before = intake.received();
-        Result<void> fetched = fetchAll(connection, plan, intake);
+        Result<void> fetched = fetchAll(connection, plan, intake, unlisted);
         if (fetched || fetched.error().code != ErrorCode::NodeLost)
             return fetched;
         if (intake.received() > before) {
@@ -98,10 +112,11 @@ Result<void> fetchPatiently(WebConnection& connection, const RetrievePlan& plan,
     }
 }
 
-/// @param total of objects; 0: nobody could list them before
-tl::unexpected<Error> incomplete(const WebNode& node, const WebIntake& intake, qsizetype total)
+/// @param total of objects; 0: nobody could list or count them before
+tl::unexpected<Error> incomplete(
+    const WebNode& node, const WebIntake& intake, qsizetype unlisted, qsizetype total)
 {
-    const qsizetype missing = std::max<qsizetype>(1, intake.missing().size());
+    const qsizetype missing = std::max<qsizetype>(1, intake.missing().size() + unlisted);
     Error error{ErrorCode::TransferIncomplete,
         {node.name(),
             total > 0 ? QStringLiteral("%1 of %2").arg(missing).arg(total)
@@ -116,16 +131,19 @@ tl::unexpected<Error> incomplete(const WebNode& node, const WebIntake& intake, q
 Result<Retrieved> retrieve(
     const WebNode& node, const RetrieveWish& wish, const QString& target, const Progress& progress)
 {
-    return retrieveInto(target, listingOf(node, progress), wish,
+    return retrieveInto(target, listingOf(node, progress, true), wish,
         [&](const RetrievePlan& plan, const DownloadFolder& folder) -> Result<int> {
             Result<WebConnection> connection = WebConnection::open(node, progress);
             if (!connection)
                 return tl::unexpected<Error>(connection.error());
             WebIntake intake(folder, plan.missing(), !plan.isKnown(), node.name(), progress);
-            if (const Result<void> fetched = fetchPatiently(*connection, plan, intake); !fetched)
+            qsizetype unlisted = 0;
+            const Result<void> fetched = fetchPatiently(*connection, plan, intake, unlisted);
+            if (!fetched)
                 return tl::unexpected<Error>(fetched.error());
-            if (!intake.missing().isEmpty() || intake.refusal() || intake.received() == 0)
-                return incomplete(node, intake, plan.isKnown() ? plan.instances().size() : 0);
+            if (!intake.missing().isEmpty() || unlisted > 0 || intake.refusal()
+                || intake.received() == 0)
+                return incomplete(node, intake, unlisted, plan.total());
             return intake.received();
         });
 }

@@ -40,6 +40,9 @@ private Q_SLOTS:
     void storageWithoutTheWord_data();
     void storageWithoutTheWord();
     void pagesHaveALimit();
+    void pagesWithoutAnOffset();
+    void listsThatAreCut_data();
+    void listsThatAreCut();
 
 private:
     [[nodiscard]] static core::WebNode node(const test::WebServer& server);
@@ -237,6 +240,66 @@ void DicomWebHabitsTest::pagesHaveALimit()
         node(server), QStringLiteral("1.2"), QStringLiteral("1.2.3"), core::Progress());
     VERIFY_DONE(instances);
     QCOMPARE(instances->size(), std::size_t(450));
+    // A search that wants so many asks for the long page once.
+    const auto questions = server.questions();
+    const auto isLong = [](const QByteArray& line) { return line.contains("limit=1000&"); };
+    QCOMPARE(std::count_if(questions.begin(), questions.end(), isLong), 2);
+}
+
+/// A server that knows no offset gives its first page again and again: all is on it, if it is long.
+void DicomWebHabitsTest::pagesWithoutAnOffset()
+{
+    const test::WebServer server([&](const QByteArray& line, const QByteArray&) {
+        const QByteArray limit = line.mid(line.indexOf("limit=") + 6).split('&').front();
+        QByteArrayList entries;
+        for (int i = 0; i < std::min(limit.toInt(), 450); ++i) {
+            entries.append(
+                R"({"00080018":{"vr":"UI","Value":["1.2.)" + QByteArray::number(i) + R"("]}})");
+        }
+        return WebReply{.body = "[" + entries.join(',') + "]"};
+    });
+    const auto instances = core::findInstances(
+        node(server), QStringLiteral("1.2"), QStringLiteral("1.2.3"), core::Progress());
+    VERIFY_DONE(instances);
+    QCOMPARE(instances->size(), std::size_t(450));
+}
+
+void DicomWebHabitsTest::listsThatAreCut_data()
+{
+    QTest::addColumn<int>("counted");
+    QTest::addColumn<QString>("missing");
+    QTest::newRow("fewer are listed than there are") << 3 << QString();
+    QTest::newRow("fewer come than are counted") << 5 << QStringLiteral("2 of 5");
+}
+
+/// Where a series has more objects than its list, it is fetched as a whole, and must be whole.
+void DicomWebHabitsTest::listsThatAreCut()
+{
+    QFETCH(int, counted);
+    QFETCH(QString, missing);
+    const test::WebServer server([&](const QByteArray& line, const QByteArray&) {
+        if (line.contains("/series?") && line.contains("offset=0")) {
+            return WebReply{.body = R"([{"0020000E":{"vr":"UI","Value":[")"
+                    + m_listed.seriesUid.toLatin1() + R"("]},"00201209":{"vr":"IS","Value":[)"
+                    + QByteArray::number(counted) + "]}}]"};
+        }
+        if (line.contains("/instances?")) {
+            return WebReply{.body = R"([{"00080018":{"vr":"UI","Value":[")"
+                    + m_first->objects().firstKey() + R"("]}}])"};
+        }
+        return m_first->answer(line);
+    });
+    const auto got = getStudy(server);
+    if (missing.isEmpty()) {
+        VERIFY_DONE(got);
+        QCOMPARE(got->received, 3);
+        QCOMPARE(got->kept, 0);
+        QCOMPARE(QDir(target()).entryList({QStringLiteral("*.dcm")}, QDir::Files).size(), 3);
+        return;
+    }
+    VERIFY_ERROR(got, ErrorCode::TransferIncomplete);
+    QCOMPARE(got.error().arguments.value(1).english(), missing);
+    QVERIFY(!QFileInfo::exists(target()));
 }
 
 BURIN_TEST(DicomWebHabitsTest)
