@@ -25,6 +25,9 @@ Result<RetrievePlan> RetrievePlan::make(const Listing& listing, const RetrieveWi
             listing.instances(wish.studyUid, hit.seriesUid);
         if (!instances)
             return tl::unexpected<Error>(instances.error());
+        // Some list series of which they have nothing any more.
+        if (instances->empty() && hit.instances == 0)
+            continue;
         Series one{.seriesUid = hit.seriesUid,
             .counted = listing.hasPages ? hit.instances : -1,
             .instances = std::move(*instances),

@@ -36,6 +36,8 @@ private Q_SLOTS:
     void unlistedSeries_data();
     void unlistedSeries();
     void listedSeriesThatIsNotThere();
+    void seriesWithoutObjects_data();
+    void seriesWithoutObjects();
     void storageIsLedToALogin();
     void storageWithoutTheWord_data();
     void storageWithoutTheWord();
@@ -142,6 +144,57 @@ void DicomWebHabitsTest::listedSeriesThatIsNotThere()
     VERIFY_ERROR(got, ErrorCode::TransferIncomplete);
     QCOMPARE(got.error().arguments.value(1), QStringLiteral("3"));
     QVERIFY(!QFileInfo::exists(target()));
+}
+
+void DicomWebHabitsTest::seriesWithoutObjects_data()
+{
+    QTest::addColumn<QByteArray>("counted");
+    QTest::addColumn<int>("status");
+    QTest::addColumn<QString>("missing");
+    QTest::newRow("counted as empty")
+        << QByteArray(R"(,"00201209":{"vr":"IS","Value":[0]})") << 404 << QString();
+    QTest::newRow("not counted, no such page") << QByteArray() << 404 << QStringLiteral("1");
+    QTest::newRow("not counted, an empty answer") << QByteArray() << 204 << QStringLiteral("1");
+    QTest::newRow("counted as more")
+        << QByteArray(R"(,"00201209":{"vr":"IS","Value":[2]})") << 404 << QStringLiteral("2");
+}
+
+/// A series of which a server lists nothing, and gives nothing: it is none if it is counted so, and
+/// else it is named; the other series are here in any case.
+void DicomWebHabitsTest::seriesWithoutObjects()
+{
+    QFETCH(QByteArray, counted);
+    QFETCH(int, status);
+    QFETCH(QString, missing);
+    const test::WebServer server([&](const QByteArray& line, const QByteArray&) {
+        const bool isSecond = line.contains(m_unlisted.seriesUid.toLatin1());
+        if (isSecond && WebArchive::asksForObjects(line))
+            return WebReply{.status = status, .contentType = "text/plain"};
+        WebReply reply = answer(line, {.body = "[]"});
+        const QByteArray last = m_unlisted.seriesUid.toLatin1() + "\"]}";
+        return WebReply{
+            .contentType = reply.contentType, .body = reply.body.replace(last, last + counted)};
+    });
+    const auto got = getStudy(server);
+    if (missing.isEmpty()) {
+        VERIFY_DONE(got);
+        QCOMPARE(got->received, 3);
+        return;
+    }
+    VERIFY_ERROR(got, ErrorCode::TransferIncomplete);
+    QCOMPARE(got.error().arguments.value(1).english().section(u' ', 0, 0), missing);
+    QVERIFY2(ui::errorText(got.error()).contains(m_unlisted.seriesUid),
+        qPrintable(ui::errorText(got.error())));
+    // What came is kept, and nobody asks for it again.
+    const auto again = getStudy(server);
+    VERIFY_ERROR(again, ErrorCode::TransferIncomplete);
+    const auto questions = server.questions();
+    QCOMPARE(std::count_if(questions.begin(), questions.end(),
+                 [&](const QByteArray& line) {
+                     return WebArchive::asksForObjects(line)
+                         && line.contains(m_listed.seriesUid.toLatin1());
+                 }),
+        1);
 }
 
 /// A login that ran out: servers lead to a page where people log in, which is there.
