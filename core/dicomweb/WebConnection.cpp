@@ -218,7 +218,8 @@ QNetworkRequest WebConnection::Exchange::request(
     if (!m_parts.authorization.isEmpty())
         request.setRawHeader("Authorization", m_parts.authorization);
     // Elsewhere nobody should learn the login. What is posted and led on would become a question:
-    // its answer, a page for people to log in, would be taken for that of the storage.
+    // its answer, a page for people to log in, would be taken for that of the storage. So nothing
+    // that is posted is led on, not even where a server asks for it to be posted again (307, 308).
     request.setAttribute(QNetworkRequest::RedirectPolicyAttribute,
         m_isPost ? QNetworkRequest::ManualRedirectPolicy
                  : QNetworkRequest::SameOriginRedirectPolicy);

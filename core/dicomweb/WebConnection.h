@@ -57,7 +57,8 @@ public:
     /// the answer; otherwise only if nothing of the answer had arrived
     [[nodiscard]] Result<WebAnswer> get(const QByteArray& path, const QByteArray& accept,
         const Clause& what, WebSink& sink, bool repeatable);
-    /// Sends one file as multipart/related (PS3.18 10.5). Status 409 is returned like a success.
+    /// Sends one file as multipart/related (PS3.18 10.5). Status 409 is returned like a success, a
+    /// redirection is a failure.
     [[nodiscard]] Result<WebAnswer> postFile(
         const QByteArray& path, const QString& file, const Clause& what, WebSink& sink);
 

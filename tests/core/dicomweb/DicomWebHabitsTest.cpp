@@ -41,6 +41,7 @@ private Q_SLOTS:
     void storageIsLedToALogin();
     void storageWithoutTheWord_data();
     void storageWithoutTheWord();
+    void storageIsNamed();
     void pagesHaveALimit();
     void pagesWithoutAnOffset();
     void listsThatAreCut_data();
@@ -230,10 +231,16 @@ void DicomWebHabitsTest::storageWithoutTheWord_data()
         ErrorCode::NodeFailed);
     row("no JSON", json, "stored", ErrorCode::NodeFailed);
     row("a page for people", "text/html; charset=utf-8", "<html>", ErrorCode::NodeNonsense);
+    row("another object", json,
+        R"({"00081199":{"vr":"SQ","Value":[{"00081155":{"vr":"UI","Value":["1.2.3"]}}]}})",
+        ErrorCode::NodeFailed);
+    row("words", "text/plain", "stored", ErrorCode::NodeNonsense);
+    row("a page for people in XML", "application/xhtml+xml", "<html/>", ErrorCode::NodeNonsense);
     row("an object in a list", json, R"([{"00081199":{"vr":"SQ","Value":[{}]}}])", {});
     row("XML", "application/dicom+xml", "<NativeDicomModel/>", {});
     row("nothing at all", "application/dicom+json", "", {});
     row("nothing at all, as HTML", "text/html", "", {});
+    row("nothing but a line end", "text/plain", "\r\n", {});
 }
 
 /// HTTP 200 alone does not mean that an object was stored.
@@ -254,6 +261,22 @@ void DicomWebHabitsTest::storageWithoutTheWord()
         VERIFY_ERROR(sent, ErrorCode(expected));
         QCOMPARE(server.questions().size(), std::size_t(1));
     }
+}
+
+/// An answer that names what it stored names what was sent, whatever else is beside it.
+void DicomWebHabitsTest::storageIsNamed()
+{
+    const test::WebServer server([&](const QByteArray&, const QByteArray& question) {
+        QByteArray sent;
+        for (auto object = m_first->objects().begin(); object != m_first->objects().end(); ++object)
+            sent = question.contains(object.value()) ? object.key() : sent;
+        return WebReply{.body = R"({"00081199":{"vr":"SQ","Value":[{"00081155":{"vr":"UI",)"
+                                R"("Value":["1.2.3"]}},{"00081155":{"vr":"UI","Value":[")"
+                + sent + R"("]}}]}})"};
+    });
+    const auto sent = core::sendFiles(node(server), m_files, core::Progress());
+    VERIFY_DONE(sent);
+    QCOMPARE(sent->sent, 3);
 }
 
 /// Servers of the field refuse questions for more than 200 results.
