@@ -266,8 +266,8 @@ const Command batchCommand{.name = "batch",
         {"list", nullptr, "lists the studies, and does nothing"},
         {"table", nullptr, "writes results.csv from what is finished, and does nothing else"},
         {"force", nullptr,
-            "carries out again studies that were finished with another recipe, series, repair, "
-            "spacing or option"},
+            "carries out again what was finished with another study, recipe, series, repair, "
+            "spacing, session file or option"},
         {"with-images", nullptr,
             "puts the study's images, and with them who the patient is, into each session"},
         {"apply-elsewhere", nullptr,
