@@ -25,9 +25,9 @@ struct StudyTask {
 };
 
 /// Returns why what is finished in the task's folder was made otherwise than this task says, as a
-/// sentence: on another study, with another recipe, or with other options (another author's name
-/// changes nothing). Empty: it was not. What the record of an older batch does not tell counts as
-/// being the same.
+/// sentence: another study, recipe, series, repair, spacing, session file or option (another
+/// author's name changes nothing). Empty: it was not. What the record of an older batch does not
+/// tell counts as being the same.
 [[nodiscard]] QString whyOther(const StudyTask& task, const QJsonObject& record);
 
 /// Works on one study in a child process (`burin run`), so a crash costs this study only. The child

@@ -212,30 +212,61 @@ bool isCompanion(const QString& file)
     });
 }
 
+/// A file that says that it is DICOM, whatever its name (PS3.10 7.1).
+bool saysDicom(const QString& path)
+{
+    constexpr qint64 length = 132;
+    QFile file(path);
+    if (!file.open(QIODevice::ReadOnly))
+        return false;
+    const QByteArray beginning = file.read(length);
+    return beginning.size() == length && beginning.endsWith("DICM");
+}
+
+/// Documents of other programs are archives by their content too: the name has to say it as well.
+bool isArchiveByName(const QString& path)
+{
+    static constexpr std::array endings{".zip", ".7z", ".tar", ".tar.gz", ".tgz", ".tar.bz2",
+        ".tbz2", ".tar.xz", ".txz", ".tar.zst"};
+    return std::any_of(endings.begin(), endings.end(), [&path](const char* ending) {
+        return path.endsWith(QLatin1String(ending), Qt::CaseInsensitive);
+    }) && core::isArchive(path);
+}
+
 /// Each file and folder, but for results and for what lies beside studies. Of files that differ in
-/// their endings alone (scan.nii.gz, scan.json) those count that are volumes or archives.
-Result<std::vector<ListEntry>> entriesOfFolder(const QString& path, const QString& results)
+/// their endings alone (scan.nii.gz, scan.json) those count that are volumes, archives or DICOM.
+Result<std::vector<ListEntry>> entriesOfFolder(
+    const QString& path, const QString& results, QStringList& leftOut)
 {
     const QDir folder(path);
     const auto isVolume = [&folder](const QString& name) {
         const QString file = folder.filePath(name);
-        return QFileInfo(file).isFile() && (core::fileFormatOf(file) || core::isArchive(file));
+        return QFileInfo(file).isFile() && (core::fileFormatOf(file) || isArchiveByName(file));
     };
     const QStringList names =
         folder.entryList(QDir::Files | QDir::Dirs | QDir::NoDotAndDotDot, QDir::Name);
+    QSet<QString> volumes;
     QSet<QString> ofVolumes;
     for (const QString& name : names) {
-        if (isVolume(name))
-            ofVolumes.insert(nameOf(folder.filePath(name)));
+        if (!isVolume(name))
+            continue;
+        volumes.insert(name);
+        ofVolumes.insert(nameOf(folder.filePath(name)));
     }
     std::vector<ListEntry> entries;
     for (const QString& name : names) {
         const QString file = folder.filePath(name);
-        const bool isStudy = QFileInfo(file).isDir()
-            ? results.isEmpty() || !isOfResults(file, results)
-            : isVolume(name) || !(isCompanion(name) || ofVolumes.contains(nameOf(file)));
-        if (isStudy)
-            entries.push_back({name, {{QStringLiteral("study"), name}}});
+        if (QFileInfo(file).isDir()) {
+            if (!results.isEmpty() && isOfResults(file, results))
+                continue;
+        } else if (!volumes.contains(name)) {
+            const bool mayBelong = isCompanion(name) || ofVolumes.contains(nameOf(file));
+            if (mayBelong && !saysDicom(file)) {
+                leftOut += name;
+                continue;
+            }
+        }
+        entries.push_back({name, {{QStringLiteral("study"), name}}});
     }
     return entries;
 }
@@ -295,19 +326,24 @@ Result<std::vector<QStringList>> readTable(const QString& text, QChar between)
     return rows;
 }
 
-Result<std::vector<BatchStudy>> readStudyList(const QString& path, const QString& results)
+Result<std::vector<BatchStudy>> readStudyList(
+    const QString& path, const QString& results, QStringList* leftOut)
 {
     const QFileInfo info(path);
     if (!info.exists())
         return failure(ErrorCode::FileNotFound, path);
     const QString ending = info.suffix().toLower();
-    const Result<std::vector<ListEntry>> entries = info.isDir() ? entriesOfFolder(path, results)
-        : ending == QLatin1String("json")                       ? entriesOfJson(path)
-        : ending == QLatin1String("tsv") ? entriesOfTable(path, QLatin1Char('\t'))
+    QStringList companions;
+    const Result<std::vector<ListEntry>> entries = info.isDir()
+        ? entriesOfFolder(path, results, companions)
+        : ending == QLatin1String("json") ? entriesOfJson(path)
+        : ending == QLatin1String("tsv")  ? entriesOfTable(path, QLatin1Char('\t'))
         : ending == QLatin1String("csv")
         ? entriesOfTable(path, QLatin1Char(','))
         : failure(ErrorCode::FileUnreadable, path,
             QStringLiteral("a list of studies is a .csv, .tsv or .json file, or a folder"));
+    if (leftOut)
+        *leftOut = companions;
     if (!entries)
         return tl::unexpected(entries.error());
     if (entries->empty())

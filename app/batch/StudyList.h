@@ -6,6 +6,7 @@
 #include <QHash>
 #include <QJsonObject>
 #include <QString>
+#include <QStringList>
 
 #include <vector>
 
@@ -27,7 +28,8 @@ struct BatchStudy {
 };
 
 /// Reads the studies of a batch: from a list (CSV, TSV or JSON), or from a folder, each entry of
-/// which is a study, but for what lies beside studies by its name (scan.json, a.raw, readme.txt).
+/// which is a study, but for what lies beside studies by its name (scan.json, a.raw, readme.txt)
+/// and does not say that it is DICOM.
 ///
 /// The first line of a table has the names of the columns; JSON is a list of objects with these
 /// names as keys, or of paths. "study" is required; "name", "session", "series", "repair" and
@@ -38,8 +40,9 @@ struct BatchStudy {
 /// FolderEmpty.
 /// @param results the folder for the batch's results: the entry of a folder of studies that is it
 /// or has it inside is no study
+/// @param leftOut gets the names of files in a folder that lie beside studies
 [[nodiscard]] core::Result<std::vector<BatchStudy>> readStudyList(
-    const QString& path, const QString& results = QString());
+    const QString& path, const QString& results = QString(), QStringList* leftOut = nullptr);
 
 /// Splits a table into rows of cells, with quotes as in RFC 4180. @p between separates cells. For
 /// lists, and for statistics. Errors: InvalidField with the line, counted from 1.

@@ -38,6 +38,18 @@ std::optional<int> countOf(const Arguments& arguments, const char* option, int l
     return isNumber && number >= least && number <= 1000 ? std::optional(number) : std::nullopt;
 }
 
+/// Says which files of a folder are taken for no studies; the first of many.
+void tellLeftOut(const QStringList& names)
+{
+    constexpr qsizetype most = 20;
+    if (names.isEmpty())
+        return;
+    QString list = names.first(std::min(names.size(), most)).join(QStringLiteral(", "));
+    if (names.size() > most)
+        list += QStringLiteral(" and %1 more").arg(names.size() - most);
+    std::fprintf(stderr, "taken for no studies: %s\n", qUtf8Printable(list));
+}
+
 /// What is to be done for each study. Two studies must not export to one file.
 Result<std::vector<StudyTask>> tasksOf(const Arguments& arguments, int retries)
 {
@@ -45,8 +57,10 @@ Result<std::vector<StudyTask>> tasksOf(const Arguments& arguments, int retries)
     const Result<RecipeTemplate> recipe = RecipeTemplate::read(recipeFile);
     if (!recipe)
         return tl::unexpected(recipe.error());
+    QStringList leftOut;
     Result<std::vector<BatchStudy>> studies =
-        readStudyList(arguments.value("studies"), arguments.value("into"));
+        readStudyList(arguments.value("studies"), arguments.value("into"), &leftOut);
+    tellLeftOut(leftOut);
     if (!studies)
         return tl::unexpected(studies.error());
     QStringList options;
@@ -252,8 +266,8 @@ const Command batchCommand{.name = "batch",
         {"list", nullptr, "lists the studies, and does nothing"},
         {"table", nullptr, "writes results.csv from what is finished, and does nothing else"},
         {"force", nullptr,
-            "carries out again studies that were finished with another recipe, series, repair, "
-            "spacing or option"},
+            "carries out again what was finished with another study, recipe, series, repair, "
+            "spacing, session file or option"},
         {"with-images", nullptr,
             "puts the study's images, and with them who the patient is, into each session"},
         {"apply-elsewhere", nullptr,

@@ -109,6 +109,7 @@ struct WebConnection::Parts {
     QByteArray authorization;
     QSslConfiguration tls;
     QNetworkAccessManager manager;
+    int lastStatus = 0;
 };
 
 /// Of one try.
@@ -164,6 +165,11 @@ const WebNode& WebConnection::node() const
     return m_parts->node;
 }
 
+int WebConnection::lastStatus() const
+{
+    return m_parts->lastStatus;
+}
+
 /// One question and its answer.
 class WebConnection::Exchange {
 public:
@@ -212,7 +218,8 @@ QNetworkRequest WebConnection::Exchange::request(
     if (!m_parts.authorization.isEmpty())
         request.setRawHeader("Authorization", m_parts.authorization);
     // Elsewhere nobody should learn the login. What is posted and led on would become a question:
-    // its answer, a page for people to log in, would be taken for that of the storage.
+    // its answer, a page for people to log in, would be taken for that of the storage. So nothing
+    // that is posted is led on, not even where a server asks for it to be posted again (307, 308).
     request.setAttribute(QNetworkRequest::RedirectPolicyAttribute,
         m_isPost ? QNetworkRequest::ManualRedirectPolicy
                  : QNetworkRequest::SameOriginRedirectPolicy);
@@ -345,6 +352,7 @@ Result<WebAnswer> WebConnection::exchange(const QByteArray& path, const QByteArr
     int pauseMs = node.firstPauseMs;
     for (int retry = 0;; ++retry) {
         const Outcome outcome = Exchange(*m_parts, sink).run(path, accept, file);
+        m_parts->lastStatus = outcome.answer.status;
         const bool again = outcome.mayPassAway && retry < node.retries
             && (repeatable || !outcome.began) && !(file && outcome.error);
         if (again) {

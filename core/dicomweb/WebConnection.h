@@ -57,13 +57,16 @@ public:
     /// the answer; otherwise only if nothing of the answer had arrived
     [[nodiscard]] Result<WebAnswer> get(const QByteArray& path, const QByteArray& accept,
         const Clause& what, WebSink& sink, bool repeatable);
-    /// Sends one file as multipart/related (PS3.18 10.5). Status 409 is returned like a success.
+    /// Sends one file as multipart/related (PS3.18 10.5). Status 409 is returned like a success, a
+    /// redirection is a failure.
     [[nodiscard]] Result<WebAnswer> postFile(
         const QByteArray& path, const QString& file, const Clause& what, WebSink& sink);
 
     /// Waits before another attempt. Errors: Cancelled.
     [[nodiscard]] Result<void> pause(int milliseconds) const;
     [[nodiscard]] const WebNode& node() const;
+    /// The status of the last answer, whether success or not; 0: none came.
+    [[nodiscard]] int lastStatus() const;
 
     struct Parts;
     explicit WebConnection(std::unique_ptr<Parts> parts);

@@ -101,8 +101,9 @@ Result<void> WebIntake::endPart()
     if (Result<void> accepted = m_folder.accept(m_part.fileName(), *uid); !accepted)
         return accepted;
     m_missing.remove(*uid);
-    ++m_received;
-    m_progress.report(ProgressStep::Downloading, m_received, int(m_total));
+    m_received.insert(*uid);
+    ++m_accepted;
+    m_progress.report(ProgressStep::Downloading, received(), int(m_total));
     return {};
 }
 

@@ -26,11 +26,13 @@ public:
 
     [[nodiscard]] Result<void> begin(const WebAnswer& answer) override;
     [[nodiscard]] Result<void> take(const QByteArray& bytes) override;
-    [[nodiscard]] int wholeParts() const override { return m_received + m_unasked; }
+    [[nodiscard]] int wholeParts() const override { return m_accepted + m_unasked; }
     /// To be called after the last byte of an answer. NodeLost: the answer was incomplete.
     [[nodiscard]] Result<void> end();
 
-    [[nodiscard]] int received() const { return m_received; }
+    [[nodiscard]] int received() const { return int(m_received.size()); }
+    /// How many objects were accepted, those included that came again.
+    [[nodiscard]] int accepted() const { return m_accepted; }
     [[nodiscard]] const QSet<QString>& missing() const { return m_missing; }
     /// Why the first damaged object was dropped.
     [[nodiscard]] const std::optional<Error>& refusal() const { return m_refusal; }
@@ -49,7 +51,8 @@ private:
     const Progress& m_progress;
     std::optional<MultipartReader> m_reader; ///< none: the answer is a single object
     QFile m_part;
-    int m_received = 0;
+    QSet<QString> m_received;
+    int m_accepted = 0;
     int m_unasked = 0;
     std::optional<Error> m_refusal;
 };

@@ -49,8 +49,20 @@ private:
     QByteArray m_query;
 };
 
+/// Servers that give pages give as much at a time.
+constexpr int usualPage = 1000;
+/// As much as they let themselves be asked for where they refuse the usual number.
+constexpr int smallPage = 200;
+
+/// Whether a server may have refused the length of a page: it finds the request bad, or too large.
+bool mayBeTooLong(int status)
+{
+    return status == 400 || status == 413;
+}
+
 /// Asks page by page, since a server may give fewer than it is asked for, and hands over what is
-/// new, of bounded number. @param take whether it wants more
+/// new, of bounded number. Pages are long as long as the server allows that, since one that knows
+/// none gives the first page only. @param take whether it wants more
 Result<void> ask(WebConnection& connection, const Question& question, const char* uidTag,
     int pageSize, const std::function<bool(const JsonAnswer&)>& take)
 {
@@ -60,6 +72,10 @@ Result<void> ask(WebConnection& connection, const Question& question, const char
         JsonSink sink(name, false);
         const Result<WebAnswer> answer = connection.get(question.page(pageSize, offset),
             "application/dicom+json", Clause::saying("the search"), sink, true);
+        if (!answer && pageSize > smallPage && mayBeTooLong(connection.lastStatus())) {
+            pageSize = smallPage;
+            continue;
+        }
         if (!answer)
             return tl::unexpected<Error>(answer.error());
         if (answer->status == 204 || sink.bytes().isEmpty())
@@ -95,9 +111,6 @@ QByteArray pathOf(const QString& studyUid, const QString& seriesUid = {})
         path += "/" + seriesUid.toLatin1() + "/instances";
     return path;
 }
-
-/// Servers may refuse to be asked for more at a time.
-constexpr int usualPage = 200;
 
 } // namespace
 

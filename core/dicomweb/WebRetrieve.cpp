@@ -31,11 +31,36 @@ Result<void> fetch(WebConnection& connection, const QByteArray& path, WebIntake&
     return intake.end();
 }
 
+/// What did not come and the intake does not await, since it is not listed.
+struct Unlisted {
+    qsizetype objects = 0; ///< at least
+    QString series; ///< the first of which nothing came
+};
+
+/// A series that is not listed completely.
+Result<void> fetchUnlisted(WebConnection& connection, const QByteArray& path,
+    const RetrievePlan::Series& series, WebIntake& intake, Unlisted& missing)
+{
+    const int before = intake.accepted();
+    Result<void> fetched = fetch(connection, path, intake);
+    if (!fetched && fetched.error().code != ErrorCode::NodeHasNone)
+        return fetched;
+    const int came = intake.accepted() - before;
+    const qsizetype awaited = std::count_if(series.missing.begin(), series.missing.end(),
+        [&](const QString& uid) { return intake.missing().contains(uid); });
+    missing.objects += std::max<qsizetype>(came == 0 ? 1 : 0, series.counted - came - awaited);
+    if (came == 0 && missing.series.isEmpty())
+        missing.series = series.seriesUid;
+    return fetched;
+}
+
 /// Whatever of a series is still missing.
 Result<void> fetchSeries(WebConnection& connection, const QString& studyUid,
-    const RetrievePlan::Series& series, WebIntake& intake)
+    const RetrievePlan::Series& series, WebIntake& intake, Unlisted& missing)
 {
     const QByteArray path = pathOfSeries(studyUid, series.seriesUid);
+    if (!series.isListed())
+        return fetchUnlisted(connection, path, series, intake, missing);
     const auto isMissing = [&](const QString& uid) { return intake.missing().contains(uid); };
     const bool isWhole =
         series.asWhole() && std::all_of(series.missing.begin(), series.missing.end(), isMissing);
@@ -52,14 +77,16 @@ Result<void> fetchSeries(WebConnection& connection, const QString& studyUid,
     return {};
 }
 
-Result<void> fetchAll(WebConnection& connection, const RetrievePlan& plan, WebIntake& intake)
+Result<void> fetchAll(
+    WebConnection& connection, const RetrievePlan& plan, WebIntake& intake, Unlisted& missing)
 {
+    missing = {};
     std::optional<Error> none;
-    bool lacksUnlisted = false;
     for (const RetrievePlan::Series& series : plan.series) {
-        if (!series.instances.empty() && series.missing.isEmpty())
+        if (series.isHere())
             continue;
-        const Result<void> fetched = fetchSeries(connection, plan.studyUid, series, intake);
+        const Result<void> fetched =
+            fetchSeries(connection, plan.studyUid, series, intake, missing);
         if (fetched)
             continue;
         if (fetched.error().code != ErrorCode::NodeHasNone)
@@ -67,23 +94,27 @@ Result<void> fetchAll(WebConnection& connection, const RetrievePlan& plan, WebIn
         // The other series come nevertheless.
         if (!none)
             none = fetched.error();
-        lacksUnlisted = lacksUnlisted || series.instances.empty();
     }
-    // What is missing of listed series the intake knows, and counts.
-    if (none && (lacksUnlisted || intake.received() == 0))
+    const bool isPartlyHere = intake.received() > 0
+        || std::any_of(plan.series.begin(), plan.series.end(), [](const auto& series) {
+               return std::size_t(series.missing.size()) < series.instances.size();
+           });
+    // What of it is missing where some is here, intake and @p missing know.
+    if (none && !isPartlyHere)
         return tl::unexpected<Error>(*none);
     return {};
 }
 
 /// Takes a connection that ended up again, as long as that brings something.
-Result<void> fetchPatiently(WebConnection& connection, const RetrievePlan& plan, WebIntake& intake)
+Result<void> fetchPatiently(
+    WebConnection& connection, const RetrievePlan& plan, WebIntake& intake, Unlisted& missing)
 {
     const WebNode& node = connection.node();
     int retries = 0;
     int pauseMs = node.firstPauseMs;
     for (;;) {
         const int before = intake.received();
-        Result<void> fetched = fetchAll(connection, plan, intake);
+        Result<void> fetched = fetchAll(connection, plan, intake, missing);
         if (fetched || fetched.error().code != ErrorCode::NodeLost)
             return fetched;
         if (intake.received() > before) {
@@ -98,16 +129,19 @@ Result<void> fetchPatiently(WebConnection& connection, const RetrievePlan& plan,
     }
 }
 
-/// @param total of objects; 0: nobody could list them before
-tl::unexpected<Error> incomplete(const WebNode& node, const WebIntake& intake, qsizetype total)
+/// @param total of objects; 0: nobody could list or count them before
+tl::unexpected<Error> incomplete(
+    const WebNode& node, const WebIntake& intake, const Unlisted& unlisted, qsizetype total)
 {
-    const qsizetype missing = std::max<qsizetype>(1, intake.missing().size());
+    const qsizetype missing = std::max<qsizetype>(1, intake.missing().size() + unlisted.objects);
     Error error{ErrorCode::TransferIncomplete,
         {node.name(),
             total > 0 ? QStringLiteral("%1 of %2").arg(missing).arg(total)
                       : QString::number(missing)}};
     if (intake.refusal())
         error.arguments.append(intake.refusal()->arguments.value(1));
+    else if (!unlisted.series.isEmpty())
+        error.arguments.append(Clause::saying("nothing came of series %1", unlisted.series));
     return tl::unexpected<Error>(error);
 }
 
@@ -116,16 +150,19 @@ tl::unexpected<Error> incomplete(const WebNode& node, const WebIntake& intake, q
 Result<Retrieved> retrieve(
     const WebNode& node, const RetrieveWish& wish, const QString& target, const Progress& progress)
 {
-    return retrieveInto(target, listingOf(node, progress), wish,
+    return retrieveInto(target, listingOf(node, progress, true), wish,
         [&](const RetrievePlan& plan, const DownloadFolder& folder) -> Result<int> {
             Result<WebConnection> connection = WebConnection::open(node, progress);
             if (!connection)
                 return tl::unexpected<Error>(connection.error());
             WebIntake intake(folder, plan.missing(), !plan.isKnown(), node.name(), progress);
-            if (const Result<void> fetched = fetchPatiently(*connection, plan, intake); !fetched)
+            Unlisted unlisted;
+            const Result<void> fetched = fetchPatiently(*connection, plan, intake, unlisted);
+            if (!fetched)
                 return tl::unexpected<Error>(fetched.error());
-            if (!intake.missing().isEmpty() || intake.refusal() || intake.received() == 0)
-                return incomplete(node, intake, plan.isKnown() ? plan.instances().size() : 0);
+            if (!intake.missing().isEmpty() || unlisted.objects > 0 || intake.refusal()
+                || intake.received() == 0)
+                return incomplete(node, intake, unlisted, plan.total());
             return intake.received();
         });
 }

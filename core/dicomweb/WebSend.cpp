@@ -11,6 +11,7 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 
@@ -41,22 +42,40 @@ QJsonObject objectIn(const QByteArray& bytes)
     return document.isArray() ? document.array().at(0).toObject() : document.object();
 }
 
-/// Whether an answer of success tells of an object that was stored. One that is empty, or in XML,
-/// is believed.
+/// Whether an item of the list of stored objects is this one; one without a name is believed.
+bool mayName(const QJsonObject& item, const QString& sopInstanceUid)
+{
+    const QJsonArray names = item[u"00081155"].toObject()[u"Value"].toArray();
+    return names.isEmpty() || names.first().toString().trimmed() == sopInstanceUid;
+}
+
+/// Whether an answer of success tells that the object was stored. One that is empty, or in XML, is
+/// believed.
 Result<void> checkStored(const WebNode& node, const Clause& what, const WebAnswer& answer,
-    const QByteArray& bytes, const QJsonObject& told)
+    const QByteArray& bytes, const QJsonObject& told, const QString& sopInstanceUid)
 {
     const QByteArray type = answer.contentType.toLower();
-    if (bytes.isEmpty())
+    if (bytes.trimmed().isEmpty())
         return {};
-    if (type.contains("html")) {
+    const bool isJson = type.contains("json");
+    const bool isXml = type.contains("xml") && !type.contains("html");
+    if (!isJson && !isXml) {
         return failure(ErrorCode::NodeNonsense, node.name(),
             Clause::saying("it answers with '%1' where DICOM JSON was asked for",
                 QString::fromLatin1(answer.contentType.left(60))));
     }
-    if (type.contains("json") && told[u"00081199"].toObject()[u"Value"].toArray().isEmpty()) {
+    if (isXml)
+        return {};
+    const QJsonArray stored = told[u"00081199"].toObject()[u"Value"].toArray();
+    if (stored.isEmpty()) {
         return failure(ErrorCode::NodeFailed, node.name(), what,
             Clause::saying("its answer names nothing that it stored"));
+    }
+    const bool isNamed = std::any_of(stored.begin(), stored.end(),
+        [&](const QJsonValue& item) { return mayName(item.toObject(), sopInstanceUid); });
+    if (!isNamed) {
+        return failure(ErrorCode::NodeFailed, node.name(), what,
+            Clause::saying("its answer names another object as stored"));
     }
     return {};
 }
@@ -66,9 +85,12 @@ Result<void> checkStored(const WebNode& node, const Clause& what, const WebAnswe
 Result<SentObjects> sendFiles(
     const WebNode& node, const QStringList& files, const Progress& progress)
 {
+    QStringList uids;
     for (const QString& file : files) {
-        if (const Result<QString> sound = soundObject(file); !sound)
-            return tl::unexpected<Error>(sound.error());
+        const Result<QString> uid = soundObject(file);
+        if (!uid)
+            return tl::unexpected<Error>(uid.error());
+        uids.append(*uid);
     }
     SentObjects result;
     if (files.isEmpty())
@@ -76,7 +98,8 @@ Result<SentObjects> sendFiles(
     Result<WebConnection> connection = WebConnection::open(node, progress);
     if (!connection)
         return tl::unexpected<Error>(connection.error());
-    for (const QString& file : files) {
+    for (qsizetype i = 0; i < files.size(); ++i) {
+        const QString& file = files[i];
         const QString name = QFileInfo(file).fileName();
         const Clause what = Clause::saying("the storage of %1", name);
         JsonSink sink(node.name(), true);
@@ -89,8 +112,8 @@ Result<SentObjects> sendFiles(
             return failure(
                 ErrorCode::NodeFailed, node.name(), what, statusText(failed.value_or(0x0110)));
         }
-        if (const Result<void> stored = checkStored(node, what, *answer, sink.bytes(), told);
-            !stored)
+        const Result<void> stored = checkStored(node, what, *answer, sink.bytes(), told, uids[i]);
+        if (!stored)
             return tl::unexpected<Error>(stored.error());
         if (const auto warned = reasonIn(told, "00081199", "00081196"))
             result.warnings.append(QStringLiteral("%1: %2").arg(name, statusText(*warned)));

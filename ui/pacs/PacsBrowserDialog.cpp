@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/pacs/PacsBrowserDialog.h"
 
-#include "core/pacs/retrieve/DownloadFolder.h"
 #include "ui/base/ErrorText.h"
 #include "ui/base/TabOrder.h"
 #include "ui/base/Theme.h"
@@ -38,10 +37,9 @@ int countOf(const HitsTree::Choice& choice)
     return choice.series ? choice.series->instances : choice.study.instances;
 }
 
-/// Whether a copy lacks some of what its source counts.
-bool isOutdated(const QString& copy, int counted)
+int imagesIn(const QString& copy)
 {
-    return QDir(copy).entryList({QStringLiteral("*.dcm")}, QDir::Files).size() < counted;
+    return int(QDir(copy).entryList({QStringLiteral("*.dcm")}, QDir::Files).size());
 }
 
 } // namespace
@@ -268,7 +266,7 @@ QString PacsBrowserDialog::pathOf(const HitsTree::Choice& choice) const
 QString PacsBrowserDialog::copyOf(const HitsTree::Choice& choice) const
 {
     const QString path = pathOf(choice);
-    return QDir(path).exists() && !isOutdated(path, countOf(choice)) ? path : QString();
+    return QDir(path).exists() ? path : QString();
 }
 
 void PacsBrowserDialog::download(bool thenOpen)
@@ -286,23 +284,10 @@ void PacsBrowserDialog::download(bool thenOpen)
         [this, asked = m_searched, wish, path, counted = countOf(*choice), thenOpen,
             cache = m_cache,
             limit = cacheLimitBytes()](const core::Progress& progress) -> std::function<void()> {
-            const bool isHere = QDir(path).exists();
-            const bool isOld = isHere && isOutdated(path, counted);
-            if (isOld && cache.isHeld(path)) {
-                return [this] {
-                    markCopies();
-                    m_state->say(tr("The copy that is open lacks images that the source holds by "
-                                    "now: close the study, then download it again."),
-                        "caution");
-                };
-            }
             core::Result<core::Retrieved> got;
-            core::Result<void> ready = cache.prepare();
-            if (ready && isOld)
-                ready = core::DownloadFolder::reopen(path);
-            if (!ready)
+            if (const core::Result<void> ready = cache.prepare(); !ready)
                 got = tl::unexpected<core::Error>(ready.error());
-            else if (isHere && !isOld)
+            else if (QDir(path).exists())
                 cache.touch(path);
             else
                 got = core::retrieve(asked, wish, path, progress);
@@ -312,29 +297,35 @@ void PacsBrowserDialog::download(bool thenOpen)
                 const core::DownloadCache::Hold hold = cache.hold(path);
                 cache.shrinkTo(limit);
             }
-            return [this, path, got, thenOpen] {
-                if (got)
-                    showDownloaded(path, *got, thenOpen);
-                else
-                    m_state->say(errorText(got.error()), "bad");
+            const int present = imagesIn(path);
+            return [this, path, got, present, counted, thenOpen] {
+                if (!got)
+                    return m_state->say(errorText(got.error()), "bad");
+                showCopies();
+                sayDownloaded(*got, present, counted);
+                if (!thenOpen)
+                    return;
+                Q_EMIT openRequested(path);
+                accept();
             };
         },
         [this](const core::Error& error) { m_state->say(errorText(error), "bad"); });
     showButtons();
 }
 
-void PacsBrowserDialog::showDownloaded(
-    const QString& path, const core::Retrieved& got, bool thenOpen)
+void PacsBrowserDialog::sayDownloaded(const core::Retrieved& got, int present, int counted)
 {
-    showCopies();
     const int count = got.received + got.kept;
-    m_state->say(count == 0 ? tr("✓ It is here already.")
-                            : tr("✓ %1 images are here, each checked.").arg(count),
-        "good");
-    if (!thenOpen)
-        return;
-    Q_EMIT openRequested(path);
-    accept();
+    if (count > 0)
+        return m_state->say(tr("✓ %1 images are here, each checked.").arg(count), "good");
+    if (present >= counted)
+        return m_state->say(tr("✓ It is here already."), "good");
+    // What sources count is not always what they hold: the copy stays until somebody clears it.
+    m_state->say(tr("It is here already, with %1 of the %2 images that the source counts. To fetch "
+                    "all of them, clear the local copies first, with the study closed.")
+                     .arg(present)
+                     .arg(counted),
+        "caution");
 }
 
 void PacsBrowserDialog::showButtons()

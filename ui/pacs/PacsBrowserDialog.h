@@ -45,13 +45,15 @@ private:
     void askForSeries(const QString& studyUid);
     void showChoice();
     void download(bool thenOpen);
-    void showDownloaded(const QString& path, const core::Retrieved& got, bool thenOpen);
+    /// @param present images in the copy
+    /// @param counted what the source counts; −1: it does not say
+    void sayDownloaded(const core::Retrieved& got, int present, int counted);
     void showButtons();
     void showCopies();
     void markCopies();
     [[nodiscard]] QString pathOf(const HitsTree::Choice& choice) const;
-    /// The folder of the local copy that holds the choice. Empty if there is none, or if the source
-    /// holds more by now.
+    /// The folder of the local copy that holds the choice: its own, or its study's. Empty if there
+    /// is none.
     [[nodiscard]] QString copyOf(const HitsTree::Choice& choice) const;
     void reject() override;
 

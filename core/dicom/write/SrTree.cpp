@@ -4,6 +4,9 @@
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dctk.h>
 
+#include <algorithm>
+#include <iterator>
+
 namespace core {
 
 CodedConcept schemeCode(const char* scheme, const char* value, const char* meaning)
@@ -20,7 +23,44 @@ CodedConcept dicomCode(const char* value, const char* meaning)
 
 namespace {
 
-/// A unit that UCUM does not know, as it may stand between braces; a code has 16 characters.
+/// A unit as volumes name it, and its code in UCUM.
+struct NamedUnit {
+    const char* name;
+    const char* code;
+    const char* meaning;
+};
+
+constexpr NamedUnit namedUnits[] = {
+    {"HU", "[hnsf'U]", "Hounsfield unit"},
+    {"SUVbw", "g/ml{SUVbw}", "Standardized Uptake Value body weight"},
+    {"SUVlbm", "g/ml{SUVlbm}", "Standardized Uptake Value lean body mass"},
+    {"SUVibw", "g/ml{SUVibw}", "Standardized Uptake Value ideal body weight"},
+    {"SUVbsa", "cm2/ml{SUVbsa}", "Standardized Uptake Value body surface area"},
+    {"g/mL", "g/ml", "gram per milliliter"},
+    {"Bq/mL", "Bq/ml", "Becquerels/milliliter"},
+    // The defined terms of Units (0054,1001), PS3.3 C.8.9.1.1.3, as context group 84 codes them.
+    {"CNTS", "{counts}", "Counts"},
+    {"NONE", "1", "no units"},
+    {"CM2", "cm2", "Centimeter**2"},
+    {"CM2ML", "cm2/ml", "Centimeter**2/milliliter"},
+    {"PCNT", "%", "Percent"},
+    {"CPS", "{counts}/s", "Counts per second"},
+    {"BQML", "Bq/ml", "Becquerels/milliliter"},
+    {"MGMINML", "mg/min/ml", "Milligrams/minute/milliliter"},
+    {"UMOLMINML", "umol/min/ml", "Micromole/minute/milliliter"},
+    {"MLMING", "ml/min/g", "Milliliter/minute/gram"},
+    {"MLG", "ml/g", "Milliliter/gram"},
+    {"1CM", "/cm", "/Centimeter"},
+    {"UMOLML", "umol/ml", "Micromole/milliliter"},
+    {"PROPCNTS", "{propcounts}", "Proportional to counts"},
+    {"PROPCPS", "{propcounts}/s", "Proportional to counts per second"},
+    {"MLMINML", "ml/min/ml", "Milliliter/minute/milliliter"},
+    {"MLML", "ml/ml", "Milliliter/milliliter"},
+    {"GML", "g/ml", "gram per milliliter"},
+    {"STDDEV", "{stddev}", "Standard deviations"},
+};
+
+/// A unit that is no term, as it may stand between braces in UCUM; a code has 16 characters.
 QString annotation(const QString& unit)
 {
     constexpr qsizetype most = 14;
@@ -34,30 +74,28 @@ QString annotation(const QString& unit)
     return text;
 }
 
+/// A unit in its own words, as far as one value may hold them.
+QString meaningOf(QString unit)
+{
+    constexpr qsizetype most = 64;
+    unit.removeIf([](QChar c) { return c == u'\\' || c.category() == QChar::Other_Control; });
+    return unit.trimmed().left(most);
+}
+
 } // namespace
 
 CodedConcept unitCode(const QString& unit)
 {
-    if (unit == QLatin1String("HU"))
-        return schemeCode("UCUM", "[hnsf'U]", "Hounsfield unit");
-    if (unit == QLatin1String("SUVbw"))
-        return schemeCode("UCUM", "g/ml{SUVbw}", "Standardized Uptake Value body weight");
-    if (unit == QLatin1String("SUVlbm"))
-        return schemeCode("UCUM", "g/ml{SUVlbm}", "Standardized Uptake Value lean body mass");
-    if (unit == QLatin1String("SUVibw"))
-        return schemeCode("UCUM", "g/ml{SUVibw}", "Standardized Uptake Value ideal body weight");
-    if (unit == QLatin1String("SUVbsa"))
-        return schemeCode("UCUM", "cm2/ml{SUVbsa}", "Standardized Uptake Value body surface area");
-    if (unit == QLatin1String("g/mL"))
-        return schemeCode("UCUM", "g/ml", "gram per milliliter");
-    if (unit == QLatin1String("Bq/mL") || unit == QLatin1String("BQML"))
-        return schemeCode("UCUM", "Bq/ml", "Becquerels/milliliter");
+    const auto* const found = std::find_if(std::begin(namedUnits), std::end(namedUnits),
+        [&unit](const NamedUnit& one) { return unit == QLatin1String(one.name); });
+    if (found != std::end(namedUnits))
+        return schemeCode("UCUM", found->code, found->meaning);
     const QString note = annotation(unit);
-    if (note.isEmpty() || unit == QLatin1String("NONE"))
+    if (note.isEmpty())
         return schemeCode("UCUM", "1", "no units");
     return {.scheme = QStringLiteral("UCUM"),
         .value = QStringLiteral("{%1}").arg(note),
-        .meaning = note};
+        .meaning = meaningOf(unit)};
 }
 
 CodedConcept quantityOf(const QString& unit, const QString& modality)

@@ -166,30 +166,6 @@ bool DownloadFolder::isWhole(const QString& target, const QStringList& sopInstan
            });
 }
 
-Result<void> DownloadFolder::reopen(const QString& target)
-{
-    const QString path = QDir::cleanPath(QFileInfo(target).absoluteFilePath());
-    const QString gathering = FolderCache::gatheringPlaceOf(path);
-    QLockFile lock(gathering + QStringLiteral(".lock"));
-    if (!takeLock(lock)) {
-        return failure(
-            ErrorCode::FileUnwritable, target, Clause::saying("another download goes there"));
-    }
-    // What was left there before the folder became whole.
-    QDir(gathering).removeRecursively();
-    // It was brought to the disk before it got its name.
-    if (const QString trouble = writeNote(QDir(path), onDisk); !trouble.isEmpty())
-        return failure(ErrorCode::FileUnwritable, target, trouble);
-    const QByteArray from = QFile::encodeName(path);
-    const QByteArray to = QFile::encodeName(gathering);
-    if (std::rename(from.constData(), to.constData()) != 0) {
-        const int trouble = errno;
-        removeNote(QDir(path));
-        return failure(ErrorCode::FileUnwritable, target, systemReason(trouble));
-    }
-    return {};
-}
-
 void DownloadFolder::removeLockLeftOver(const QString& target)
 {
     const QString path =

@@ -23,11 +23,6 @@ public:
     [[nodiscard]] static Result<DownloadFolder> open(const QString& target);
     /// Whether @p target is a folder with all these objects, each undamaged.
     [[nodiscard]] static bool isWhole(const QString& target, const QStringList& sopInstanceUids);
-    /// Makes a whole folder one that is collected again, with all its objects: the next download
-    /// into
-    /// @p target fetches only what it lacks. Errors: FileUnwritable, also if another download uses
-    /// it.
-    [[nodiscard]] static Result<void> reopen(const QString& target);
     /// Removes the lock of a download into @p target that was killed after all was in place. A lock
     /// that is held stays.
     static void removeLockLeftOver(const QString& target);

@@ -11,8 +11,8 @@
 #include <dcmtk/dcmnet/dcmlayer.h>
 #include <dcmtk/dcmnet/dimse.h>
 
+#include <algorithm>
 #include <chrono>
-#include <set>
 #include <thread>
 #include <vector>
 
@@ -20,39 +20,45 @@ namespace core {
 
 namespace {
 
-std::vector<const char*> pointers(const std::vector<QByteArray>& texts)
+/// The syntax in which objects of a context shall come: the first that Burin reads, or else the
+/// first that is proposed, since what it does not read belongs to the study as well.
+QByteArray chosenSyntax(const T_ASC_PresentationContext& context)
 {
-    std::vector<const char*> all;
-    all.reserve(texts.size());
-    for (const QByteArray& text : texts)
-        all.push_back(text.constData());
-    return all;
+    std::vector<QByteArray> proposed;
+    for (int i = 0; i < int(context.transferSyntaxCount); ++i)
+        proposed.emplace_back(context.proposedTransferSyntaxes[i]);
+    const std::vector<QByteArray>& readable = readableSyntaxes();
+    const auto found =
+        std::find_first_of(readable.begin(), readable.end(), proposed.begin(), proposed.end());
+    if (found != readable.end())
+        return *found;
+    return proposed.empty() ? QByteArray() : proposed.front();
 }
 
 /// Nodes give the whole move up if one kind of object is refused. What nobody asked for the intake
 /// refuses, object by object.
-std::vector<QByteArray> acceptableClasses(T_ASC_Parameters* parameters)
+OFCondition acceptContexts(T_ASC_Parameters* parameters)
 {
-    std::set<QByteArray> found{UID_VerificationSOPClass};
     const int count = ASC_countPresentationContexts(parameters);
     for (int i = 0; i < count; ++i) {
         T_ASC_PresentationContext context{};
-        if (ASC_getPresentationContext(parameters, i, &context).bad())
-            continue;
+        OFCondition done = ASC_getPresentationContext(parameters, i, &context);
+        if (done.bad())
+            return done;
         const QByteArray uid(context.abstractSyntax);
-        if (mayBeStorage(uid))
-            found.insert(uid);
+        const QByteArray syntax = chosenSyntax(context);
+        const bool isKnown = uid == UID_VerificationSOPClass || mayBeStorage(uid);
+        if (isKnown && !syntax.isEmpty()) {
+            done = ASC_acceptPresentationContext(
+                parameters, context.presentationContextID, syntax.constData());
+        } else {
+            done = ASC_refusePresentationContext(parameters, context.presentationContextID,
+                isKnown ? ASC_P_TRANSFERSYNTAXESNOTSUPPORTED : ASC_P_ABSTRACTSYNTAXNOTSUPPORTED);
+        }
+        if (done.bad())
+            return done;
     }
-    return {found.begin(), found.end()};
-}
-
-OFCondition acceptContexts(T_ASC_Parameters* parameters)
-{
-    const std::vector<QByteArray> acceptable = acceptableClasses(parameters);
-    std::vector<const char*> classes = pointers(acceptable);
-    std::vector<const char*> syntaxes = pointers(readableSyntaxes());
-    return ASC_acceptContextsWithPreferredTransferSyntaxes(
-        parameters, classes.data(), int(classes.size()), syntaxes.data(), int(syntaxes.size()));
+    return EC_Normal;
 }
 
 } // namespace

@@ -18,7 +18,8 @@ namespace core {
 class Association;
 
 /// Receives the objects of a C-MOVE: it listens on a port, on its own thread, during the move, and
-/// accepts one association after the other that is addressed to our title, for objects of any kind.
+/// accepts one association after the other that is addressed to our title, for objects of any kind,
+/// in whatever form they are sent.
 class MoveListener {
 public:
     /// @param intake used by that thread until stop() Errors: InvalidField (the port is in use, or

@@ -167,7 +167,7 @@ Result<Conclusion> fetch(const PacsNode& node, const RetrievePlan& plan, ObjectI
     }
     Conclusion conclusion;
     for (const RetrievePlan::Series& series : plan.series) {
-        if (!series.instances.empty() && series.missing.isEmpty())
+        if (series.isHere())
             continue;
         for (const std::unique_ptr<DcmDataset>& identifier : identifiers(plan, series)) {
             const std::uint16_t id = association->nextMessageId();
@@ -214,7 +214,7 @@ tl::unexpected<Error> incomplete(
 Result<Retrieved> retrieve(const PacsNode& node, const RetrieveWish& wish, const QString& target,
     const RetrieveWay& way, const Progress& progress)
 {
-    return retrieveInto(target, listingOf(node, progress), wish,
+    return retrieveInto(target, listingOf(node, progress, false), wish,
         [&](const RetrievePlan& plan, const DownloadFolder& folder) -> Result<int> {
             ObjectIntake intake(folder, plan.missing(), !plan.isKnown(), progress);
             const Result<Conclusion> conclusion = fetch(node, plan, intake, way, progress);

@@ -25,7 +25,11 @@ Result<RetrievePlan> RetrievePlan::make(const Listing& listing, const RetrieveWi
             listing.instances(wish.studyUid, hit.seriesUid);
         if (!instances)
             return tl::unexpected<Error>(instances.error());
+        // Some list series of which they have nothing any more.
+        if (instances->empty() && hit.instances == 0)
+            continue;
         Series one{.seriesUid = hit.seriesUid,
+            .counted = listing.hasPages ? hit.instances : -1,
             .instances = std::move(*instances),
             .missing = {},
             .isPart = !wish.instanceUid.isEmpty()};
@@ -48,7 +52,7 @@ void RetrievePlan::lookWhatIsMissing(const DownloadFolder& folder)
     for (Series& one : series) {
         one.missing.clear();
         for (const InstanceHit& instance : one.instances) {
-            if (!folder.holds(instance.sopInstanceUid))
+            if (!one.isListed() || !folder.holds(instance.sopInstanceUid))
                 one.missing.append(instance.sopInstanceUid);
         }
     }
@@ -56,8 +60,19 @@ void RetrievePlan::lookWhatIsMissing(const DownloadFolder& folder)
 
 bool RetrievePlan::isKnown() const
 {
-    return std::none_of(
-        series.begin(), series.end(), [](const Series& one) { return one.instances.empty(); });
+    return std::all_of(
+        series.begin(), series.end(), [](const Series& one) { return one.isListed(); });
+}
+
+qsizetype RetrievePlan::total() const
+{
+    qsizetype sum = 0;
+    for (const Series& one : series) {
+        if (!one.isListed() && one.counted < 0)
+            return 0;
+        sum += one.isListed() ? qsizetype(one.instances.size()) : one.counted;
+    }
+    return sum;
 }
 
 QStringList RetrievePlan::instances() const

@@ -21,15 +21,23 @@ class DownloadFolder;
 struct RetrievePlan {
     struct Series {
         QString seriesUid;
+        int counted = -1; ///< what the node counts, where its lists may be cut; −1: unknown
         std::vector<InstanceHit> instances; ///< empty: the node does not list them
         QStringList missing;
         bool isPart = false; ///< only some of it is requested
 
+        /// Whether all that is requested is listed, as far as is known.
+        [[nodiscard]] bool isListed() const
+        {
+            return !instances.empty() && (isPart || counted <= int(instances.size()));
+        }
         /// Whether everything is to be retrieved, as far as is known.
         [[nodiscard]] bool asWhole() const
         {
             return !isPart && std::size_t(missing.size()) == instances.size();
         }
+        /// Whether nothing is left to be retrieved.
+        [[nodiscard]] bool isHere() const { return isListed() && missing.isEmpty(); }
     };
     /// The queries with which the node is asked.
     struct Listing {
@@ -37,15 +45,21 @@ struct RetrievePlan {
         std::function<Result<std::vector<SeriesHit>>(const QString& study)> series;
         std::function<Result<std::vector<InstanceHit>>(const QString& study, const QString& series)>
             instances;
+        /// The node answers in pages. Those that know none give the first one only: a list that is
+        /// shorter than what is counted counts as cut.
+        bool hasPages = false;
     };
     /// Errors: NodeHasNone, and those of the queries.
     [[nodiscard]] static Result<RetrievePlan> make(
         const Listing& listing, const RetrieveWish& wish);
 
+    /// What is not listed completely is retrieved as a whole, and counts as missing.
     void lookWhatIsMissing(const DownloadFolder& folder);
     /// Whether the node listed what to expect, of every series.
     [[nodiscard]] bool isKnown() const;
     [[nodiscard]] QStringList instances() const;
+    /// How many objects the node lists or counts; 0: of some series it does neither.
+    [[nodiscard]] qsizetype total() const;
     /// What is listed and not here yet.
     [[nodiscard]] QSet<QString> missing() const;
     /// SOP classes; empty if the node does not list all of them.
@@ -58,14 +72,16 @@ struct RetrievePlan {
 /// The queries of a node of either kind, by its findSeries() and findInstances(). Both arguments
 /// must outlive it.
 template <class Node>
-[[nodiscard]] RetrievePlan::Listing listingOf(const Node& node, const Progress& progress)
+[[nodiscard]] RetrievePlan::Listing listingOf(
+    const Node& node, const Progress& progress, bool hasPages)
 {
     return {.nodeName = node.name(),
         .series = [&](const QString& study) { return findSeries(node, study, progress); },
         .instances =
             [&](const QString& study, const QString& series) {
                 return findInstances(node, study, series, progress);
-            }};
+            },
+        .hasPages = hasPages};
 }
 
 /// Fills the folder @p target. Existing objects are not retrieved again, objects received before a

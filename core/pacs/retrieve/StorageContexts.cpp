@@ -63,6 +63,8 @@ const std::vector<QByteArray>& storageClasses()
 bool mayBeStorage(const QByteArray& classUid)
 {
     return classUid.startsWith("1.2.840.10008.5.1.4.1.1.")
+        || classUid == "1.2.840.10008.5.1.4.34.7" // RT beams delivery instruction
+        || classUid == "1.2.840.10008.5.1.4.34.10" // RT brachy application setup
         || !classUid.startsWith("1.2.840.10008.");
 }
 

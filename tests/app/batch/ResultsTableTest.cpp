@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/batch/ResultsTable.h"
+#include "app/commands/BatchCommand.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/program/TestProgram.h"
 
@@ -11,6 +12,8 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <algorithm>
+#include <functional>
 #include <memory>
 
 namespace resultsTableTest {
@@ -32,6 +35,7 @@ class ResultsTableTest : public QObject {
 private Q_SLOTS:
     void init();
     void whatIsDoneHasItsNumbers();
+    void whatIsOfAnotherBatchHasNone_data();
     void whatIsOfAnotherBatchHasNone();
     void segmentsOfOneNameHaveColumnsOfTheirOwn();
 };
@@ -52,6 +56,9 @@ void ResultsTableTest::writeDone(const StudyTask& task, const QByteArray& statis
 {
     const QJsonObject record{{QStringLiteral("state"), QStringLiteral("done")},
         {QStringLiteral("study"), task.study.path}, {QStringLiteral("series"), task.study.series},
+        {QStringLiteral("repair"), task.study.repair},
+        {QStringLiteral("spacing"), task.study.spacing},
+        {QStringLiteral("session"), task.study.session},
         {QStringLiteral("recipeSha256"),
             QString::fromLatin1(
                 QCryptographicHash::hash(task.recipe, QCryptographicHash::Sha256).toHex())},
@@ -99,23 +106,50 @@ void ResultsTableTest::whatIsDoneHasItsNumbers()
     QCOMPARE(row[QStringLiteral("Brain volumeMl")], QStringLiteral("1.25"));
 }
 
+void ResultsTableTest::whatIsOfAnotherBatchHasNone_data()
+{
+    QTest::addColumn<std::function<void(StudyTask&)>>("change");
+    QTest::addColumn<QString>("why");
+    const auto row = [](const char* name, const char* why,
+                         const std::function<void(StudyTask&)>& change) {
+        QTest::newRow(name) << change << QString::fromLatin1(why);
+    };
+    row("study", "another study, /data/ct",
+        [](StudyTask& task) { task.study.path = QStringLiteral("/data/mr"); });
+    row("recipe", "another recipe", [](StudyTask& task) { task.recipe = "{ }"; });
+    row("series", "another series (2.25.1)",
+        [](StudyTask& task) { task.study.series = QStringLiteral("2.25.2"); });
+    row("repair", "another repair (none)",
+        [](StudyTask& task) { task.study.repair = QStringLiteral("order"); });
+    row("spacing", "another spacing (none)",
+        [](StudyTask& task) { task.study.spacing = QStringLiteral("1x1x2"); });
+    row("session file", "another session file (session.burin)",
+        [](StudyTask& task) { task.study.session = QStringLiteral("two.burin"); });
+    row("option", "other options (none)",
+        [](StudyTask& task) { task.options += QStringLiteral("--with-images"); });
+}
+
+/// The rows are what the help of --force names.
 void ResultsTableTest::whatIsOfAnotherBatchHasNone()
 {
+    QFETCH(std::function<void(StudyTask&)>, change);
+    QFETCH(QString, why);
     writeDone(task(), "1,Bone,,,,HU,10,0.5\r\n");
-    StudyTask another = task();
-    another.recipe = "{ }";
-    StudyTask anotherSeries = task();
-    anotherSeries.study.series = QStringLiteral("2.25.2");
-    for (const auto& [asked, why] :
-        {std::pair(another, "another recipe"), {anotherSeries, "another series (2.25.1)"}}) {
-        const QMap<QString, QString> row = rowOf(asked);
-        QCOMPARE(row[QStringLiteral("state")], QStringLiteral("other"));
-        QVERIFY2(row[QStringLiteral("failure")].contains(QLatin1String(why)),
-            qPrintable(row[QStringLiteral("failure")]));
-        QCOMPARE(row[QStringLiteral("stateHash")], QString());
-        QCOMPARE(row[QStringLiteral("seconds")], QString());
-        QVERIFY(!row.contains(QStringLiteral("Bone volumeMl")));
-    }
+    StudyTask asked = task();
+    change(asked);
+    const auto& options = app::batchCommand.options;
+    const auto force = std::find_if(options.begin(), options.end(),
+        [](const auto& option) { return QLatin1String(option.name) == QLatin1String("force"); });
+    QVERIFY(force != options.end());
+    QVERIFY2(QString::fromLatin1(force->help).contains(QLatin1String(QTest::currentDataTag())),
+        force->help);
+    const QMap<QString, QString> row = rowOf(asked);
+    QCOMPARE(row[QStringLiteral("state")], QStringLiteral("other"));
+    QVERIFY2(
+        row[QStringLiteral("failure")].contains(why), qPrintable(row[QStringLiteral("failure")]));
+    QCOMPARE(row[QStringLiteral("stateHash")], QString());
+    QCOMPARE(row[QStringLiteral("seconds")], QString());
+    QVERIFY(!row.contains(QStringLiteral("Bone volumeMl")));
 }
 
 void ResultsTableTest::segmentsOfOneNameHaveColumnsOfTheirOwn()

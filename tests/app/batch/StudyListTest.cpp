@@ -44,6 +44,8 @@ private Q_SLOTS:
     void namesOfDigitsAreTexts();
     void theTableKeepsItsName();
     void whatLiesBesideStudiesIsNone();
+    void whatSaysThatItIsDicomIsOne();
+    void documentsAreNoArchives();
     void resultsAreNoStudies();
     void anythingIsReadOrRefused_data();
     void anythingIsReadOrRefused();
@@ -116,7 +118,12 @@ void StudyListTest::whatLiesBesideStudiesIsNone()
             QStringLiteral("image"), QStringLiteral("readme.txt"), QStringLiteral("studies.csv")});
     const QStringList expected{QStringLiteral("a.nii.gz=a"), QStringLiteral("b.mhd=b"),
         QStringLiteral("c.nhdr=c"), QStringLiteral("ct=ct"), QStringLiteral("image=image")};
-    QCOMPARE(namesOf(app::readStudyList(folder.path())), expected);
+    QStringList leftOut;
+    QCOMPARE(namesOf(app::readStudyList(folder.path(), {}, &leftOut)), expected);
+    QCOMPARE(leftOut,
+        (QStringList{QStringLiteral("a.bval"), QStringLiteral("a.json"), QStringLiteral("b.raw"),
+            QStringLiteral("c.png"), QStringLiteral("c.raw.gz"), QStringLiteral("readme.txt"),
+            QStringLiteral("studies.csv")}));
 
     // Two volumes of one name are told apart by a list, not by a column that no folder has.
     make(QDir(folder.path()), {QStringLiteral("a.nrrd")});
@@ -124,6 +131,46 @@ void StudyListTest::whatLiesBesideStudiesIsNone()
     QVERIFY(!refused);
     const QString why = refused.error().arguments.value(1);
     QVERIFY2(why.contains(QStringLiteral("a list of them")), qPrintable(why));
+}
+
+/// Of a name that a companion might have, and of that of a volume: nothing is left out in silence.
+void StudyListTest::whatSaysThatItIsDicomIsOne()
+{
+    const QTemporaryDir folder;
+    const QDir here(folder.path());
+    make(here, {QStringLiteral("a.nii"), QStringLiteral("b.raw"), QStringLiteral("c.raw")});
+    const auto write = [&here](const char* name) {
+        QFile file(here.filePath(QLatin1String(name)));
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write(QByteArray(128, '\0') + "DICM and more");
+    };
+    write("c.raw");
+    QStringList leftOut;
+    QCOMPARE(namesOf(app::readStudyList(here.path(), {}, &leftOut)),
+        (QStringList{QStringLiteral("a.nii=a"), QStringLiteral("c.raw=c")}));
+    QCOMPARE(leftOut, QStringList{QStringLiteral("b.raw")});
+    write("a.dcm");
+    const auto refused = app::readStudyList(here.path());
+    QVERIFY(!refused);
+    const QString why = refused.error().arguments.value(1);
+    QVERIFY2(why.contains(QStringLiteral("a.dcm has the name 'a' too")), qPrintable(why));
+}
+
+/// Many programs keep their documents as zip: beside a volume they are no second study.
+void StudyListTest::documentsAreNoArchives()
+{
+    const QTemporaryDir folder;
+    const QDir here(folder.path());
+    make(here, {QStringLiteral("a.nii")});
+    for (const char* name : {"a.docx", "b.ZIP"}) {
+        QFile file(here.filePath(QLatin1String(name)));
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write("PK\x03\x04 and more");
+    }
+    QStringList leftOut;
+    QCOMPARE(namesOf(app::readStudyList(here.path(), {}, &leftOut)),
+        (QStringList{QStringLiteral("a.nii=a"), QStringLiteral("b.ZIP=b")}));
+    QCOMPARE(leftOut, QStringList{QStringLiteral("a.docx")});
 }
 
 void StudyListTest::resultsAreNoStudies()

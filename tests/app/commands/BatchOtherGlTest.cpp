@@ -160,6 +160,8 @@ void BatchOtherGlTest::resultsAmongTheStudiesAreNone()
     for (const char* expected : {"done", "was done"}) {
         const Outcome outcome = burin(words);
         QVERIFY2(outcome.status == 0, qPrintable(outcome.complaint));
+        QVERIFY2(outcome.complaint.contains(key("taken for no studies: a.json")),
+            qPrintable(outcome.complaint));
         QCOMPARE(outcome.lines.size(), 2);
         for (const QJsonObject& line : outcome.lines)
             QCOMPARE(line[key("state")].toString(), key(expected));

@@ -36,10 +36,16 @@ private Q_SLOTS:
     void unlistedSeries_data();
     void unlistedSeries();
     void listedSeriesThatIsNotThere();
+    void seriesWithoutObjects_data();
+    void seriesWithoutObjects();
     void storageIsLedToALogin();
     void storageWithoutTheWord_data();
     void storageWithoutTheWord();
+    void storageIsNamed();
     void pagesHaveALimit();
+    void pagesWithoutAnOffset();
+    void listsThatAreCut_data();
+    void listsThatAreCut();
 
 private:
     [[nodiscard]] static core::WebNode node(const test::WebServer& server);
@@ -141,6 +147,57 @@ void DicomWebHabitsTest::listedSeriesThatIsNotThere()
     QVERIFY(!QFileInfo::exists(target()));
 }
 
+void DicomWebHabitsTest::seriesWithoutObjects_data()
+{
+    QTest::addColumn<QByteArray>("counted");
+    QTest::addColumn<int>("status");
+    QTest::addColumn<QString>("missing");
+    QTest::newRow("counted as empty")
+        << QByteArray(R"(,"00201209":{"vr":"IS","Value":[0]})") << 404 << QString();
+    QTest::newRow("not counted, no such page") << QByteArray() << 404 << QStringLiteral("1");
+    QTest::newRow("not counted, an empty answer") << QByteArray() << 204 << QStringLiteral("1");
+    QTest::newRow("counted as more")
+        << QByteArray(R"(,"00201209":{"vr":"IS","Value":[2]})") << 404 << QStringLiteral("2");
+}
+
+/// A series of which a server lists nothing, and gives nothing: it is none if it is counted so, and
+/// else it is named; the other series are here in any case.
+void DicomWebHabitsTest::seriesWithoutObjects()
+{
+    QFETCH(QByteArray, counted);
+    QFETCH(int, status);
+    QFETCH(QString, missing);
+    const test::WebServer server([&](const QByteArray& line, const QByteArray&) {
+        const bool isSecond = line.contains(m_unlisted.seriesUid.toLatin1());
+        if (isSecond && WebArchive::asksForObjects(line))
+            return WebReply{.status = status, .contentType = "text/plain"};
+        WebReply reply = answer(line, {.body = "[]"});
+        const QByteArray last = m_unlisted.seriesUid.toLatin1() + "\"]}";
+        return WebReply{
+            .contentType = reply.contentType, .body = reply.body.replace(last, last + counted)};
+    });
+    const auto got = getStudy(server);
+    if (missing.isEmpty()) {
+        VERIFY_DONE(got);
+        QCOMPARE(got->received, 3);
+        return;
+    }
+    VERIFY_ERROR(got, ErrorCode::TransferIncomplete);
+    QCOMPARE(got.error().arguments.value(1).english().section(u' ', 0, 0), missing);
+    QVERIFY2(ui::errorText(got.error()).contains(m_unlisted.seriesUid),
+        qPrintable(ui::errorText(got.error())));
+    // What came is kept, and nobody asks for it again.
+    const auto again = getStudy(server);
+    VERIFY_ERROR(again, ErrorCode::TransferIncomplete);
+    const auto questions = server.questions();
+    QCOMPARE(std::count_if(questions.begin(), questions.end(),
+                 [&](const QByteArray& line) {
+                     return WebArchive::asksForObjects(line)
+                         && line.contains(m_listed.seriesUid.toLatin1());
+                 }),
+        1);
+}
+
 /// A login that ran out: servers lead to a page where people log in, which is there.
 void DicomWebHabitsTest::storageIsLedToALogin()
 {
@@ -174,10 +231,16 @@ void DicomWebHabitsTest::storageWithoutTheWord_data()
         ErrorCode::NodeFailed);
     row("no JSON", json, "stored", ErrorCode::NodeFailed);
     row("a page for people", "text/html; charset=utf-8", "<html>", ErrorCode::NodeNonsense);
+    row("another object", json,
+        R"({"00081199":{"vr":"SQ","Value":[{"00081155":{"vr":"UI","Value":["1.2.3"]}}]}})",
+        ErrorCode::NodeFailed);
+    row("words", "text/plain", "stored", ErrorCode::NodeNonsense);
+    row("a page for people in XML", "application/xhtml+xml", "<html/>", ErrorCode::NodeNonsense);
     row("an object in a list", json, R"([{"00081199":{"vr":"SQ","Value":[{}]}}])", {});
     row("XML", "application/dicom+xml", "<NativeDicomModel/>", {});
     row("nothing at all", "application/dicom+json", "", {});
     row("nothing at all, as HTML", "text/html", "", {});
+    row("nothing but a line end", "text/plain", "\r\n", {});
 }
 
 /// HTTP 200 alone does not mean that an object was stored.
@@ -198,6 +261,22 @@ void DicomWebHabitsTest::storageWithoutTheWord()
         VERIFY_ERROR(sent, ErrorCode(expected));
         QCOMPARE(server.questions().size(), std::size_t(1));
     }
+}
+
+/// An answer that names what it stored names what was sent, whatever else is beside it.
+void DicomWebHabitsTest::storageIsNamed()
+{
+    const test::WebServer server([&](const QByteArray&, const QByteArray& question) {
+        QByteArray sent;
+        for (auto object = m_first->objects().begin(); object != m_first->objects().end(); ++object)
+            sent = question.contains(object.value()) ? object.key() : sent;
+        return WebReply{.body = R"({"00081199":{"vr":"SQ","Value":[{"00081155":{"vr":"UI",)"
+                                R"("Value":["1.2.3"]}},{"00081155":{"vr":"UI","Value":[")"
+                + sent + R"("]}}]}})"};
+    });
+    const auto sent = core::sendFiles(node(server), m_files, core::Progress());
+    VERIFY_DONE(sent);
+    QCOMPARE(sent->sent, 3);
 }
 
 /// Servers of the field refuse questions for more than 200 results.
@@ -237,6 +316,66 @@ void DicomWebHabitsTest::pagesHaveALimit()
         node(server), QStringLiteral("1.2"), QStringLiteral("1.2.3"), core::Progress());
     VERIFY_DONE(instances);
     QCOMPARE(instances->size(), std::size_t(450));
+    // A search that wants so many asks for the long page once.
+    const auto questions = server.questions();
+    const auto isLong = [](const QByteArray& line) { return line.contains("limit=1000&"); };
+    QCOMPARE(std::count_if(questions.begin(), questions.end(), isLong), 2);
+}
+
+/// A server that knows no offset gives its first page again and again: all is on it, if it is long.
+void DicomWebHabitsTest::pagesWithoutAnOffset()
+{
+    const test::WebServer server([&](const QByteArray& line, const QByteArray&) {
+        const QByteArray limit = line.mid(line.indexOf("limit=") + 6).split('&').front();
+        QByteArrayList entries;
+        for (int i = 0; i < std::min(limit.toInt(), 450); ++i) {
+            entries.append(
+                R"({"00080018":{"vr":"UI","Value":["1.2.)" + QByteArray::number(i) + R"("]}})");
+        }
+        return WebReply{.body = "[" + entries.join(',') + "]"};
+    });
+    const auto instances = core::findInstances(
+        node(server), QStringLiteral("1.2"), QStringLiteral("1.2.3"), core::Progress());
+    VERIFY_DONE(instances);
+    QCOMPARE(instances->size(), std::size_t(450));
+}
+
+void DicomWebHabitsTest::listsThatAreCut_data()
+{
+    QTest::addColumn<int>("counted");
+    QTest::addColumn<QString>("missing");
+    QTest::newRow("fewer are listed than there are") << 3 << QString();
+    QTest::newRow("fewer come than are counted") << 5 << QStringLiteral("2 of 5");
+}
+
+/// Where a series has more objects than its list, it is fetched as a whole, and must be whole.
+void DicomWebHabitsTest::listsThatAreCut()
+{
+    QFETCH(int, counted);
+    QFETCH(QString, missing);
+    const test::WebServer server([&](const QByteArray& line, const QByteArray&) {
+        if (line.contains("/series?") && line.contains("offset=0")) {
+            return WebReply{.body = R"([{"0020000E":{"vr":"UI","Value":[")"
+                    + m_listed.seriesUid.toLatin1() + R"("]},"00201209":{"vr":"IS","Value":[)"
+                    + QByteArray::number(counted) + "]}}]"};
+        }
+        if (line.contains("/instances?")) {
+            return WebReply{.body = R"([{"00080018":{"vr":"UI","Value":[")"
+                    + m_first->objects().firstKey() + R"("]}}])"};
+        }
+        return m_first->answer(line);
+    });
+    const auto got = getStudy(server);
+    if (missing.isEmpty()) {
+        VERIFY_DONE(got);
+        QCOMPARE(got->received, 3);
+        QCOMPARE(got->kept, 0);
+        QCOMPARE(QDir(target()).entryList({QStringLiteral("*.dcm")}, QDir::Files).size(), 3);
+        return;
+    }
+    VERIFY_ERROR(got, ErrorCode::TransferIncomplete);
+    QCOMPARE(got.error().arguments.value(1).english(), missing);
+    QVERIFY(!QFileInfo::exists(target()));
 }
 
 BURIN_TEST(DicomWebHabitsTest)

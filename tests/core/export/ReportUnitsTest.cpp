@@ -130,7 +130,12 @@ private Q_SLOTS:
         // A surface that is no surface.
         row("GML", "BSA", "g/mL", "126400 in g/ml");
         row("BQML", "", "Bq/mL", "VALUE in Bq/ml");
-        row("CNTS", "", "CNTS", "VALUE in {CNTS}");
+        row("CNTS", "", "CNTS", "VALUE in {counts}");
+        row("PROPCPS", "", "PROPCPS", "VALUE in {propcounts}/s");
+        row("UMOLMINML", "", "UMOLMINML", "VALUE in umol/min/ml");
+        row("1CM", "", "1CM", "VALUE in /cm");
+        row("PCNT", "", "PCNT", "VALUE in %");
+        row("FLOZ", "", "FLOZ", "VALUE in {FLOZ}");
         row("", "", "", "VALUE in 1");
     }
 
@@ -169,6 +174,11 @@ private Q_SLOTS:
         QCOMPARE(unitCode(QStringLiteral("NONE")).value, QStringLiteral("1"));
         QCOMPARE(unitCode(QStringLiteral("a {b}\\c, long beyond all codes")).value,
             QStringLiteral("{abc,longbeyond}"));
+        QCOMPARE(unitCode(QStringLiteral("a {b}\\c, long beyond all codes")).meaning,
+            QStringLiteral("a {b}c, long beyond all codes"));
+        QCOMPARE(unitCode(QStringLiteral("CM2ML")).value, QStringLiteral("cm2/ml"));
+        QCOMPARE(unitCode(QStringLiteral("CPS")).value, QStringLiteral("{counts}/s"));
+        QCOMPARE(unitCode(QStringLiteral("STDDEV")).value, QStringLiteral("{stddev}"));
         QCOMPARE(unitCode(QStringLiteral("µ")).value, QStringLiteral("1"));
     }
 

@@ -15,6 +15,8 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <memory>
+
 namespace rudePacsTest {
 
 using core::ErrorCode;
@@ -400,10 +402,11 @@ void RudePacsTest::movesWithoutAWord()
 {
     const QTemporaryDir folder;
     test::SyntheticSeries series;
-    series.size = {64, 64, 5};
+    series.size = {64, 64, 8};
     const QStringList files = test::writeSeries(series, folder.filePath(QStringLiteral("sent")));
     const int movePort = test::freePort();
-    const test::RudeServer server([&](const Client& client) {
+    QStringList troubles; // of the server's thread; read when it has ended
+    auto server = std::make_unique<test::RudeServer>([&](const Client& client) {
         const QByteArray proposal = client.hear();
         const bool isMove = proposal.contains(moveModel);
         client.say(accepted(proposal));
@@ -413,11 +416,13 @@ void RudePacsTest::movesWithoutAWord()
                 .host = QStringLiteral("127.0.0.1"),
                 .port = movePort,
                 .ownAeTitle = QStringLiteral("RUDE"),
-                .timeoutSeconds = 2,
+                .timeoutSeconds = 20,
                 .tls = {}};
             for (const QString& file : files) {
                 QTest::qSleep(1000);
-                static_cast<void>(core::sendFiles(us, {file}, core::Progress()));
+                const auto sent = core::sendFiles(us, {file}, core::Progress());
+                if (!sent)
+                    troubles += ui::errorText(sent.error());
             }
             client.say(response(0x8021, moveModel, 0));
         } else if (request.contains("IMAGE")) {
@@ -428,10 +433,13 @@ void RudePacsTest::movesWithoutAWord()
         }
         client.hear();
     });
-    const auto got = core::retrieve(node(server, 3), {.studyUid = series.studyUid, .seriesUid = {}},
-        folder.filePath(QStringLiteral("got")), {.movePort = movePort}, core::Progress());
+    const auto got =
+        core::retrieve(node(*server, 6), {.studyUid = series.studyUid, .seriesUid = {}},
+            folder.filePath(QStringLiteral("got")), {.movePort = movePort}, core::Progress());
+    server.reset();
+    QCOMPARE(troubles, QStringList());
     VERIFY_DONE(got);
-    QCOMPARE(got->received, 5);
+    QCOMPARE(got->received, 8);
 }
 
 BURIN_TEST(RudePacsTest)

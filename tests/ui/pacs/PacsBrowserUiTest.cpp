@@ -76,7 +76,6 @@ private Q_SLOTS:
     void fromSearchToWindow_data();
     void fromSearchToWindow();
     void wholeStudy();
-    void oldCopiesAreRenewed();
     void nothingFound();
     void serverGone();
     void abortKeepsWhatCame();
@@ -286,50 +285,6 @@ void PacsBrowserUiTest::wholeStudy()
     const QDir folder(asked.front().front().toString());
     QCOMPARE(folder.entryList(QDir::Files).size(), 2 * m_slices);
     QVERIFY(!folder.path().contains(QLatin1String("2.25.50")));
-}
-
-/// A copy that lacks some of what its source counts is no copy: the rest is fetched, unless the
-/// copy is open.
-void PacsBrowserUiTest::oldCopiesAreRenewed()
-{
-    NEED_SERVER;
-    ui::setPacsSources({web()});
-    ui::PacsBrowserDialog dialog;
-    dialog.show();
-    search(dialog);
-    QTreeWidgetItem* study = jane(dialog);
-    QVERIFY(study);
-    QTreeWidgetItem* series = study->child(0);
-    QCOMPARE(series->text(0), QStringLiteral("Series 1"));
-    child<QTreeWidget>(dialog, "pacsHits").setCurrentItem(series);
-    auto& download = child<QPushButton>(dialog, "pacsDownload");
-    const QString whole = QStringLiteral("✓ %1 images are here, each checked.").arg(m_slices);
-    download.click();
-    QTRY_COMPARE_WITH_TIMEOUT(stateOf(dialog), whole, patience);
-    QTRY_COMPARE(series->text(7), QStringLiteral("✓"));
-    QTRY_VERIFY(download.isEnabled());
-    const core::DownloadCache cache = ui::pacsCache();
-    const QDir copy(cache.pathOf(web().address(),
-        {.studyUid = QStringLiteral("2.25.500"), .seriesUid = QStringLiteral("2.25.5001")}));
-    const auto images = [&copy] {
-        return QDir(copy.path()).entryList({QStringLiteral("*.dcm")}, QDir::Files);
-    };
-    QCOMPARE(images().size(), m_slices);
-    QVERIFY(QFile::remove(copy.filePath(images().front())));
-    {
-        const core::DownloadCache::Hold open = cache.hold(copy.path());
-        QVERIFY(open);
-        download.click();
-        QTRY_VERIFY_WITH_TIMEOUT(
-            stateOf(dialog).startsWith(QLatin1String("The copy that is open lacks")), patience);
-        QCOMPARE(images().size(), m_slices - 1);
-        QCOMPARE(series->text(7), QString());
-    }
-    QTRY_VERIFY(download.isEnabled());
-    download.click();
-    QTRY_COMPARE_WITH_TIMEOUT(stateOf(dialog), whole, patience);
-    QCOMPARE(images().size(), m_slices);
-    QTRY_COMPARE(series->text(7), QStringLiteral("✓"));
 }
 
 void PacsBrowserUiTest::nothingFound()

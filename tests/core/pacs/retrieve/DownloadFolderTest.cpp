@@ -8,7 +8,6 @@
 
 #include <QDir>
 #include <QFile>
-#include <QLockFile>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -64,40 +63,6 @@ private Q_SLOTS:
         QCOMPARE(read(at(".got.burin-download/.download")), note);
         const auto finished = first->finish();
         VERIFY_DONE(finished);
-        QCOMPARE(read(at("got/1.2.dcm")), QByteArray("an object"));
-    }
-
-    /// What is whole and no longer all there is at its source is gone on with.
-    void whatIsWholeIsOpenedAgain()
-    {
-        const QString uid = QStringLiteral("1.2");
-        {
-            auto first = DownloadFolder::open(target());
-            VERIFY_DONE(first);
-            write(first->partPathOf(uid), "an object");
-            QVERIFY(first->accept(first->partPathOf(uid), uid));
-            QVERIFY(first->finish());
-        }
-        {
-            QLockFile other(at(".got.burin-download.lock"));
-            QVERIFY(other.tryLock());
-            const auto refused = DownloadFolder::reopen(target());
-            VERIFY_ERROR(refused, ErrorCode::FileUnwritable);
-            QCOMPARE(read(at("got/1.2.dcm")), QByteArray("an object"));
-        }
-        // What somebody left there before.
-        QVERIFY(QDir(m_folder->path()).mkpath(QStringLiteral(".got.burin-download")));
-        write(at(".got.burin-download/1.3.dcm"), "half an object");
-        const auto reopened = DownloadFolder::reopen(target());
-        VERIFY_DONE(reopened);
-        QVERIFY(!QFile::exists(target()));
-        auto again = DownloadFolder::open(target());
-        VERIFY_DONE(again);
-        QVERIFY(QFile::exists(again->pathOf(uid)));
-        const auto finished = again->finish();
-        VERIFY_DONE(finished);
-        QCOMPARE(QDir(target()).entryList(QDir::Files | QDir::Hidden),
-            QStringList{QStringLiteral("1.2.dcm")});
         QCOMPARE(read(at("got/1.2.dcm")), QByteArray("an object"));
     }
 
