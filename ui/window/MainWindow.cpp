@@ -272,6 +272,8 @@ void MainWindow::buildCentre()
 void MainWindow::connectOpener()
 {
     m_loading->follow(m_opener);
+    // A study that takes the place of another would answer what a dialog asks about that one.
+    m_opener.holdWhile([] { return QApplication::activeModalWidget() != nullptr; });
     connect(&m_opener, &StudyOpener::started, m_messages, &MessageBar::dismiss);
     connect(&m_opener, &StudyOpener::started, &m_actions, &Actions::refresh);
     connect(&m_opener, &StudyOpener::finished, &m_actions, &Actions::refresh);
