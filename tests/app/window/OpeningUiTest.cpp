@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/steps/SessionFiles.h"
+#include "core/nifti/NiftiWriter.h"
 #include "core/study/StudyLoader.h"
 #include "tests/support/fixtures/ApplicationFixture.h"
+#include "tests/support/fixtures/WindowFixture.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/series/ImageFiles.h"
 #include "tests/support/series/SessionFiles.h"
@@ -22,6 +24,8 @@
 #include <QTest>
 
 #include <atomic>
+#include <set>
+#include <vector>
 
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dctk.h>
@@ -170,6 +174,40 @@ private Q_SLOTS:
         held.open(path("nowhere"));
         QTRY_COMPARE_WITH_TIMEOUT(failed.size(), 1, patience);
         QCOMPARE(finished.size(), 2);
+    }
+
+    /// Probabilities and the like are drawn in greys, and their window is as fine as they are.
+    void fractionsHaveGreys()
+    {
+        core::VolumeGeometry geometry;
+        geometry.size = {32, 32, 16};
+        std::vector<float> values;
+        for (std::size_t voxel = 0; voxel < geometry.voxelCount(); ++voxel)
+            values.push_back(float(voxel % 32) / 31.0F);
+        QVERIFY(core::writeNifti(path("map.nii"), {.geometry = geometry, .voxels = values}));
+        m_fixture->open(path("map.nii"));
+        QVERIFY(test::waitUntilDrawn(window(), workspace()));
+        ui::SliceView& axial = window().views().axial();
+        const QImage picture = axial.grab().toImage();
+        const QPoint middle = picture.rect().center();
+        std::set<int> greys;
+        for (int y = middle.y() - 60; y < middle.y() + 60; ++y) {
+            for (int x = middle.x() - 60; x < middle.x() + 60; ++x) {
+                const QRgb pixel = picture.pixel(x, y);
+                if (qRed(pixel) == qGreen(pixel) && qGreen(pixel) == qBlue(pixel))
+                    greys.insert(qGray(pixel));
+            }
+        }
+        QVERIFY2(greys.size() > 30, qPrintable(QString::number(greys.size())));
+
+        workspace().setWindowLevel({0.01, 0.02});
+        const QPointF from(0.25 * axial.width(), 0.3 * axial.height());
+        test::WindowFixture::mouse(axial, QEvent::MouseButtonPress, from);
+        test::WindowFixture::mouse(axial, QEvent::MouseMove, from + QPointF(20.0, 0.0));
+        test::WindowFixture::mouse(axial, QEvent::MouseMove, from + QPointF(40.0, 0.0));
+        test::WindowFixture::mouse(axial, QEvent::MouseButtonRelease, from + QPointF(40.0, 0.0));
+        const double width = workspace().windowLevel().width;
+        QVERIFY2(width > 0.02 && width < 0.04, qPrintable(QString::number(width)));
     }
 
     void calledOffItLeavesNothing()
