@@ -7,6 +7,7 @@
 #include "tests/support/fixtures/WindowFixture.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/PlainEdits.h"
+#include "tests/support/series/SyntheticSeries.h"
 #include "ui/dialogs/MaskOrderDialog.h"
 #include "ui/frame/MessageBar.h"
 
@@ -54,10 +55,13 @@ public:
         QTRY_VERIFY(!window.importer().busy());
         QVERIFY(session().settle());
     }
-    void drop(const QString& file)
+    void drop(const QStringList& files)
     {
         QMimeData data;
-        data.setUrls({QUrl::fromLocalFile(file)});
+        QList<QUrl> urls;
+        for (const QString& file : files)
+            urls += QUrl::fromLocalFile(file);
+        data.setUrls(urls);
         QDragEnterEvent enter(
             QPoint(20, 20), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
         QApplication::sendEvent(&window, &enter);
@@ -65,6 +69,7 @@ public:
         QDropEvent event(QPointF(20, 20), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
         QApplication::sendEvent(&window, &event);
     }
+    void drop(const QString& file) { drop(QStringList{file}); }
     QTemporaryDir folder;
 };
 
@@ -138,6 +143,41 @@ private Q_SLOTS:
         fixture.finish();
         QCOMPARE(fixture.session().history().rows().size(), std::size_t(1));
         QCOMPARE(fixture.session().document().segments.size(), std::size_t(2));
+    }
+
+    void severalMasksAreNotTakenForOne()
+    {
+        ImportFixture fixture;
+        fixture.drop({fixture.mask("one-seg.nii"), fixture.mask("two-seg.nii")});
+        QVERIFY(!fixture.window.importer().busy());
+        const QString sentence = fixture.window.messages().sentence();
+        QVERIFY2(sentence.contains(QStringLiteral("None of the 2 masks")), qPrintable(sentence));
+        QVERIFY(fixture.session().history().rows().empty());
+    }
+
+    /// Slices are those of their folder; of whole studies one is opened, which is told.
+    void severalFilesAreOpenedAsTheyBelong()
+    {
+        ImportFixture fixture;
+        const QString slices = fixture.path("ct");
+        const QStringList files = test::writeSeries({}, slices);
+        QSignalSpy loaded(&fixture.window.opener(), &ui::StudyOpener::loaded);
+        QSignalSpy finished(&fixture.window.opener(), &ui::StudyOpener::finished);
+        fixture.drop(files);
+        QTRY_COMPARE(finished.size(), 1);
+        QCOMPARE(loaded.size(), 1);
+        QCOMPARE(loaded[0][1].toString(), slices);
+        QVERIFY2(fixture.window.messages().sentence().isEmpty(),
+            qPrintable(fixture.window.messages().sentence()));
+
+        const QString volume = fixture.mask("one.nii");
+        fixture.drop({fixture.path("a.raw"), volume, fixture.mask("two.nii")});
+        QTRY_COMPARE(finished.size(), 2);
+        QCOMPARE(loaded.size(), 2);
+        QCOMPARE(loaded[1][1].toString(), volume);
+        const QString sentence = fixture.window.messages().sentence();
+        QVERIFY2(
+            sentence.contains(QStringLiteral("Only one.nii was opened")), qPrintable(sentence));
     }
 
     /// A file for each structure, as networks write them.
