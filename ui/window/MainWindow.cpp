@@ -276,6 +276,8 @@ void MainWindow::connectOpener()
     connect(&m_opener, &StudyOpener::finished, this, [this] { m_shown->setEarly(nullptr); });
     connect(&m_opener, &StudyOpener::failed, &m_workspace, &Workspace::fail);
     answerQuestions(m_opener, *m_messages, *this);
+    connect(m_importer, &MaskImporter::isImage, this,
+        [this](const QString& path) { m_opener.open(path); });
     connect(m_saver, &SessionSaver::imagesBegun, this, [this](const QString& target) {
         m_loading->begin(tr("Saving %1").arg(QFileInfo(target).fileName()));
     });
@@ -478,7 +480,7 @@ void MainWindow::dropEvent(QDropEvent* event)
                "lie.")
                 .arg(paths.size()));
     if (areMasks)
-        return m_importer->import(paths.front());
+        return m_importer->importDropped(paths.front());
     const QString path = studyAmong(paths);
     m_opener.open(path);
     if (paths.size() > 1 && paths.contains(path))

@@ -180,6 +180,38 @@ private Q_SLOTS:
             sentence.contains(QStringLiteral("Only one.nii was opened")), qPrintable(sentence));
     }
 
+    /// Names of studies may sound like masks.
+    void whatHoldsAnImageIsOpened()
+    {
+        ImportFixture fixture;
+        test::SyntheticSeries series;
+        series.fileName = [](int k) { return QStringLiteral("%1.dcm").arg(k); };
+        test::writeSeries(series, fixture.path("segura"));
+        QVERIFY(!ui::MaskImporter::looksLikeMask(fixture.path("segura")));
+        QSignalSpy loaded(&fixture.window.opener(), &ui::StudyOpener::loaded);
+        QSignalSpy failed(&fixture.window.importer(), &ui::MaskImporter::failed);
+        fixture.drop(fixture.path("segura"));
+        QTRY_COMPARE(loaded.size(), 1);
+        QCOMPARE(loaded[0][1].toString(), fixture.path("segura"));
+
+        core::VolumeGeometry geometry = fixture.workspace.volume()->geometry;
+        std::vector<std::int16_t> values;
+        for (std::size_t voxel = 0; voxel < geometry.voxelCount(); ++voxel)
+            values.push_back(std::int16_t(voxel % 1000));
+        const QString image = fixture.path("x_masked.nii.gz");
+        QVERIFY(core::writeNifti(image, {.geometry = geometry, .voxels = values}));
+        fixture.drop(image);
+        QTRY_COMPARE(loaded.size(), 2);
+        QCOMPARE(loaded[1][1].toString(), image);
+        QCOMPARE(failed.size(), 0);
+        QVERIFY(fixture.session().history().rows().empty());
+        // Who imports it by the menu is told.
+        fixture.window.importer().import(image);
+        fixture.finish();
+        QCOMPARE(failed.size(), 1);
+        QCOMPARE(loaded.size(), 2);
+    }
+
     /// A file for each structure, as networks write them.
     void aFolderOfMasksIsOneStep()
     {
