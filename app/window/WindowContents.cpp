@@ -324,15 +324,31 @@ void addTimes(ui::MainWindow& window, ui::TimeSteps& steps)
         .tip = ui::Actions::tr("Opens it with its own session; this one stays with its point"),
         .run = [&steps] { steps.go(1); },
         .possible = [&steps] { return steps.hasPoint(1); }});
+    const ui::TimeSlider& points = window.findChild<ui::SeriesDoctorPanel*>()->times();
+    QAction& play = actions.add({.id = QStringLiteral("file.playTimes"),
+        .text = ui::Actions::tr("Play points in time"),
+        .tip = ui::Actions::tr("Opens one point after the other until it is paused; a right click "
+                               "on the slider of the series doctor chooses how fast"),
+        .run =
+            [&steps, &points] {
+                steps.isPlaying() ? steps.pause() : steps.play(points.pointsPerSecond());
+            },
+        .possible =
+            [&steps] { return steps.isPlaying() || steps.hasPoint(1) || steps.hasPoint(-1); },
+        .currentText =
+            [&steps] {
+                return steps.isPlaying() ? ui::Actions::tr("Pause at this point in time")
+                                         : ui::Actions::tr("Play points in time");
+            }});
     QAction* import = &actions[QStringLiteral("file.importMask")];
-    for (QAction* each : {&toPrevious, &toNext})
+    for (QAction* each : {&toPrevious, &toNext, &play})
         window.fileMenu().insertAction(import, each);
     window.fileMenu().insertSeparator(import);
-    const ui::TimeSlider& points = window.findChild<ui::SeriesDoctorPanel*>()->times();
     QObject::connect(&points, &ui::TimeSlider::requested, &steps, &ui::TimeSteps::openPoint);
     QObject::connect(&points, &ui::TimeSlider::playRequested, &steps, &ui::TimeSteps::play);
     QObject::connect(&points, &ui::TimeSlider::pauseRequested, &steps, &ui::TimeSteps::pause);
     QObject::connect(&steps, &ui::TimeSteps::playingChanged, &points, &ui::TimeSlider::showPlaying);
+    QObject::connect(&steps, &ui::TimeSteps::playingChanged, &actions, &ui::Actions::refresh);
     // Over the pictures a bar would come and go with each point.
     constexpr int longMs = 2000;
     QObject::connect(&steps, &ui::TimeSteps::playingChanged, &window,

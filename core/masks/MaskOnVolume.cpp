@@ -115,10 +115,10 @@ bool saysNoLabel(const Error& error)
     return isAlike(error, hasNoLabel({}).value());
 }
 
-/// Whether a file was refused because its values are those of an image.
-bool saysImage(const Error& error)
+tl::unexpected<Error> holdsSlices(const QString& path)
 {
-    return isAlike(error, holdsImage({}).value()) || isAlike(error, holdsTooManyLabels({}).value());
+    return failure(ErrorCode::UnsupportedFormat, path,
+        Clause::saying("its DICOM files are images and no masks"));
 }
 
 bool isLabelMapName(const QString& path)
@@ -213,8 +213,7 @@ Result<MaskOnVolume> readFolder(const QString& path, const Volume& volume, const
     if (mask.segments.empty() && whyNoMask)
         return tl::unexpected(*whyNoMask);
     if (slices == std::uint64_t(files.size()))
-        return failure(ErrorCode::UnsupportedFormat, path,
-            Clause::saying("its DICOM files are images and no masks"));
+        return holdsSlices(path);
     if (!images.isEmpty())
         mask.notes.push_back({.code = MaskNote::Code::ImagesLeftOut, .names = images});
     if (slices > 0)
@@ -227,6 +226,12 @@ Result<MaskOnVolume> readFolder(const QString& path, const Volume& volume, const
 }
 
 } // namespace
+
+bool saysImage(const Error& error)
+{
+    return isAlike(error, holdsImage({}).value()) || isAlike(error, holdsTooManyLabels({}).value())
+        || isAlike(error, holdsSlices({}).value());
+}
 
 Result<MaskOnVolume> readMask(const QString& path, const Volume& volume, const Progress& progress)
 {

@@ -45,6 +45,9 @@ struct MaskOnVolume {
 [[nodiscard]] Result<MaskOnVolume> readMask(
     const QString& path, const Volume& volume, const Progress& progress);
 
+/// Whether a file or folder was refused because it holds an image, or slices, and no mask.
+[[nodiscard]] bool saysImage(const Error& error);
+
 /// The files of a folder that have a name of a mask (maskNamePatterns()), sorted by name; without
 /// those of folders inside it. Empty if there are none, or if the path is no folder.
 [[nodiscard]] QStringList maskFilesIn(const QString& path);

@@ -20,7 +20,8 @@
 
 namespace core {
 
-/// Grey mapping of slices in modality units (DICOM PS3.3 C.11.2.1.2, LINEAR).
+/// Grey mapping in modality units (DICOM PS3.3 C.11.2.1); gpu/scene/WindowMapping.h says by which
+/// function.
 struct WindowLevel {
     double centre = 40.0;
     double width = 400.0;

@@ -11,9 +11,31 @@ namespace gpu {
 /// 65535).
 [[nodiscard]] glm::dvec2 valueOfTexel(const core::VoxelEncoding& encoding);
 
-/// Coefficients (x, y) of: grey (to be clamped to 0 … 1) = x · texel + y, by DICOM PS3.3
-/// C.11.2.1.2, LINEAR: black up to centre − 0.5 − (width − 1)/2, white from centre − 0.5 + (width −
-/// 1)/2 on. Widths of 1 and less become a step.
+/// How far the values of two neighbouring codes are apart.
+[[nodiscard]] double valuesApart(const core::VoxelEncoding& encoding);
+
+/// The modality values over which greys rise: black up to middle − span/2, white from middle +
+/// span/2 on.
+struct GreyRamp {
+    double middle = 0.0;
+    double span = 1.0;
+};
+
+/// The ramp of a window. Where values are one apart it is that of DICOM PS3.3 C.11.2.1.2.1, LINEAR:
+/// middle centre − 0.5, span width − 1, and widths of 1 and less become a step. All other values
+/// get the ramp of C.11.2.1.3.2, LINEAR_EXACT: middle centre, span width. LINEAR is made for whole
+/// numbers, of which a window of width n shows n; of a fraction, an SUV or an ADC its unit is
+/// as large as the whole window. That holds for a file which states LINEAR and a fractional slope,
+/// too: its ends move by half a unit at most, which cannot be seen in windows for which that
+/// function is meant, and a rule that asked for the width as well would jump while it is dragged.
+[[nodiscard]] GreyRamp greyRampOf(
+    const core::VoxelEncoding& encoding, const core::WindowLevel& window);
+
+/// The least width to which a window is narrowed: in a narrower one nothing more is told apart.
+[[nodiscard]] double leastWindowWidth(const core::VoxelEncoding& encoding);
+
+/// Coefficients (x, y) of: grey (to be clamped to 0 … 1) = x · texel + y, on the ramp of the
+/// window.
 [[nodiscard]] glm::dvec2 greyOfTexel(
     const core::VoxelEncoding& encoding, const core::WindowLevel& window);
 

@@ -28,6 +28,19 @@ QString numberText(double value, int decimals)
     return writtenOut(value, 'f', decimals);
 }
 
+int decimalsForSpan(double span)
+{
+    constexpr int least = 4;
+    constexpr int most = 8;
+    if (span >= 100.0)
+        return 0;
+    if (span >= 1.0)
+        return span >= 10.0 ? 1 : 2;
+    // Of no range there is no logarithm, and of a minute one no int.
+    return span > 1e-8 ? std::clamp(int(std::ceil(3.0 - std::log10(span))), least, most)
+                       : (span > 0.0 ? most : least);
+}
+
 QString digitsText(double value, int digits)
 {
     return writtenOut(value, 'g', digits);

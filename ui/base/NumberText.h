@@ -15,6 +15,10 @@ inline constexpr QChar minusSign(0x2212);
 /// "−31.5": @p value with a fixed number of decimals.
 [[nodiscard]] QString numberText(double value, int decimals);
 
+/// How many decimals suit values that are seen in a range of this width: as many as tell a
+/// hundredth of it, of narrow ranges a thousandth.
+[[nodiscard]] int decimalsForSpan(double span);
+
 /// "−31.5", "1024", "0.00012": @p value with at most @p digits digits that count.
 [[nodiscard]] QString digitsText(double value, int digits);
 

@@ -91,8 +91,7 @@ QString slicesApartText(const core::VolumeGeometry& geometry)
 
 QString valueText(double value, const QString& unit, double span)
 {
-    const int decimals = span >= 100.0 ? 0 : span >= 10.0 ? 1 : span >= 1.0 ? 2 : 4;
-    const QString number = numberText(value, decimals);
+    const QString number = numberText(value, decimalsForSpan(span));
     return unit.isEmpty() ? number : number + QLatin1Char(' ') + unit;
 }
 

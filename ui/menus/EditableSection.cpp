@@ -99,8 +99,7 @@ void EditableSection::showSettings()
     m_boxed->setEnabled(settings.on && (settings.boxed || m_workspace.editableBox()));
     const core::Volume* volume = m_workspace.volume();
     for (QDoubleSpinBox* box : {m_lower, m_upper}) {
-        // A volume of fractions needs them here too.
-        box->setDecimals(volume && volume->maximum - volume->minimum < 50.0 ? 3 : 0);
+        box->setDecimals(volume ? valueFieldDecimals(volume->maximum - volume->minimum) : 0);
         box->setSuffix(volume ? QLatin1Char(' ') + volume->unit : QString());
         box->setEnabled(settings.on && settings.byValue);
     }

@@ -113,8 +113,12 @@ void TimeSlider::openMenu(const QPoint& at)
     menu->setObjectName(QStringLiteral("timeMenu"));
     menu->setAttribute(Qt::WA_DeleteOnClose);
     menu->setToolTipsVisible(true);
-    // Its entries are about the points of this series; playing goes on to others of the same.
-    connect(&m_workspace, &Workspace::sessionChanged, menu, &QMenu::close);
+    // Its entries are about the points of this series. Playing goes on to others of the same, so
+    // that the menu stays: it is there to pause it.
+    connect(&m_workspace, &Workspace::sessionChanged, menu, [this, menu] {
+        if (!m_isPlaying)
+            menu->close();
+    });
     QAction* play = menu->addAction(m_isPlaying ? tr("Pause") : tr("Play"), this, [this] {
         if (m_isPlaying)
             Q_EMIT pauseRequested();

@@ -26,6 +26,8 @@ public:
     void showVolume();
     /// Tells whether the points are being played; the menu then offers "Pause".
     void showPlaying(bool isPlaying);
+    /// How fast the menu plays the points, as the user chose it.
+    [[nodiscard]] double pointsPerSecond() const { return m_pointsPerSecond; }
 
 Q_SIGNALS:
     void requested(int time); ///< the user asks for another point, counted from 0

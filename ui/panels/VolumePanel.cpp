@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/panels/VolumePanel.h"
 
+#include "ui/base/NumberText.h"
 #include "ui/base/Theme.h"
 #include "ui/frame/TransferFunctionEditor.h"
 #include "ui/settings/TransferPresets.h"
@@ -148,7 +149,8 @@ void VolumePanel::showVolume()
         m_function->setHistogram(volume->histogram);
         m_function->setUnit(volume->unit);
         const QSignalBlocker blocker(m_threshold);
-        m_threshold->setDecimals(volume->maximum - volume->minimum >= 500.0 ? 0 : 2);
+        const double span = volume->maximum - volume->minimum;
+        m_threshold->setDecimals(span >= 500.0 ? 0 : std::max(2, decimalsForSpan(span)));
         m_threshold->setRange(volume->minimum, volume->maximum);
         m_threshold->setSuffix(
             volume->unit.isEmpty() ? QString() : QStringLiteral(" ") + volume->unit);

@@ -11,14 +11,21 @@ namespace {
 
 const QLatin1String recentKey("recentStudies");
 const QLatin1String seriesKey("recentSeries");
+/// More than are shown: some may lie on a drive that is not there at present.
+constexpr int stored = 3 * RecentStudies::kept;
+
+QStringList storedPaths()
+{
+    return QSettings().value(recentKey).toStringList();
+}
 
 } // namespace
 
 QStringList RecentStudies::paths()
 {
     QStringList present;
-    for (const QString& path : QSettings().value(recentKey).toStringList()) {
-        if (QFileInfo::exists(path))
+    for (const QString& path : storedPaths()) {
+        if (present.size() < kept && QFileInfo::exists(path))
             present += path;
     }
     return present;
@@ -27,10 +34,10 @@ QStringList RecentStudies::paths()
 void RecentStudies::add(const QString& path, const QString& series)
 {
     const QString absolute = QFileInfo(path).absoluteFilePath();
-    QStringList list = paths();
+    QStringList list = storedPaths();
     list.removeAll(absolute);
     list.prepend(absolute);
-    list = list.mid(0, kept);
+    list = list.mid(0, stored);
     QSettings settings;
     settings.setValue(recentKey, QVariant(list));
     const QVariantMap before = settings.value(seriesKey).toMap();

@@ -6,9 +6,9 @@
 
 namespace ui {
 
-/// The paths that were opened last, newest first, kept across runs; paths that no longer exist are
-/// left out. Only paths are stored, and the spacing that the user gave for pictures; not whose
-/// studies they are.
+/// The paths that were opened last, newest first, kept across runs; paths that do not exist at
+/// present are left out, and come back with their drive. Only paths are stored, and the spacing
+/// that the user gave for pictures; not whose studies they are.
 class RecentStudies {
 public:
     static constexpr int kept = 8;

@@ -54,6 +54,18 @@ bool isAboutThePlace(const core::Error& error)
 
 } // namespace
 
+StudyOpener::StudyOpener(QObject* parent)
+    : QObject(parent)
+{
+    constexpr int soon = 200; // ms
+    m_later.setSingleShot(true);
+    m_later.setInterval(soon);
+    connect(&m_later, &QTimer::timeout, this, [this] {
+        if (const auto held = std::exchange(m_held, std::nullopt))
+            take(*held);
+    });
+}
+
 void StudyOpener::abandon()
 {
     blockSignals(true);
@@ -160,6 +172,11 @@ void StudyOpener::goOn(const QString& step, std::function<Completion()> work)
 
 void StudyOpener::take(const core::Result<Completion>& outcome)
 {
+    if (m_holdsWhile && m_holdsWhile()) {
+        m_held = outcome;
+        m_later.start();
+        return;
+    }
     if (outcome)
         (*outcome)();
     else
@@ -173,6 +190,8 @@ void StudyOpener::cancel()
     if (!busy())
         return;
     m_task.cancel();
+    m_later.stop();
+    m_held.reset();
     Q_EMIT finished();
 }
 

@@ -7,9 +7,12 @@
 #include "core/volume/encoding/EarlySlice.h"
 
 #include <QObject>
+#include <QTimer>
 
 #include <functional>
 #include <memory>
+#include <optional>
+#include <utility>
 
 namespace core {
 struct SessionContents;
@@ -23,7 +26,12 @@ class StudyOpener : public QObject {
     Q_OBJECT
 
 public:
-    using QObject::QObject;
+    explicit StudyOpener(QObject* parent = nullptr);
+
+    /// Holds every outcome back, whatever it is, while @p isBusy is true, and looks again soon: a
+    /// dialog may be waiting for an answer about the session that the outcome would close. Without
+    /// this function nothing is held back.
+    void holdWhile(std::function<bool()> isBusy) { m_holdsWhile = std::move(isBusy); }
 
     /// Opens a path. A session file leads to sessionLoaded() or to the other signals of
     /// openSession(), anything else to a volume.
@@ -53,7 +61,7 @@ public:
     /// Cancels and waits, as the destructor does, and reports nothing, now or later: the program
     /// ends.
     void abandon();
-    [[nodiscard]] bool busy() const { return m_task.running(); }
+    [[nodiscard]] bool busy() const { return m_task.running() || m_held; }
 
 Q_SIGNALS:
     void started(const QString& path);
@@ -79,8 +87,12 @@ Q_SIGNALS:
 private:
     void start(const QString& path,
         std::function<Completion(const core::Progress&, const core::EarlySliceListener&)> work);
+    /// Reports an outcome, or holds it back.
     void take(const core::Result<Completion>& outcome);
 
+    std::function<bool()> m_holdsWhile;
+    std::optional<core::Result<Completion>> m_held; ///< an outcome that was not reported yet
+    QTimer m_later; ///< looks whether it may be reported now
     core::Background::Task m_task; ///< the running task
     core::Background m_background; ///< last: it uses all of the above
 };

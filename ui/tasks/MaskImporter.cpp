@@ -40,6 +40,25 @@ QStringList sentencesOn(const core::ReadImport& read, const core::VolumeGeometry
     return sentences;
 }
 
+bool isDicomMask(const QString& path)
+{
+    const core::Result<core::DicomFile> file = core::DicomFile::open(path);
+    return file && core::isMaskClass(file->mediaSopClassUid());
+}
+
+/// Whether a folder has files of masks. DICOM files may as well be slices; of those the first one
+/// tells.
+bool holdsMasks(const QString& folder)
+{
+    const QStringList files = core::maskFilesIn(folder);
+    const auto isDicom = [](const QString& file) {
+        return file.endsWith(QLatin1String(".dcm"), Qt::CaseInsensitive);
+    };
+    const auto dicom = std::find_if(files.begin(), files.end(), isDicom);
+    return !std::all_of(files.begin(), files.end(), isDicom)
+        || (dicom != files.end() && isDicomMask(*dicom));
+}
+
 } // namespace
 
 struct MaskImporter::Waiting {
@@ -76,7 +95,7 @@ bool MaskImporter::looksLikeMask(const QString& path)
     const bool said = name.contains(QLatin1String("label")) || name.contains(QLatin1String("mask"))
         || name.contains(QLatin1String("seg"));
     if (QFileInfo(path).isDir())
-        return said && !core::maskFilesIn(path).isEmpty();
+        return said && holdsMasks(path);
     const QStringList patterns = core::maskNamePatterns();
     const bool known = std::any_of(patterns.begin(), patterns.end(), [&](const QString& pattern) {
         return pattern != QLatin1String("*.dcm") && name.endsWith(pattern.mid(1));
@@ -85,8 +104,7 @@ bool MaskImporter::looksLikeMask(const QString& path)
         return said;
     if (!QFileInfo(path).isFile())
         return false;
-    const core::Result<core::DicomFile> file = core::DicomFile::open(path);
-    return file && core::isMaskClass(file->mediaSopClassUid());
+    return isDicomMask(path);
 }
 
 void MaskImporter::ask()
@@ -107,6 +125,16 @@ void MaskImporter::askForFolder()
 
 void MaskImporter::import(const QString& path)
 {
+    read(path, false);
+}
+
+void MaskImporter::importDropped(const QString& path)
+{
+    read(path, true);
+}
+
+void MaskImporter::read(const QString& path, bool mayBeImage)
+{
     core::EditSession* session = m_workspace.session();
     if (!session || busy())
         return;
@@ -118,7 +146,12 @@ void MaskImporter::import(const QString& path)
             const core::Progress& progress) {
             return core::readImport(core::ImportMask{.file = path}, volume, before, progress);
         },
-        [this, path](const core::Result<core::ReadImport>& read) { take(read, path); });
+        [this, path, mayBeImage](const core::Result<core::ReadImport>& read) {
+            if (!read && mayBeImage && core::saysImage(read.error()))
+                Q_EMIT isImage(path);
+            else
+                take(read, path);
+        });
 }
 
 void MaskImporter::take(const core::Result<core::ReadImport>& read, const QString& path)

@@ -40,6 +40,9 @@ public:
     void askForFolder();
     /// @param path a file, or a folder of mask files (core::maskFilesIn())
     void import(const QString& path);
+    /// The same for a path that was taken for a mask by its name only: if it holds an image,
+    /// isImage() is emitted in place of failed().
+    void importDropped(const QString& path);
     /// Continues an import that waits after overlapping(); otherwise does nothing.
     /// @param ahead ImportMask::ahead
     /// @param planes ImportMask::planes
@@ -65,10 +68,12 @@ Q_SIGNALS:
     /// No voxel was free for the segments, so no step was made.
     void nothingTaken(const QString& path);
     void failed(const core::Error& error);
+    void isImage(const QString& path); ///< after importDropped(); nothing was imported
 
 private:
     struct Waiting;
 
+    void read(const QString& path, bool mayBeImage);
     void take(const core::Result<core::ReadImport>& read, const QString& path);
     void apply(const core::ReadImport& read, const QString& path);
 

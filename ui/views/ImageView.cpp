@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/views/ImageView.h"
 
+#include "gpu/scene/WindowMapping.h"
 #include "ui/base/Theme.h"
 #include "ui/input/Tool.h"
 #include "ui/overlays/Annotations.h"
@@ -286,11 +287,12 @@ void ImageView::requestMovingFrame()
     requestFrame(true);
 }
 
-core::WindowLevel ImageView::windowAfterDrag(core::WindowLevel window, const QPointF& moved)
+core::WindowLevel ImageView::windowAfterDrag(
+    const core::VoxelEncoding& encoding, core::WindowLevel window, const QPointF& moved)
 {
     // The width moves in proportion to itself, so that narrow windows can be set finely.
-    const double step = std::max(window.width, 1.0) / 250.0;
-    window.width = std::max(window.width + moved.x() * step, 1e-3);
+    const double step = std::max(window.width, gpu::valuesApart(encoding)) / 250.0;
+    window.width = std::max(window.width + moved.x() * step, gpu::leastWindowWidth(encoding));
     window.centre += moved.y() * step;
     return window;
 }

@@ -121,7 +121,7 @@ protected:
     void requestMovingFrame();
     /// The window after a drag: rightwards makes it wider, downwards makes its centre higher.
     [[nodiscard]] static core::WindowLevel windowAfterDrag(
-        core::WindowLevel window, const QPointF& moved);
+        const core::VoxelEncoding& encoding, core::WindowLevel window, const QPointF& moved);
 
     bool eventFilter(QObject* watched, QEvent* event) override;
     bool event(QEvent* event) override;

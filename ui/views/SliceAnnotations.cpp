@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What is drawn over the picture of a slice.
+#include "gpu/scene/WindowMapping.h"
 #include "ui/base/NumberText.h"
 #include "ui/base/StudyTexts.h"
 #include "ui/base/Theme.h"
@@ -101,17 +102,17 @@ void SliceView::paintColours(QPainter& painter, const gpu::SliceScene& slice) co
     if (slice.colours == gpu::ColourMap::Grey)
         return;
     const core::Volume& volume = *shownVolume();
-    // DICOM LINEAR, as the picture is drawn (gpu::greyOfTexel()).
-    const double middle = slice.window.centre - 0.5;
-    const double half = 0.5 * std::max(slice.window.width - 1.0, 1e-3);
+    // As the picture is drawn.
+    const gpu::GreyRamp ramp = gpu::greyRampOf(volume.encoding, slice.window);
+    const double half = 0.5 * ramp.span;
     const auto end = [&](double value) {
         return valueText(value, volume.unit, volume.maximum - volume.minimum);
     };
     paintColourBar(painter, rect(),
         {.map = slice.colours,
             .inverted = slice.inverted,
-            .upper = end(middle + half),
-            .lower = end(middle - half)});
+            .upper = end(ramp.middle + half),
+            .lower = end(ramp.middle - half)});
 }
 
 void SliceView::paintCross(QPainter& painter, const ViewContext& shown)

@@ -128,7 +128,11 @@ void SliceView::dragged(Gesture gesture, const QPointF& from, const QPointF& to)
     const SliceAxes onScreen = axesOnScreen();
     switch (gesture) {
     case Gesture::Window:
-        workspace().setWindowLevel(windowAfterDrag(workspace().windowLevel(), moved));
+        // A gesture goes on where its study is closed meanwhile.
+        if (const core::Volume* volume = workspace().volume()) {
+            workspace().setWindowLevel(
+                windowAfterDrag(volume->encoding, workspace().windowLevel(), moved));
+        }
         break;
     case Gesture::Pan:
         m_fitted = false;

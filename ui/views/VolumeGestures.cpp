@@ -58,9 +58,12 @@ void VolumeView::dragged(Gesture gesture, const QPointF& from, const QPointF& to
 
 void VolumeView::changeWindow(const QPointF& moved)
 {
+    const core::Volume* volume = workspace().volume();
+    if (!volume)
+        return;
     Workspace::VolumeDisplay display = workspace().volumeDisplay();
     if (const auto window = Workspace::greyWindow(display.mode))
-        display.*window = windowAfterDrag(display.*window, moved);
+        display.*window = windowAfterDrag(volume->encoding, display.*window, moved);
     workspace().setVolumeDisplay(display);
 }
 

@@ -20,13 +20,13 @@ namespace {
 
 constexpr double leastApart = 16.0; ///< logical pixels: two handles and room to catch each
 
-/// Whole numbers where a unit is fine enough, else what a thousandth of the range needs.
+/// What a thousandth of the range needs.
 int decimalsFor(const core::Histogram& histogram)
 {
     const double range = histogram.maximum - histogram.minimum;
-    if (!(range > 0.0) || range >= 500.0)
-        return range >= 500.0 ? 1 : 2;
-    return std::clamp(int(std::ceil(3.0 - std::log10(range))), 1, 6);
+    if (!(range > 0.0))
+        return 2;
+    return range >= 1.0 ? decimalsForSpan(range) + 1 : decimalsForSpan(range);
 }
 
 /// Takes numbers beyond its range for the nearest within it. A plain box would refuse their last

@@ -59,11 +59,14 @@ void BookmarkMenu::ask()
 
 void BookmarkMenu::keep(const QString& name)
 {
+    core::EditSession* session = m_workspace.session();
+    if (!session)
+        return;
     core::AddBookmark edit;
     edit.name = name;
     edit.view = viewOf(m_view.camera());
     edit.crosshairLps = m_workspace.crosshairLps();
-    if (const auto kept = m_workspace.session()->apply(edit); !kept)
+    if (const auto kept = session->apply(edit); !kept)
         m_workspace.fail(kept.error());
     else
         m_workspace.say(tr("Kept as '%1'; View > Bookmarks comes back to it").arg(name));
@@ -107,8 +110,11 @@ void BookmarkMenu::list(QMenu& menu)
     QMenu* remove = menu.addMenu(tr("Remove"));
     for (const core::CameraBookmark& bookmark : session->document().bookmarks) {
         remove->addAction(shown(bookmark), this, [this, id = bookmark.id] {
-            const auto removed = m_workspace.session()->apply(core::RemoveBookmark{.bookmark = id});
-            if (!removed)
+            // The menu may have been open while the study was closed.
+            core::EditSession* of = m_workspace.session();
+            if (!of)
+                return;
+            if (const auto removed = of->apply(core::RemoveBookmark{.bookmark = id}); !removed)
                 m_workspace.fail(removed.error());
         });
     }

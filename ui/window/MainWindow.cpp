@@ -7,6 +7,7 @@
 #include "ui/dialogs/AboutDialog.h"
 #include "ui/dialogs/session/SessionSaver.h"
 #include "ui/dialogs/session/UnwrittenSteps.h"
+#include "ui/dialogs/study/DroppedPaths.h"
 #include "ui/dialogs/study/OpenDialogs.h"
 #include "ui/frame/LoadingBar.h"
 #include "ui/frame/MendingStrip.h"
@@ -49,18 +50,11 @@
 #include <QStatusBar>
 #include <QVBoxLayout>
 
+#include <algorithm>
+
 namespace ui {
 
 namespace {
-
-QString droppedPath(const QMimeData& data)
-{
-    for (const QUrl& url : data.urls()) {
-        if (url.isLocalFile())
-            return url.toLocalFile();
-    }
-    return {};
-}
 
 /// The class of the panel that a tool works with, by the tool's icon name; null: none.
 const char* panelOf(const QString& tool)
@@ -272,6 +266,8 @@ void MainWindow::buildCentre()
 void MainWindow::connectOpener()
 {
     m_loading->follow(m_opener);
+    // A study that takes the place of another would answer what a dialog asks about that one.
+    m_opener.holdWhile([] { return QApplication::activeModalWidget() != nullptr; });
     connect(&m_opener, &StudyOpener::started, m_messages, &MessageBar::dismiss);
     connect(&m_opener, &StudyOpener::started, &m_actions, &Actions::refresh);
     connect(&m_opener, &StudyOpener::finished, &m_actions, &Actions::refresh);
@@ -280,6 +276,8 @@ void MainWindow::connectOpener()
     connect(&m_opener, &StudyOpener::finished, this, [this] { m_shown->setEarly(nullptr); });
     connect(&m_opener, &StudyOpener::failed, &m_workspace, &Workspace::fail);
     answerQuestions(m_opener, *m_messages, *this);
+    connect(m_importer, &MaskImporter::isImage, this,
+        [this](const QString& path) { m_opener.open(path); });
     connect(m_saver, &SessionSaver::imagesBegun, this, [this](const QString& target) {
         m_loading->begin(tr("Saving %1").arg(QFileInfo(target).fileName()));
     });
@@ -464,19 +462,30 @@ void MainWindow::closeStudy()
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event)
 {
-    if (!droppedPath(*event->mimeData()).isEmpty())
+    if (!droppedPaths(*event->mimeData()).isEmpty())
         event->acceptProposedAction();
 }
 
 void MainWindow::dropEvent(QDropEvent* event)
 {
-    const QString path = droppedPath(*event->mimeData());
-    if (path.isEmpty())
+    const QStringList paths = droppedPaths(*event->mimeData());
+    if (paths.isEmpty())
         return;
     event->acceptProposedAction();
-    if (m_workspace.session() && MaskImporter::looksLikeMask(path))
-        return m_importer->import(path);
+    const bool areMasks = m_workspace.session()
+        && std::all_of(paths.begin(), paths.end(), &MaskImporter::looksLikeMask);
+    if (areMasks && paths.size() > 1)
+        return m_messages->show(MessageBar::Kind::Caution,
+            tr("None of the %1 masks was imported: drop one at a time, or the folder in which they "
+               "lie.")
+                .arg(paths.size()));
+    if (areMasks)
+        return m_importer->importDropped(paths.front());
+    const QString path = studyAmong(paths);
     m_opener.open(path);
+    if (paths.size() > 1 && paths.contains(path))
+        m_messages->show(MessageBar::Kind::Caution,
+            tr("Only %1 was opened; drop one study at a time.").arg(QFileInfo(path).fileName()));
 }
 
 } // namespace ui

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/window/ViewActions.h"
 
+#include "ui/base/NumberText.h"
 #include "ui/input/HeldKey.h"
 #include "ui/menus/ColourMapEntries.h"
 #include "ui/menus/InterpolationEntries.h"
@@ -172,13 +173,16 @@ void addPresetActions(MainWindow& window)
                     return chosen && chosen->window == workspace.windowLevel();
                 },
             .currentText =
-                [preset, number] {
+                [&workspace, preset, number] {
                     const auto chosen = preset(number);
-                    return chosen ? QStringLiteral("%1  (%2 / %3)")
-                                        .arg(chosen->name)
-                                        .arg(chosen->window.width, 0, 'f', 0)
-                                        .arg(chosen->window.centre, 0, 'f', 0)
-                                  : QStringLiteral("—");
+                    if (!chosen)
+                        return QStringLiteral("—");
+                    const core::Volume& volume = *workspace.volume();
+                    const int decimals = decimalsForSpan(volume.maximum - volume.minimum);
+                    return QStringLiteral("%1  (%2 / %3)")
+                        .arg(chosen->name)
+                        .arg(chosen->window.width, 0, 'f', decimals)
+                        .arg(chosen->window.centre, 0, 'f', decimals);
                 }});
     }
 }

@@ -2,6 +2,7 @@
 #include "ui/workspace/InitialDisplay.h"
 
 #include "core/volume/SurfaceThreshold.h"
+#include "gpu/scene/WindowMapping.h"
 #include "ui/settings/TransferPresets.h"
 
 #include <QObject>
@@ -18,13 +19,15 @@ core::WindowLevel mipWindow(const core::Volume& volume)
 {
     const double low =
         volume.unit == QLatin1String("HU") ? 0.0 : core::otsuThreshold(volume.histogram);
-    const double high = std::max(quantile(volume.histogram, 0.9995), low + 1e-3);
+    const double high =
+        std::max(quantile(volume.histogram, 0.9995), low + gpu::leastWindowWidth(volume.encoding));
     return {0.5 * (low + high), high - low};
 }
 
 /// From what a path through air alone would give to what one through the object alone would.
-core::WindowLevel xrayWindow(const core::Histogram& histogram)
+core::WindowLevel xrayWindow(const core::Volume& volume)
 {
+    const core::Histogram& histogram = volume.histogram;
     const double parted = core::otsuThreshold(histogram);
     const double binWidth = (histogram.maximum - histogram.minimum)
         / double(std::max<std::size_t>(histogram.counts.size(), 1));
@@ -37,7 +40,7 @@ core::WindowLevel xrayWindow(const core::Histogram& histogram)
         count[side] += histogram.counts[bin];
     }
     const double low = sum[0] / count[0];
-    const double high = std::max(sum[1] / count[1], low + 1e-3);
+    const double high = std::max(sum[1] / count[1], low + gpu::leastWindowWidth(volume.encoding));
     return {0.5 * (low + high), high - low};
 }
 
@@ -47,7 +50,7 @@ Workspace::VolumeDisplay initialVolumeDisplay(const core::Volume& volume)
 {
     Workspace::VolumeDisplay display;
     display.mipWindow = mipWindow(volume);
-    display.xrayWindow = xrayWindow(volume.histogram);
+    display.xrayWindow = xrayWindow(volume);
     display.surfaceThreshold = core::usualSurfaceThreshold(volume);
     display.transferFunction = transferPresets(volume).front().function;
     return display;
@@ -68,7 +71,8 @@ std::vector<WindowPreset> windowPresets(const core::Volume& volume)
             {QObject::tr("Stroke"), {32.0, 12.0}},
             {QObject::tr("As stored"), volume.defaultWindow}};
     }
-    const double range = std::max(volume.maximum - volume.minimum, 1e-6);
+    const double range = std::max(
+        volume.maximum - volume.minimum, std::min(gpu::leastWindowWidth(volume.encoding), 1e-6));
     const auto share = [&](double part) {
         return core::WindowLevel{volume.minimum + 0.5 * part * range, part * range};
     };

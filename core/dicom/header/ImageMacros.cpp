@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace core {
 
@@ -57,7 +58,10 @@ void readWindow(const HeaderAttributes& from, ImageHeader& header)
 {
     const std::optional<double> centre = from.number(DCM_WindowCenter);
     const std::optional<double> width = from.number(DCM_WindowWidth);
-    if (centre && width && *width >= 1.0)
+    // LINEAR knows no width below 1 (PS3.3 C.11.2.1.2.1). Where stored values stand for fractions
+    // files state one nevertheless (of an SUV, an ADC, an anisotropy), and mean it.
+    const double least = std::abs(header.slope) == 1.0 ? 1.0 : std::numeric_limits<double>::min();
+    if (centre && width && *width >= least)
         header.window = WindowLevel{*centre, *width};
 }
 

@@ -93,7 +93,8 @@ void describeCounts(Volume& volume, const CodeCounts& counts, bool hasWindow)
     // Robust against metal, noise and the large dark background around most objects.
     const double low = encoding.value(percentileCode(counts, total, 0.02));
     const double high = encoding.value(percentileCode(counts, total, 0.995));
-    const double width = high > low ? high - low : std::max(range, 1.0);
+    // Nearly all of a mask or of a map of probabilities may be the same value.
+    const double width = high > low ? high - low : range > 0.0 ? range : 1.0;
     volume.defaultWindow = {.centre = low + width / 2.0, .width = width};
 }
 

@@ -18,8 +18,10 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QMessageBox>
+#include <QPushButton>
 #include <QSignalSpy>
 #include <QTest>
+#include <QTimer>
 
 #include <optional>
 
@@ -169,6 +171,62 @@ private Q_SLOTS:
         QCOMPARE(session().file(), path("second.burin"));
         QVERIFY(!session().storage().holdsImages());
         QVERIFY(!QFile::exists(path("first.burin")));
+    }
+
+    void closingAsksWhileImagesAreSaved_data()
+    {
+        QTest::addColumn<QString>("answer");
+        QTest::newRow("wait") << QStringLiteral("Wait");
+        QTest::newRow("cancel") << QStringLiteral("Cancel saving");
+        QTest::newRow("stay") << QStringLiteral("Stay");
+    }
+    void closingAsksWhileImagesAreSaved()
+    {
+        QFETCH(QString, answer);
+        open(path("case/ct"));
+        edit(test::drillAt(0));
+        const QString target = path("mine.burin");
+        QSignalSpy saved(&workspace(), &ui::Workspace::sessionSaved);
+        int pressed = 0;
+        QString words;
+        // At once: the study is small.
+        QTimer answers;
+        connect(&answers, &QTimer::timeout, this, [&] {
+            auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+            if (!box)
+                return;
+            for (QPushButton* button : box->findChildren<QPushButton*>()) {
+                if (button->text().remove(u'&') != answer)
+                    continue;
+                words = box->text();
+                ++pressed;
+                return button->click();
+            }
+        });
+        answers.start(0);
+        ui::SessionSaver& saver = window().saver();
+        saver.save({.target = target, .images = true});
+        QVERIFY(saver.saving());
+        window().closeStudy();
+        answers.stop();
+        QCOMPARE(pressed, 1);
+        QVERIFY2(words.contains(target), qPrintable(words));
+        QCOMPARE(workspace().session() != nullptr, answer == QLatin1String("Stay"));
+        if (answer == QLatin1String("Cancel saving")) {
+            QVERIFY(!saver.saving());
+            QTest::qWait(500);
+            QCOMPARE(saved.size(), 0);
+            QVERIFY(!QFile::exists(target));
+            return;
+        }
+        QTRY_COMPARE_WITH_TIMEOUT(saved.size(), 1, patience);
+        QVERIFY(!saver.saving());
+        if (answer == QLatin1String("Stay"))
+            window().closeStudy();
+        QVERIFY(!workspace().session());
+        open(target);
+        QVERIFY(session().storage().holdsImages());
+        QCOMPARE(session().history().rows().size(), std::size_t(1));
     }
 
     /// The question's way out: the steps go to another place, and what was asked goes on.

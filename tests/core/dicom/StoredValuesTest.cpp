@@ -349,6 +349,18 @@ void StoredValuesTest::windowComesFromTheFileWhereValid()
     test::writeSeries(series, path());
     QCOMPARE(test::openVolume(path()).volume.defaultWindow, (core::WindowLevel{-450.0, 1600.0}));
 
+    // Of fractions, one that is narrower than 1 is meant.
+    SyntheticSeries fractions;
+    fractions.slope = [](int) { return 0.001; };
+    fractions.intercept = [](int) { return 0.0; };
+    fractions.adjust = [](DcmDataset& set, int) {
+        set.putAndInsertString(DCM_WindowCenter, "0.5");
+        set.putAndInsertString(DCM_WindowWidth, "0.75");
+    };
+    test::writeSeries(fractions, path(QStringLiteral("fractions")));
+    QCOMPARE(test::openVolume(path(QStringLiteral("fractions"))).volume.defaultWindow,
+        (core::WindowLevel{0.5, 0.75}));
+
     series.adjust = [](DcmDataset& set, int) {
         set.putAndInsertString(DCM_WindowCenter, "40");
         set.putAndInsertString(DCM_WindowWidth, "0");

@@ -85,7 +85,6 @@ private Q_SLOTS:
         const core::VolumeGeometry geometry =
             sheared ? tilted() : test::centredGeometry({40, 30, 24}, {0.7, 1.1, 2.0});
         core::VoxelEncoding encoding;
-        encoding.rescaleSlope = 0.5;
         encoding.rescaleIntercept = -300.0;
         m_fixture->open(geometry, ramp, encoding);
         SliceScene scene;
@@ -98,7 +97,7 @@ private Q_SLOTS:
             : glm::normalize(glm::cross(scene.rightLps, glm::dvec3(0.3, -1, 0.2)));
         scene.centreLps = {1.3, -0.7, 2.1};
         scene.mmPerPixel = 0.31;
-        scene.window = {700.0, 500.0};
+        scene.window = {1700.0, 1000.0};
         scene.inverted = inverted;
         const glm::ivec2 size(151, 149);
         const Frame frame = m_fixture->draw(scene, size);
@@ -112,7 +111,7 @@ private Q_SLOTS:
                     QCOMPARE(seen, 0);
                 } else if (isInside(geometry, lps, -0.51)) {
                     ++inside;
-                    int expected = windowed(0.5 * ramp(lps) - 300.0, scene.window);
+                    int expected = windowed(ramp(lps) - 300.0, scene.window);
                     expected = inverted ? 255 - expected : expected;
                     // Codes are whole numbers: half a code is 0.13 of a grey level here.
                     QVERIFY2(std::abs(seen - expected) <= 1,

@@ -7,6 +7,7 @@
 #include "tests/support/fixtures/WindowFixture.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/PlainEdits.h"
+#include "tests/support/series/SyntheticSeries.h"
 #include "ui/dialogs/MaskOrderDialog.h"
 #include "ui/frame/MessageBar.h"
 
@@ -54,10 +55,13 @@ public:
         QTRY_VERIFY(!window.importer().busy());
         QVERIFY(session().settle());
     }
-    void drop(const QString& file)
+    void drop(const QStringList& files)
     {
         QMimeData data;
-        data.setUrls({QUrl::fromLocalFile(file)});
+        QList<QUrl> urls;
+        for (const QString& file : files)
+            urls += QUrl::fromLocalFile(file);
+        data.setUrls(urls);
         QDragEnterEvent enter(
             QPoint(20, 20), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
         QApplication::sendEvent(&window, &enter);
@@ -65,6 +69,7 @@ public:
         QDropEvent event(QPointF(20, 20), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
         QApplication::sendEvent(&window, &event);
     }
+    void drop(const QString& file) { drop(QStringList{file}); }
     QTemporaryDir folder;
 };
 
@@ -138,6 +143,73 @@ private Q_SLOTS:
         fixture.finish();
         QCOMPARE(fixture.session().history().rows().size(), std::size_t(1));
         QCOMPARE(fixture.session().document().segments.size(), std::size_t(2));
+    }
+
+    void severalMasksAreNotTakenForOne()
+    {
+        ImportFixture fixture;
+        fixture.drop({fixture.mask("one-seg.nii"), fixture.mask("two-seg.nii")});
+        QVERIFY(!fixture.window.importer().busy());
+        const QString sentence = fixture.window.messages().sentence();
+        QVERIFY2(sentence.contains(QStringLiteral("None of the 2 masks")), qPrintable(sentence));
+        QVERIFY(fixture.session().history().rows().empty());
+    }
+
+    /// Slices are those of their folder; of whole studies one is opened, which is told.
+    void severalFilesAreOpenedAsTheyBelong()
+    {
+        ImportFixture fixture;
+        const QString slices = fixture.path("ct");
+        const QStringList files = test::writeSeries({}, slices);
+        QSignalSpy loaded(&fixture.window.opener(), &ui::StudyOpener::loaded);
+        QSignalSpy finished(&fixture.window.opener(), &ui::StudyOpener::finished);
+        fixture.drop(files);
+        QTRY_COMPARE(finished.size(), 1);
+        QCOMPARE(loaded.size(), 1);
+        QCOMPARE(loaded[0][1].toString(), slices);
+        QVERIFY2(fixture.window.messages().sentence().isEmpty(),
+            qPrintable(fixture.window.messages().sentence()));
+
+        const QString volume = fixture.mask("one.nii");
+        fixture.drop({fixture.path("a.raw"), volume, fixture.mask("two.nii")});
+        QTRY_COMPARE(finished.size(), 2);
+        QCOMPARE(loaded.size(), 2);
+        QCOMPARE(loaded[1][1].toString(), volume);
+        const QString sentence = fixture.window.messages().sentence();
+        QVERIFY2(
+            sentence.contains(QStringLiteral("Only one.nii was opened")), qPrintable(sentence));
+    }
+
+    /// Names of studies may sound like masks.
+    void whatHoldsAnImageIsOpened()
+    {
+        ImportFixture fixture;
+        test::SyntheticSeries series;
+        series.fileName = [](int k) { return QStringLiteral("%1.dcm").arg(k); };
+        test::writeSeries(series, fixture.path("segura"));
+        QVERIFY(!ui::MaskImporter::looksLikeMask(fixture.path("segura")));
+        QSignalSpy loaded(&fixture.window.opener(), &ui::StudyOpener::loaded);
+        QSignalSpy failed(&fixture.window.importer(), &ui::MaskImporter::failed);
+        fixture.drop(fixture.path("segura"));
+        QTRY_COMPARE(loaded.size(), 1);
+        QCOMPARE(loaded[0][1].toString(), fixture.path("segura"));
+
+        core::VolumeGeometry geometry = fixture.workspace.volume()->geometry;
+        std::vector<std::int16_t> values;
+        for (std::size_t voxel = 0; voxel < geometry.voxelCount(); ++voxel)
+            values.push_back(std::int16_t(voxel % 1000));
+        const QString image = fixture.path("x_masked.nii.gz");
+        QVERIFY(core::writeNifti(image, {.geometry = geometry, .voxels = values}));
+        fixture.drop(image);
+        QTRY_COMPARE(loaded.size(), 2);
+        QCOMPARE(loaded[1][1].toString(), image);
+        QCOMPARE(failed.size(), 0);
+        QVERIFY(fixture.session().history().rows().empty());
+        // Who imports it by the menu is told.
+        fixture.window.importer().import(image);
+        fixture.finish();
+        QCOMPARE(failed.size(), 1);
+        QCOMPARE(loaded.size(), 2);
     }
 
     /// A file for each structure, as networks write them.

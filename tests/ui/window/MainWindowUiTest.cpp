@@ -9,11 +9,13 @@
 #include "ui/frame/StartPage.h"
 #include "ui/frame/ToolColumn.h"
 #include "ui/overlays/CautionStrip.h"
+#include "ui/panels/VolumePanel.h"
 #include "ui/views/ViewGrid.h"
 #include "ui/window/OptionBar.h"
 
 #include <QAction>
 #include <QComboBox>
+#include <QDoubleSpinBox>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QMenu>
@@ -24,6 +26,8 @@
 #include <QTreeWidget>
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
 namespace mainWindowUiTest {
 
@@ -33,6 +37,7 @@ class MainWindowUiTest : public QObject {
 private Q_SLOTS:
     void titleSaysWhoseStudy();
     void textsOfAStudy();
+    void narrowRangesHaveTheirDecimals();
     void cautionStaysUntilAccepted();
     void theDoctorsAnswerClosesIt();
     void messagesLieOverThePictures();
@@ -95,6 +100,40 @@ void MainWindowUiTest::textsOfAStudy()
     QCOMPARE(ui::valueText(41.6, QStringLiteral("HU"), 4000.0), QStringLiteral("42 HU"));
     QCOMPARE(ui::valueText(0.1234, QString(), 0.5), QStringLiteral("0.1234"));
     QCOMPARE(ui::patientText({}), QStringLiteral("patient not named in the source"));
+}
+
+/// An ADC in mm²/s is 0.003 at most: its surface can be moved, and its texts tell it.
+void MainWindowUiTest::narrowRangesHaveTheirDecimals()
+{
+    QCOMPARE(
+        ui::valueText(0.00123, QStringLiteral("mm²/s"), 0.003), QStringLiteral("0.001230 mm²/s"));
+    for (const auto& [span, decimals] :
+        {std::pair(4000.0, 0), std::pair(100.0, 0), std::pair(99.0, 1), std::pair(5.0, 2),
+            std::pair(0.5, 4), std::pair(0.003, 6), std::pair(1e-20, 8), std::pair(0.0, 4)})
+        QCOMPARE(ui::decimalsForSpan(span), decimals);
+
+    core::LoadedVolume loaded = test::plainCt(test::headFirstSupine());
+    loaded.volume.encoding = {.rescaleSlope = 0.003 / 65535.0};
+    loaded.volume.unit = QStringLiteral("mm²/s");
+    loaded.volume.minimum = 0.0;
+    loaded.volume.maximum = 0.003;
+    loaded.volume.histogram.minimum = 0.0;
+    loaded.volume.histogram.maximum = 0.003;
+    test::WindowFixture fixture(loaded);
+    const QString preset = fixture.window.actionTable()[QStringLiteral("window.preset2")].text();
+    QVERIFY2(preset.contains(QStringLiteral("0.003000 / 0.001500")), qPrintable(preset));
+    ui::VolumePanel panel(fixture.workspace);
+    // The panel fills itself when a study opens.
+    fixture.workspace.setSession(nullptr);
+    auto session = core::EditSession::create(fixture.engine, loaded, {});
+    QVERIFY(session);
+    fixture.workspace.setSession(std::move(*session));
+    auto* threshold = panel.findChild<QDoubleSpinBox*>(QStringLiteral("surfaceThreshold"));
+    QVERIFY(threshold);
+    for (const double value : {0.00123, 0.00124}) {
+        threshold->setValue(value);
+        QVERIFY(std::abs(fixture.workspace.volumeDisplay().surfaceThreshold - value) < 1e-6);
+    }
 }
 
 void MainWindowUiTest::cautionStaysUntilAccepted()

@@ -15,6 +15,8 @@
 #include <QPixmap>
 #include <QWidget>
 
+#include <optional>
+
 namespace ui {
 
 bool isDicomPicture(const QString& file)
@@ -68,8 +70,12 @@ core::Result<core::ExportReport> savePicture(
 QString askAndSavePicture(Workspace& workspace, QWidget& window)
 {
     const QImage picture = window.grab().toImage();
-    const bool isDicom =
-        workspace.volume() && core::dicomSegObstacle(*workspace.volume()).isEmpty();
+    // Whose picture it is does not depend on what is open once the dialog has been answered.
+    std::optional<core::Volume> shown;
+    if (workspace.volume())
+        shown = *workspace.volume();
+    const core::Volume* volume = shown ? &*shown : nullptr;
+    const bool isDicom = volume && core::dicomSegObstacle(*volume).isEmpty();
     const QString png = QObject::tr("PNG picture (*.png)");
     const QString dicom = QObject::tr("DICOM Secondary Capture, of this patient (*.dcm)");
     const auto chosen =
@@ -77,7 +83,7 @@ QString askAndSavePicture(Workspace& workspace, QWidget& window)
                          .of = QObject::tr("window"),
                          .ending = QStringLiteral(".png"),
                          .filter = isDicom ? png + QStringLiteral(";;") + dicom : png},
-            workspace.volume(), &window);
+            volume, &window);
     if (!chosen)
         return {};
     QString file = chosen->file;
@@ -87,7 +93,7 @@ QString askAndSavePicture(Workspace& workspace, QWidget& window)
         if (QFileInfo::exists(file) && !mayReplace(file, &window))
             return {};
     }
-    const auto saved = savePicture(picture, workspace.volume(), file);
+    const auto saved = savePicture(picture, volume, file);
     if (!saved) {
         workspace.fail(saved.error());
         return {};

@@ -140,12 +140,13 @@ void SessionSaver::cancel()
                 done(false);
         });
     m_workspace.say(tr("Saving was cancelled; the session goes on where it was"));
-    Q_EMIT imagesEnded();
+    Q_EMIT imagesEnded(false);
 }
 
 void SessionSaver::stage(const Choice& choice, std::function<void(bool)> done)
 {
     m_done = std::move(done);
+    m_target = choice.target;
     Q_EMIT imagesBegun(choice.target);
     using Staged = core::Result<std::shared_ptr<core::StagedFile>>;
     m_staging = m_background.start(
@@ -154,7 +155,7 @@ void SessionSaver::stage(const Choice& choice, std::function<void(bool)> done)
             const core::Progress& progress) { return stageFromStudy(target, source, progress); },
         [this, choice](const Staged& staged) {
             std::function<void(bool)> done = std::exchange(m_done, {});
-            Q_EMIT imagesEnded();
+            Q_EMIT imagesEnded(staged.has_value());
             if (staged)
                 return goOnIn(choice, *staged, std::move(done));
             m_workspace.fail(staged.error());

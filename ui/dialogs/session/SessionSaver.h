@@ -48,13 +48,19 @@ public:
     /// hold are read from the study again, on another thread; if that is still going on for an
     /// earlier call, it is cancelled.
     void save(const Choice& choice, std::function<void(bool saved)> done = {});
+    /// Whether images are being written, which cancel() or closing the session would call off.
+    [[nodiscard]] bool saving() const { return m_staging.running(); }
+    /// The file that the images are written for while saving().
+    [[nodiscard]] const QString& target() const { return m_target; }
     /// Cancels saving and leaves no file behind. Has no effect once the images are written.
     void cancel();
 
 Q_SIGNALS:
     void imagesBegun(const QString& target);
     void imagesProgressed(const QString& step, int done, int total);
-    void imagesEnded(); ///< written, failed or cancelled
+    /// The images are written, so that the session goes on with them; or that failed or was
+    /// cancelled.
+    void imagesEnded(bool written);
 
 private:
     [[nodiscard]] QString suggestedName() const;
@@ -67,6 +73,7 @@ private:
     QWidget& m_window;
     QString m_workingFolder;
     core::Background::Task m_staging; ///< the task that writes images
+    QString m_target; ///< of that task
     std::function<void(bool saved)> m_done; ///< called when that task has ended
     core::Background m_background; ///< last: it uses all of the above
 };

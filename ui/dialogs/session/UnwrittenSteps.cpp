@@ -19,10 +19,51 @@ QString tr(const char* text)
     return QCoreApplication::translate("ui::UnwrittenSteps", text);
 }
 
+/// If the session is still being saved with images, asks whether to wait for that.
+/// @return whether it may be closed now
+bool mayEndSaving(QWidget& window, SessionSaver& saver)
+{
+    bool written = true;
+    const QObject watching;
+    QObject::connect(&saver, &SessionSaver::imagesEnded, &watching,
+        [&written](bool areWritten) { written = areWritten; });
+    bool waits = false;
+    while (saver.saving()) {
+        QMessageBox box(QMessageBox::Question, tr("Still saving"),
+            tr("The session is still being saved to %1, with the study's images.")
+                .arg(saver.target()),
+            QMessageBox::NoButton, &window);
+        box.setInformativeText(waits
+                ? tr("It is closed as soon as that is done.")
+                : tr("If you cancel that, the session stays in the file that it has now, and none "
+                     "is written there."));
+        QPushButton* wait = waits ? nullptr : box.addButton(tr("Wait"), QMessageBox::AcceptRole);
+        const QPushButton* give = box.addButton(tr("Cancel saving"), QMessageBox::DestructiveRole);
+        QPushButton* stay = box.addButton(tr("Stay"), QMessageBox::RejectRole);
+        box.setDefaultButton(wait ? wait : stay);
+        box.setEscapeButton(stay);
+        QObject::connect(&saver, &SessionSaver::imagesEnded, &box, &QDialog::reject);
+        box.exec();
+        if (!saver.saving())
+            break;
+        if (box.clickedButton() == give) {
+            saver.cancel();
+            return true;
+        }
+        if (!wait || box.clickedButton() != wait)
+            return false;
+        waits = true;
+    }
+    // What failed is told, and can be tried once more.
+    return written;
+}
+
 } // namespace
 
 bool mayLoseUnwrittenSteps(Workspace& workspace, QWidget& window, SessionSaver& saver)
 {
+    if (!mayEndSaving(window, saver))
+        return false;
     while (true) {
         core::EditSession* session = workspace.session();
         const std::optional<core::Error> trouble =

@@ -4,6 +4,7 @@
 #include "ui/base/StudyTexts.h"
 #include "ui/base/Theme.h"
 #include "ui/widgets/fields/NumberField.h"
+#include "ui/widgets/fields/ValueField.h"
 
 #include <QCheckBox>
 #include <QDoubleSpinBox>
@@ -101,7 +102,7 @@ void EdgeOptions::showSettings()
     const Workspace::BrushSettings& settings = m_workspace.brushSettings(edgeBrush);
     const core::Volume* volume = m_workspace.volume();
     const QSignalBlocker blocker(m_tolerance);
-    m_tolerance->setDecimals(hasFractions(volume) ? 3 : 0);
+    m_tolerance->setDecimals(volume ? valueFieldDecimals(volume->maximum - volume->minimum) : 0);
     m_tolerance->setSuffix(volume ? QLatin1Char(' ') + volume->unit : QString());
     m_tolerance->setValue(settings.edgeTolerance);
     m_tolerance->setEnabled(settings.followsEdges);

@@ -102,8 +102,7 @@ void PaintLimits::showSettings()
     m_onlyBetween->setChecked(settings.onlyBetween);
     const core::Volume* volume = m_workspace.volume();
     for (QDoubleSpinBox* box : {m_lower, m_upper}) {
-        // A volume of fractions needs them here too.
-        box->setDecimals(volume && volume->maximum - volume->minimum < 50.0 ? 3 : 0);
+        box->setDecimals(volume ? valueFieldDecimals(volume->maximum - volume->minimum) : 0);
         box->setSuffix(volume ? QLatin1Char(' ') + volume->unit : QString());
         box->setEnabled(settings.onlyBetween);
     }

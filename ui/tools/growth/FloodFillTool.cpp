@@ -10,6 +10,7 @@
 #include "ui/tools/aim/CursorLabel.h"
 #include "ui/tools/common/SeedOptions.h"
 #include "ui/widgets/fields/NumberField.h"
+#include "ui/widgets/fields/ValueField.h"
 #include "ui/workspace/SegmentActions.h"
 #include "ui/workspace/Workspace.h"
 
@@ -124,8 +125,8 @@ QWidget* FloodFillTool::createOptions(QWidget* parent)
         const QSignalBlocker overwrite(its.overwrite);
         const core::Volume* volume = m_workspace.volume();
         its.reach->setCurrentIndex(m_settings.in3D ? 1 : 0);
-        // A volume of fractions needs them here too.
-        its.tolerance->setDecimals(volume && volume->maximum - volume->minimum < 50.0 ? 3 : 0);
+        its.tolerance->setDecimals(
+            volume ? valueFieldDecimals(volume->maximum - volume->minimum) : 0);
         its.tolerance->setSuffix(volume ? QLatin1Char(' ') + volume->unit : QString());
         its.tolerance->setValue(m_settings.tolerance);
         its.corners->setChecked(m_settings.corners);

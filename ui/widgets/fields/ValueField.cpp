@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/widgets/fields/ValueField.h"
 
+#include "ui/base/NumberText.h"
 #include "ui/base/Theme.h"
 #include "ui/widgets/fields/NumberField.h"
 
 #include <QDoubleSpinBox>
+
+#include <algorithm>
 
 namespace ui {
 
@@ -18,6 +21,11 @@ QDoubleSpinBox* valueField(QWidget* parent, const char* name)
     field->setButtonSymbols(QAbstractSpinBox::NoButtons);
     field->setRange(-farthestValue, farthestValue);
     return field;
+}
+
+int valueFieldDecimals(double span)
+{
+    return span < 50.0 ? std::max(3, decimalsForSpan(span)) : 0;
 }
 
 } // namespace ui

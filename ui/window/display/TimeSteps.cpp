@@ -7,7 +7,7 @@
 #include "ui/views/ViewGrid.h"
 #include "ui/window/display/DisplayState.h"
 
-#include <QGuiApplication>
+#include <QApplication>
 
 #include <utility>
 
@@ -98,9 +98,10 @@ void TimeSteps::playOn()
 {
     if (!hasPoint(1) && !hasPoint(-1))
         return pause();
-    // A stroke or a drag is not cut short.
+    // A stroke or a drag is not cut short, and nobody's menu or dialog is taken away.
     if (m_opener.busy() || !m_workspace.session()->idle()
-        || QGuiApplication::mouseButtons() != Qt::NoButton)
+        || QGuiApplication::mouseButtons() != Qt::NoButton || QApplication::activePopupWidget()
+        || QApplication::activeModalWidget())
         return m_next.start();
     openPoint(hasPoint(1) ? m_workspace.volume()->alternatives->time + 1 : 0);
 }

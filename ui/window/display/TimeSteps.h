@@ -37,9 +37,9 @@ public:
     /// @param time counted from 0
     void openPoint(int time);
     /// Opens one point after the other, and the first after the last. Each stays open for 1 / @p
-    /// pointsPerSecond, or longer if the session is not idle or a mouse button is down. Playing
-    /// ends with pause(), another study, a point that cannot be opened, or a new row of the
-    /// history: what the user has begun is not taken away.
+    /// pointsPerSecond, or longer if the session is not idle, a mouse button is down, or a menu or
+    /// dialog is open. Playing ends with pause(), another study, a point that cannot be opened, or
+    /// a new row of the history: what the user has begun is not taken away.
     void play(double pointsPerSecond);
     void pause();
     [[nodiscard]] bool isPlaying() const { return m_isPlaying; }

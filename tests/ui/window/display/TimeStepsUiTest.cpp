@@ -14,6 +14,7 @@
 #include <QApplication>
 #include <QClipboard>
 #include <QMenu>
+#include <QPointer>
 #include <QSlider>
 #include <QTest>
 
@@ -297,6 +298,41 @@ private Q_SLOTS:
         QCOMPARE(session().document().segments.size(), std::size_t(1));
     }
 
+    /// Its menu stays while it plays, and pauses it.
+    void theMenuStaysWhileItPlays()
+    {
+        window().opener().open(path("times"), test::SyntheticSeries().seriesUid);
+        waitFor(0);
+        auto& steps = *window().findChild<ui::TimeSteps*>();
+        QAction& play = action("file.playTimes");
+        QVERIFY(play.isEnabled());
+        QCOMPARE(play.text(), QStringLiteral("Play points in time"));
+        steps.play(5.0);
+        QVERIFY(play.text().startsWith(QLatin1String("Pause")));
+        // While the next point is being opened.
+        QPointer<QMenu> menu;
+        QObject watched;
+        QObject::connect(&window().opener(), &ui::StudyOpener::started, &watched, [&] {
+            if (!menu)
+                menu = timeMenu();
+        });
+        waitFor(1);
+        QVERIFY(menu);
+        QTest::qWait(1000);
+        QVERIFY(menu && menu->isVisible());
+        // What it is about does not change under it.
+        QCOMPARE(time(), 1);
+        QVERIFY(steps.isPlaying());
+        choose(*menu, "playTimes");
+        QVERIFY(!steps.isPlaying());
+        QCOMPARE(play.text(), QStringLiteral("Play points in time"));
+
+        play.trigger();
+        QVERIFY(steps.isPlaying());
+        play.trigger();
+        QVERIFY(!steps.isPlaying());
+    }
+
     void anotherStudyEndsPlaying()
     {
         window().opener().open(path("times"), test::SyntheticSeries().seriesUid);
@@ -326,6 +362,7 @@ private Q_SLOTS:
     void aStudyWithoutPointsHasNoSteps()
     {
         open(path("case/ct"));
+        QVERIFY(!action("file.playTimes").isEnabled());
         QVERIFY(!action("file.previousTime").isEnabled());
         QVERIFY(!action("file.nextTime").isEnabled());
     }
