@@ -22,7 +22,7 @@ glm::dmat3 trueSteps(const VolumeGeometry& geometry, double slice)
     return steps;
 }
 
-glm::dvec3 unitOrZero(const glm::dvec3& vector)
+glm::dvec3 directionOf(const glm::dvec3& vector)
 {
     const double length = glm::length(vector);
     return length > 0.0 ? vector / length : glm::dvec3(0.0);
@@ -32,7 +32,7 @@ glm::dvec3 unitOrZero(const glm::dvec3& vector)
 /// what lies in the surface, it follows the inverse of the transpose.
 glm::dvec3 turned(const glm::dvec3& normal, const glm::dmat3& steps, const glm::dmat3& others)
 {
-    return unitOrZero(glm::inverse(glm::transpose(others)) * (glm::transpose(steps) * normal));
+    return directionOf(glm::inverse(glm::transpose(others)) * (glm::transpose(steps) * normal));
 }
 
 } // namespace
