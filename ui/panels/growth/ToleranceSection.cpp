@@ -71,8 +71,7 @@ ToleranceSection::ToleranceSection(Workspace& workspace, QWidget* parent)
     });
     const auto followRule = [this] {
         // Another interval or pace is none of its business.
-        const auto now = rule();
-        if (!now || !m_traced || !(*now == *m_traced))
+        if (!isUpToDate())
             follow();
     };
     connect(&workspace, &Workspace::growSettingsChanged, this, followRule);
@@ -244,16 +243,18 @@ void ToleranceSection::refuse(const core::Error& error)
     showText();
 }
 
-/// Whether the bar shows what was traced for the segment that is active by now.
-bool ToleranceSection::isOfActiveSegment() const
+/// Whether the bar shows what would be traced now: for the segment that is active, by what is set
+/// and within the editable range. Else a tolerance of the bar means another body than it shows.
+bool ToleranceSection::isUpToDate() const
 {
-    return m_traced && int(m_traced->label) == m_workspace.activeSegment();
+    const auto now = rule();
+    return now && m_traced && *now == *m_traced;
 }
 
 void ToleranceSection::preview(int tolerance)
 {
-    if (!isOfActiveSegment())
-        return;
+    if (!isUpToDate())
+        return m_workspace.setAtTolerance({});
     m_workspace.setAtTolerance(
         gpu::ToleranceDisplay{.label = m_traced->label, .tolerance = tolerance});
     showText();
@@ -261,10 +262,13 @@ void ToleranceSection::preview(int tolerance)
 
 void ToleranceSection::settle(bool kept)
 {
-    if (kept && isOfActiveSegment() && m_bar->tolerance() >= 0)
+    const bool isMeant = isUpToDate() && m_bar->tolerance() >= 0;
+    if (kept && isMeant)
         makeReal(m_bar->tolerance());
     else
         m_workspace.setAtTolerance({});
+    if (kept && !isMeant)
+        m_bar->setTolerance(-1); // nothing stands there
     showText();
 }
 

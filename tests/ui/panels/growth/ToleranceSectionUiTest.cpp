@@ -295,6 +295,35 @@ private Q_SLOTS:
             fixture.workspace.editableRange());
     }
 
+    /// What the bar shows was traced for another range: nothing comes of it until it is traced
+    /// anew.
+    void anotherRangeEndsTheMove()
+    {
+        Traced fixture;
+        const std::size_t rows = fixture.rows();
+        fixture.drag({20, 40}, false);
+        QVERIFY(fixture.workspace.atTolerance());
+        fixture.workspace.setEditableSettings({.on = true,
+            .byValue = true,
+            .lower = smallHead::ventricleHu,
+            .upper = smallHead::ventricleHu});
+        QTest::mouseMove(&fixture.bar, fixture.at(30));
+        QVERIFY(!fixture.workspace.atTolerance());
+        QTest::mouseRelease(&fixture.bar, Qt::LeftButton, {}, fixture.at(30));
+        QVERIFY(!fixture.workspace.atTolerance());
+        QCOMPARE(fixture.bar.tolerance(), -1);
+        fixture.settle();
+        QCOMPARE(fixture.rows(), rows);
+        QVERIFY(QTest::qWaitFor([&fixture] {
+            fixture.session().poll();
+            return fixture.section.traced() && fixture.session().idle()
+                && fixture.bar.members().back() == smallHead::voxelsOf(smallHead::ventricleHu);
+        }));
+        fixture.drag({0});
+        fixture.settle();
+        QCOMPARE(fixture.rows(), rows + 1);
+    }
+
     /// What is being chosen for one segment is not applied to the one that becomes active.
     void anotherSegmentEndsTheMove_data()
     {
