@@ -30,27 +30,16 @@ namespace {
 
 using Brush = ui::Workspace::Brush;
 
-/// The small head, whose bone the 3D view sees from the front, with a second sculpt layer and two
-/// segments: the first one has grown through the bone, the second one lies in another label plane.
-class TwoSegments : public test::WindowFixture {
+/// The small head, whose bone the 3D view sees from the front.
+class BareHead : public test::WindowFixture {
 public:
-    TwoSegments()
+    BareHead()
         : test::WindowFixture(test::smallHead::volume())
         , view(window.views().volume())
     {
         ui::Workspace::VolumeDisplay display = workspace.volumeDisplay();
         display.surfaceThreshold = 300.0;
         workspace.setVolumeDisplay(display);
-        apply(core::AddLayer{.name = QStringLiteral("Sculpt 2")});
-        apply(test::newSegment(QStringLiteral("Bone"), 1));
-        apply(test::seedAt(1, {glm::dvec3(0.0, -14.0, 0.0)}));
-        apply(test::growBetween(500.0, 1200.0));
-        core::AddSegment other;
-        other.name = QStringLiteral("Other");
-        other.plane = 1;
-        apply(other);
-        workspace.setActiveSegment(1);
-        workspace.setActiveLayer(1);
         view.lookFrom({0.0, -1.0, 0.0});
     }
     /// A stroke over the bone, away from the seed, which is let go of before its place is known.
@@ -71,6 +60,28 @@ public:
             QVERIFY(session().settle());
         }
     }
+    [[nodiscard]] const core::Edit& lastEdit() { return session().history().rows().back().edit; }
+
+    ui::VolumeView& view;
+};
+
+/// The head with a second sculpt layer and two segments: the first one has grown through the bone,
+/// the second one lies in another label plane.
+class TwoSegments : public BareHead {
+public:
+    TwoSegments()
+    {
+        apply(core::AddLayer{.name = QStringLiteral("Sculpt 2")});
+        apply(test::newSegment(QStringLiteral("Bone"), 1));
+        apply(test::seedAt(1, {glm::dvec3(0.0, -14.0, 0.0)}));
+        apply(test::growBetween(500.0, 1200.0));
+        core::AddSegment other;
+        other.name = QStringLiteral("Other");
+        other.plane = 1;
+        apply(other);
+        workspace.setActiveSegment(1);
+        workspace.setActiveLayer(1);
+    }
     /// Something else becomes active, and is set, while the stroke waits.
     void chooseOthers()
     {
@@ -86,9 +97,6 @@ public:
         drill.sweep = ui::Workspace::Sweep::LeftRight;
         workspace.setDrillSettings(drill);
     }
-    [[nodiscard]] const core::Edit& lastEdit() { return session().history().rows().back().edit; }
-
-    ui::VolumeView& view;
 };
 
 } // namespace
@@ -116,6 +124,25 @@ private Q_SLOTS:
         QVERIFY(edit.seeds); // as the segment has some
         QVERIFY(!edit.overwriteUnlocked);
         QCOMPARE(fixture.workspace.activeSegment(), 2);
+    }
+
+    /// Also where the stroke makes the first segment, once it has met something.
+    void paintKeepsToTheRangeOfPenDown()
+    {
+        BareHead fixture;
+        ui::PaintTool tool(fixture.workspace);
+        ui::EditableSettings range{.on = true, .byValue = true, .lower = 500.0, .upper = 1200.0};
+        fixture.workspace.setEditableSettings(range);
+        const std::optional<core::EditableRange> chosen = fixture.workspace.editableRange();
+        QVERIFY(chosen);
+        fixture.drawUnanswered(tool);
+        range.lower = -1500.0;
+        fixture.workspace.setEditableSettings(range);
+        fixture.answered();
+        QCOMPARE(fixture.session().document().segments.size(), std::size_t(1));
+        const auto& edit = fixture.lastEdit().get<core::PaintStroke>();
+        QCOMPARE(edit.segment, 1);
+        QVERIFY(edit.editable == chosen);
     }
 
     void carvingGoesToTheLayerThatWasActive()
