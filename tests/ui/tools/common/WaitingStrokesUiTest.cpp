@@ -42,12 +42,17 @@ public:
         workspace.setVolumeDisplay(display);
         view.lookFrom({0.0, -1.0, 0.0});
     }
+    /// A pixel over the bone, away from the middle.
+    [[nodiscard]] QPointF beside() const
+    {
+        const double perMm = 1.0 / view.context().mmPerPixel();
+        return QPointF(view.width(), view.height()) / 2.0 + QPointF(8.0 * perMm, 0.0);
+    }
     /// A stroke over the bone, away from the seed, which is let go of before its place is known.
     void drawUnanswered(ui::Tool& tool)
     {
         workspace.setActiveTool(&tool);
-        const double perMm = 1.0 / view.context().mmPerPixel();
-        const QPointF at = QPointF(view.width(), view.height()) / 2.0 + QPointF(8.0 * perMm, 0.0);
+        const QPointF at = beside();
         test::Pen pen(view);
         pen.press(at, 1.0, 100);
         pen.move(at + QPointF(4, 0), 1.0, 110);
@@ -251,6 +256,32 @@ private Q_SLOTS:
         // Across the bone's face, which looks to the front and to the right, and not along it.
         const glm::dvec3 way = glm::normalize(edit.view.targetLps - edit.view.eyeLps);
         QVERIFY(way.y > 0.7);
+    }
+
+    /// A pen that rests goes deeper in mode Rate, whatever is set after it has gone down.
+    void theDrillRestsInTheModeOfPenDown()
+    {
+        TwoSegments fixture;
+        ui::DrillTool tool(fixture.workspace);
+        fixture.workspace.setActiveTool(&tool);
+        ui::Workspace::DrillSettings drill = fixture.workspace.drillSettings();
+        drill.mode = core::DrillMode::Rate;
+        drill.sweep = ui::Workspace::Sweep::Normal;
+        fixture.workspace.setDrillSettings(drill);
+        test::Pen pen(fixture.view);
+        pen.press(fixture.beside(), 1.0, 100);
+        QVERIFY(!fixture.session().transactionOpen());
+        drill.mode = core::DrillMode::Limit;
+        fixture.workspace.setDrillSettings(drill);
+        const auto samples = [&fixture]() -> std::size_t {
+            fixture.session().poll();
+            const core::Edit* open = fixture.session().openEdit();
+            return open ? open->get<core::DrillStroke>().samples.size() : 0;
+        };
+        QTRY_VERIFY(samples() > 3);
+        pen.release(fixture.beside(), 400);
+        fixture.answered();
+        QCOMPARE(fixture.lastEdit().get<core::DrillStroke>().mode, core::DrillMode::Rate);
     }
 };
 
