@@ -267,13 +267,9 @@ bool Chunks::has(Chunk chunk) const
     return chunk < m_has.size() && m_has[chunk];
 }
 
-double Chunks::millilitres(Chunk chunk) const
+std::int64_t Chunks::voxels(Chunk chunk) const
 {
-    if (!m_leaves)
-        return 0.0;
-    const glm::dvec3 spacing = m_workspace.volume()->geometry.spacingMm();
-    return double(m_leaves->map->tree().voxels(chunk).size()) * spacing.x * spacing.y * spacing.z
-        / 1000.0;
+    return m_leaves ? std::int64_t(m_leaves->map->tree().voxels(chunk).size()) : 0;
 }
 
 void Chunks::setLit(std::vector<Chunk> chunks)

@@ -99,6 +99,14 @@ void ToleranceSection::build()
     m_trace->setToolTip(
         tr("Find out at which distance from the seeds' mean value every voxel would join"));
     m_bar = new ToleranceBar(this);
+    m_bar->setText([this](int tolerance) {
+        const core::Volume* shown = m_workspace.volume();
+        return shown ? toleranceText(tolerance, *shown) : QString();
+    });
+    m_bar->setSizeText([this](std::int64_t voxels) {
+        const core::Volume* shown = m_workspace.volume();
+        return shown ? millilitreText(*shown, voxels) : QString();
+    });
     m_text = new QLabel(this);
     m_text->setObjectName(QStringLiteral("toleranceText"));
     m_text->setFont(theme::smallFont());
@@ -195,8 +203,7 @@ void ToleranceSection::take(
     const core::ToleranceRule& rule, const core::Result<std::optional<core::ToleranceCurve>>& curve)
 {
     m_asking = false;
-    const core::Volume* volume = m_workspace.volume();
-    if (!m_on || !volume)
+    if (!m_on || !m_workspace.volume())
         return;
     // What overtook it, an edit most likely, is waited for.
     if (m_stale || (!curve && curve.error().arguments.value(0) == QLatin1String("transaction")))
@@ -208,11 +215,6 @@ void ToleranceSection::take(
         return ask(); // there is more to do
     m_traced = rule;
     m_centre = traced->centre;
-    m_bar->setVoxelMm3(volume->geometry.voxelVolumeMm3());
-    m_bar->setText([this](int tolerance) {
-        const core::Volume* shown = m_workspace.volume();
-        return shown ? toleranceText(tolerance, *shown) : QString();
-    });
     std::vector<std::int64_t> members = core::membersOf(*traced);
     std::vector<int> jumps = core::jumpsOf(members);
     m_bar->setCurve(std::move(members), std::move(jumps));

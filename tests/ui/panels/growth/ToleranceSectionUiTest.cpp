@@ -6,6 +6,7 @@
 #include "tests/support/fixtures/WorkspaceFixture.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/PlainEdits.h"
+#include "ui/base/NumberText.h"
 #include "ui/overlays/Readout.h"
 #include "ui/panels/growth/ToleranceBar.h"
 #include "ui/workspace/PendingSeeds.h"
@@ -18,6 +19,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace toleranceSectionUiTest {
 
@@ -32,8 +34,9 @@ namespace {
 /// away, bone 892, air 1008.
 class Traced : public WorkspaceFixture {
 public:
-    explicit Traced(bool seeded = true)
-        : section(workspace)
+    explicit Traced(bool seeded = true, core::LoadedVolume volume = smallHead::volume())
+        : WorkspaceFixture(std::move(volume))
+        , section(workspace)
         , bar(*section.findChild<ToleranceBar*>())
         , button(*section.findChild<QPushButton*>(QStringLiteral("toleranceTrace")))
     {
@@ -126,6 +129,18 @@ private Q_SLOTS:
         QCOMPARE(fixture.bar.jumps(), (std::vector<int>{32, 892, 1008}));
         QVERIFY(fixture.bar.textFor(32).startsWith(QStringLiteral("±32 HU · ")));
         QVERIFY(fixture.bar.textFor(32).contains(QStringLiteral("mL")));
+    }
+
+    /// Where the source does not say how large voxels are, they are counted.
+    void unknownSpacingLeavesVoxels()
+    {
+        core::LoadedVolume head = smallHead::volume();
+        head.volume.problems.push_back({.kind = core::VolumeProblem::Kind::AssumedSpacing,
+            .said = {core::ProblemCode::SpacingAssumed}});
+        const Traced fixture(true, std::move(head));
+        const QString text = fixture.bar.textFor(32);
+        const QString voxels = ui::countText(fixture.bar.members()[32]);
+        QVERIFY2(text.endsWith(QStringLiteral(" · %1 voxels").arg(voxels)), qPrintable(text));
     }
 
     void showsWhatItWouldBeBothWays()

@@ -611,7 +611,9 @@ private Q_SLOTS:
             QVERIFY(fixture.frames.lastRequest(view).interacting);
         QVERIFY(!said.isEmpty());
         const QString text = said.last().first().toString();
-        const double volume = fixture.chunks().millilitres(fixture.chunkAt(inBone));
+        const core::Volume& in = *fixture.workspace.volume();
+        const std::int64_t voxels = fixture.chunks().voxels(fixture.chunkAt(inBone));
+        const double volume = double(voxels) * in.geometry.voxelVolumeMm3() / 1000.0;
         QVERIFY(volume > 1.0 && volume < 50.0);
         QVERIFY2(text.contains(QLocale().toString(volume, 'f', 1) + QStringLiteral(" mL")),
             qPrintable(text));
