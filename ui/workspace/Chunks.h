@@ -113,6 +113,7 @@ private:
     void apply(const core::DivideSegment& division);
     void follow();
     void takeBack();
+    void sayThatItStays();
     void undo();
     /// The chunks of the session; null if there is no session.
     [[nodiscard]] core::SessionChunks* chunks() const;
