@@ -24,6 +24,8 @@
 
 #include <QtTest>
 
+#include <vector>
+
 namespace waitingStrokesUiTest {
 
 namespace {
@@ -43,16 +45,16 @@ public:
         view.lookFrom({0.0, -1.0, 0.0});
     }
     /// A pixel over the bone, away from the middle.
-    [[nodiscard]] QPointF beside() const
+    [[nodiscard]] QPointF beside(double mm = 8.0) const
     {
         const double perMm = 1.0 / view.context().mmPerPixel();
-        return QPointF(view.width(), view.height()) / 2.0 + QPointF(8.0 * perMm, 0.0);
+        return QPointF(view.width(), view.height()) / 2.0 + QPointF(mm * perMm, 0.0);
     }
     /// A stroke over the bone, away from the seed, which is let go of before its place is known.
-    void drawUnanswered(ui::Tool& tool)
+    void drawUnanswered(ui::Tool& tool, double mm = 8.0)
     {
         workspace.setActiveTool(&tool);
-        const QPointF at = beside();
+        const QPointF at = beside(mm);
         test::Pen pen(view);
         pen.press(at, 1.0, 100);
         pen.move(at + QPointF(4, 0), 1.0, 110);
@@ -103,6 +105,62 @@ public:
         workspace.setDrillSettings(drill);
     }
 };
+
+/// A sketch whose pen is down until it is lifted.
+class OpenSketch {
+public:
+    enum class By { Tip, Eraser, Mouse, MouseWithCtrl };
+    OpenSketch(ui::VolumeView& view, By by, const QPointF& at)
+        : m_view(view)
+        , m_by(by)
+        , m_at(at)
+        , m_pen(view, by == By::Eraser ? test::Pen::End::Eraser : test::Pen::End::Tip)
+    {
+        if (isMouse()) {
+            test::WindowFixture::mouse(m_view, QEvent::MouseButtonPress, m_at, keys());
+            m_at += QPointF(4, 0);
+            test::WindowFixture::mouse(m_view, QEvent::MouseMove, m_at, keys());
+        } else {
+            m_pen.press(m_at, 1.0, 100);
+            m_at += QPointF(4, 0);
+            m_pen.move(m_at, 1.0, 110);
+        }
+    }
+    void lift()
+    {
+        if (isMouse())
+            test::WindowFixture::mouse(m_view, QEvent::MouseButtonRelease, m_at, keys());
+        else
+            m_pen.release(m_at, 120);
+    }
+    [[nodiscard]] static bool isInverse(By by)
+    {
+        return by == By::Eraser || by == By::MouseWithCtrl;
+    }
+
+private:
+    [[nodiscard]] bool isMouse() const { return m_by == By::Mouse || m_by == By::MouseWithCtrl; }
+    [[nodiscard]] Qt::KeyboardModifiers keys() const
+    {
+        return m_by == By::MouseWithCtrl ? Qt::ControlModifier : Qt::NoModifier;
+    }
+
+    ui::VolumeView& m_view;
+    By m_by;
+    QPointF m_at;
+    test::Pen m_pen;
+};
+
+/// Where the seeds of a plain sketch lie; it is taken back again.
+std::vector<glm::dvec3> seedsOfASketch(TwoSegments& fixture, ui::SeedTool& tool)
+{
+    fixture.drawUnanswered(tool);
+    fixture.answered();
+    const std::vector<glm::dvec3> places = fixture.lastEdit().get<core::SeedStroke>().pointsLps;
+    if (!fixture.session().undo() || !fixture.session().settle())
+        qFatal("nothing to undo");
+    return places;
+}
 
 } // namespace
 
@@ -237,6 +295,83 @@ private Q_SLOTS:
         fixture.answered();
         QCOMPARE(fixture.rows(), rows + 1);
         QVERIFY(!tool.canTakeStepBack());
+    }
+
+    void undoDropsOnlyTheLastOfTwo()
+    {
+        TwoSegments fixture;
+        ui::SeedTool tool(fixture.workspace);
+        fixture.workspace.setActiveSegment(2);
+        const std::vector<glm::dvec3> first = seedsOfASketch(fixture, tool);
+        QVERIFY(!first.empty());
+        const std::size_t rows = fixture.rows();
+        fixture.drawUnanswered(tool);
+        fixture.drawUnanswered(tool, -6.0);
+        fixture.window.actionTable()[QStringLiteral("edit.undo")].trigger();
+        QVERIFY(tool.canTakeStepBack());
+        fixture.answered();
+        QCOMPARE(fixture.rows(), rows + 1);
+        QVERIFY(fixture.lastEdit().get<core::SeedStroke>().pointsLps == first);
+        QVERIFY(!tool.canTakeStepBack());
+    }
+
+    /// It was drawn after the one that waits.
+    void undoDropsTheOneUnderThePenFirst()
+    {
+        TwoSegments fixture;
+        ui::SeedTool tool(fixture.workspace);
+        fixture.workspace.setActiveSegment(2);
+        const std::vector<glm::dvec3> first = seedsOfASketch(fixture, tool);
+        const std::size_t rows = fixture.rows();
+        fixture.drawUnanswered(tool);
+        QSignalSpy said(&fixture.workspace, &ui::Workspace::said);
+        OpenSketch next(fixture.view, OpenSketch::By::Tip, fixture.beside(-6.0));
+        fixture.window.actionTable()[QStringLiteral("edit.undo")].trigger();
+        QVERIFY(!said.isEmpty());
+        QCOMPARE(said.back()[0].toString(), QStringLiteral("The sketch was dropped"));
+        QVERIFY(tool.canTakeStepBack());
+        next.lift();
+        fixture.answered();
+        QCOMPARE(fixture.rows(), rows + 1);
+        QVERIFY(fixture.lastEdit().get<core::SeedStroke>().pointsLps == first);
+    }
+
+    /// Each is what it was begun as, whichever is drawn when the answer comes.
+    void eachKeepsItsOwnKeys_data()
+    {
+        using By = OpenSketch::By;
+        QTest::addColumn<int>("waiting");
+        QTest::addColumn<int>("drawn");
+        QTest::newRow("tip, then eraser") << int(By::Tip) << int(By::Eraser);
+        QTest::newRow("eraser, then tip") << int(By::Eraser) << int(By::Tip);
+        QTest::newRow("plain, then Ctrl") << int(By::Mouse) << int(By::MouseWithCtrl);
+        QTest::newRow("Ctrl, then plain") << int(By::MouseWithCtrl) << int(By::Mouse);
+    }
+    void eachKeepsItsOwnKeys()
+    {
+        using By = OpenSketch::By;
+        QFETCH(const int, waiting);
+        QFETCH(const int, drawn);
+        TwoSegments fixture;
+        ui::ShrinkTool tool(fixture.workspace);
+        fixture.workspace.setActiveTool(&tool);
+        const std::size_t rows = fixture.rows();
+        OpenSketch first(fixture.view, By(waiting), fixture.beside());
+        first.lift();
+        QVERIFY(tool.canTakeStepBack());
+        OpenSketch next(fixture.view, By(drawn), fixture.beside(-6.0));
+        fixture.answered();
+        QCOMPARE(fixture.rows(), rows + 1);
+        QCOMPARE(
+            fixture.lastEdit().get<core::ShrinkAt>().onlyHere, OpenSketch::isInverse(By(waiting)));
+        // So that the next one meets a growth that is whole.
+        QVERIFY(fixture.session().undo());
+        fixture.answered();
+        next.lift();
+        fixture.answered();
+        QCOMPARE(fixture.rows(), rows + 2);
+        QCOMPARE(
+            fixture.lastEdit().get<core::ShrinkAt>().onlyHere, OpenSketch::isInverse(By(drawn)));
     }
 
     void theDrillGoesInAsItWasSet()
