@@ -5,7 +5,7 @@
 #include "core/edits/kinds/growth/GrowSteps.h"
 #include "core/session/past/RecentGrowth.h"
 #include "core/session/questions/VoxelQuestions.h"
-#include "ui/base/NumberText.h"
+#include "ui/base/StudyTexts.h"
 #include "ui/settings/GrowSettings.h"
 #include "ui/workspace/PendingSeeds.h"
 #include "ui/workspace/Workspace.h"
@@ -162,12 +162,11 @@ QString LiveInterval::words() const
     const core::Volume* volume = m_workspace.volume();
     if (!m_open || !m_comparison || !volume)
         return {};
-    const double voxelMm3 = volume->geometry.voxelVolumeMm3();
     QStringList parts;
     if (m_comparison->suspended > 0)
-        parts << tr("− %1 suspended").arg(millilitreText(m_comparison->suspended, voxelMm3));
+        parts << tr("− %1 suspended").arg(millilitreText(*volume, m_comparison->suspended));
     if (m_comparison->reached > 0)
-        parts << tr("+ %1").arg(millilitreText(m_comparison->reached, voxelMm3));
+        parts << tr("+ %1").arg(millilitreText(*volume, m_comparison->reached));
     const QString words = parts.isEmpty() ? tr("nothing changes") : parts.join(tr(", "));
     return m_isWhole ? words : words + QStringLiteral(" …");
 }

@@ -267,13 +267,9 @@ bool Chunks::has(Chunk chunk) const
     return chunk < m_has.size() && m_has[chunk];
 }
 
-double Chunks::millilitres(Chunk chunk) const
+std::int64_t Chunks::voxels(Chunk chunk) const
 {
-    if (!m_leaves)
-        return 0.0;
-    const glm::dvec3 spacing = m_workspace.volume()->geometry.spacingMm();
-    return double(m_leaves->map->tree().voxels(chunk).size()) * spacing.x * spacing.y * spacing.z
-        / 1000.0;
+    return m_leaves ? std::int64_t(m_leaves->map->tree().voxels(chunk).size()) : 0;
 }
 
 void Chunks::setLit(std::vector<Chunk> chunks)
@@ -447,7 +443,8 @@ void Chunks::abort()
     takeBack();
 }
 
-/// Nothing is shown, and no division stays that led to nothing.
+/// Nothing is shown any more, and a division that led to nothing is undone. It stays if something
+/// else was done after it, or is being done, which undo would take back in its place.
 void Chunks::takeBack()
 {
     m_takesSuggestion = m_isAwaited = false;
@@ -455,21 +452,30 @@ void Chunks::takeBack()
     look.shown = false;
     setLook(look);
     core::EditSession* session = m_workspace.session();
+    if (!isJustDivided())
+        return;
     const core::RowId row = session->history().position();
-    if (row <= m_dividedAfter || !session->history().row(row).edit.is<core::DivideSegment>())
-        return;
-    // Undo would end what stands open, and take that back instead.
-    if (session->transactionOpen() && !session->openIsPreview())
-        return;
+    const bool isStrokeOpen = session->transactionOpen() && !session->openIsPreview();
+    if (isStrokeOpen || !session->history().row(row).edit.is<core::DivideSegment>())
+        return sayThatItStays();
     session->closeOpen();
     if (session->idle())
         return undo();
-    // Something waits to be carried out, which would be the step that undo takes back.
+    // What waits to be carried out, or ends, may become the step that undo takes back.
     session->questions().afterAll([this, session, row] {
-        if (m_workspace.session() == session && session->idle()
-            && session->history().position() == row)
+        if (m_workspace.session() != session)
+            return;
+        if (session->idle() && session->history().position() == row)
             undo();
+        else if (isJustDivided())
+            sayThatItStays();
     });
+}
+
+void Chunks::sayThatItStays()
+{
+    m_workspace.say(tr("The division stays as a step of the history, since something else "
+                       "was begun after it"));
 }
 
 void Chunks::undo()

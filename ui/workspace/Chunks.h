@@ -77,7 +77,8 @@ public:
     [[nodiscard]] std::optional<Chunk> chunkAt(const glm::ivec3& voxel) const;
     /// Whether the segment contains more than half of the chunk.
     [[nodiscard]] bool has(Chunk chunk) const;
-    [[nodiscard]] double millilitres(Chunk chunk) const;
+    /// How many voxels it has.
+    [[nodiscard]] std::int64_t voxels(Chunk chunk) const;
     /// The number of chunks, as in Look, at which what is most in doubt stands by itself; a new
     /// division begins with it. None: nothing is in doubt, or the chunks are not there.
     [[nodiscard]] std::optional<int> suggestedCount() const;
@@ -112,6 +113,7 @@ private:
     void apply(const core::DivideSegment& division);
     void follow();
     void takeBack();
+    void sayThatItStays();
     void undo();
     /// The chunks of the session; null if there is no session.
     [[nodiscard]] core::SessionChunks* chunks() const;

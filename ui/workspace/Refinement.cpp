@@ -31,6 +31,8 @@ Refinement::Refinement(Workspace& workspace)
     connect(&workspace, &Workspace::failed, this, [this] {
         if (isPreviewing())
             Q_EMIT contoursChanged(); // it may be refused
+        else
+            returnRefused();
     });
     connect(
         &workspace, &Workspace::documentChanged, this, [this](const core::DocumentChange& change) {
@@ -41,22 +43,49 @@ Refinement::Refinement(Workspace& workspace)
         });
 }
 
+/// Whether the contours that were taken are among those that are drawn: they have come back.
+bool Refinement::areTakenBack() const
+{
+    return m_contours.size() >= m_taken.size()
+        && std::equal(m_taken.begin(), m_taken.end(), m_contours.begin());
+}
+
+/// Whether the template that was taken is a row by now.
+bool Refinement::isTakenThrough() const
+{
+    const std::vector<core::HistoryRow>& rows = m_workspace.session()->history().rows();
+    const auto first = rows.begin() + std::ptrdiff_t(std::min(m_rowsAtTaking, rows.size()));
+    return std::any_of(first, rows.end(),
+        [](const core::HistoryRow& row) { return row.edit.is<core::ApplyTemplate>(); });
+}
+
 /// Once a template is a row its contours are of no use any more.
 void Refinement::followTaken()
 {
-    const core::EditSession* session = m_workspace.session();
-    if (m_taken.empty() || !session)
-        return;
-    const std::vector<core::HistoryRow>& rows = session->history().rows();
-    if (rows.size() <= m_rowsAtTaking || !rows.back().edit.is<core::ApplyTemplate>())
+    if (m_taken.empty() || !m_workspace.session() || !isTakenThrough())
         return;
     // It was through before it could be aborted.
-    const bool wereBack = m_contours == m_taken;
+    const std::size_t back = areTakenBack() ? m_taken.size() : 0;
     m_taken.clear();
-    if (!wereBack)
+    if (back == 0)
         return;
-    m_contours.clear();
+    m_contours.erase(m_contours.begin(), m_contours.begin() + std::ptrdiff_t(back));
     Q_EMIT contoursChanged();
+}
+
+/// What was taken before its refusal came is wanted yet. What still moves may have nothing to do
+/// with the failure, and takes its contours along once it is through.
+void Refinement::returnRefused()
+{
+    if (m_taken.empty() || !m_workspace.session() || isTakenThrough())
+        return;
+    const bool wereBack = areTakenBack();
+    if (!wereBack)
+        m_contours.insert(m_contours.begin(), m_taken.begin(), m_taken.end());
+    if (!isAbortable())
+        m_taken.clear();
+    if (!wereBack)
+        Q_EMIT contoursChanged();
 }
 
 /// What begins next has nothing to do with a template that came to nothing.

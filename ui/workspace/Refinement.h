@@ -91,6 +91,7 @@ public:
     [[nodiscard]] bool isPreviewing() const;
     /// Whether there is a preview, and the session has not refused it.
     [[nodiscard]] bool canTakeTemplate() const;
+    /// The contours go. They come back if it is refused after all.
     void takeTemplate();
     void dropPreview();
 
@@ -136,6 +137,9 @@ Q_SIGNALS:
 private:
     void follow();
     void followTaken();
+    void returnRefused();
+    [[nodiscard]] bool areTakenBack() const;
+    [[nodiscard]] bool isTakenThrough() const;
     void forgetTaken();
     void take(const core::SurfaceUpdate& shown, const std::optional<core::SurfaceUpdate>& truth);
     void apply(const core::Edit& edit);

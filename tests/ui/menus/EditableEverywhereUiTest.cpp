@@ -79,6 +79,11 @@ public:
         QObject::connect(&m_poll, &QTimer::timeout, &m_poll, [this] { session().poll(); });
         m_poll.start(1);
     }
+    // The tools go before the window, which shows the options of the one in hand.
+    ~Fixture() { workspace.setActiveTool(nullptr); }
+    Fixture(const Fixture&) = delete;
+    Fixture& operator=(const Fixture&) = delete;
+
     [[nodiscard]] glm::dvec3 middle() const { return place({20.0, 20.0, 20.0}); }
     [[nodiscard]] glm::dvec3 island() const { return place({20.0, 20.0, 37.0}); }
     /// Draws over the axial slice through the middle, by the voxels' indices.
@@ -103,7 +108,7 @@ public:
         QVERIFY(session().settle());
         QCoreApplication::processEvents();
     }
-    /// Takes a new tool in hand. It lives as long as the window, which may show its options.
+    /// Takes a new tool in hand. It lives until the fixture goes.
     template <class T> T& take()
     {
         auto tool = std::make_unique<T>(workspace);

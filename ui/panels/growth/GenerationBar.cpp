@@ -14,15 +14,24 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 namespace ui {
 
 GenerationBar::GenerationBar(QWidget* parent)
     : QWidget(parent)
+    , m_size([](std::int64_t voxels) { return countText(voxels); })
+    , m_counted(m_size)
 {
     setObjectName(QStringLiteral("generationBar"));
     setFixedHeight(40);
     setAccessibleName(tr("Generations of the growth"));
+}
+
+void GenerationBar::setSizeTexts(SizeText size, SizeText counted)
+{
+    m_size = std::move(size);
+    m_counted = std::move(counted);
 }
 
 void GenerationBar::setSizes(const std::vector<std::uint32_t>& sizes)
@@ -122,10 +131,10 @@ QString GenerationBar::textFor(int generation) const
     if (generation < 1 || generation > int(m_sizes.size()))
         return tr("Voxels that each generation of the growth added");
     const auto upTo = m_sizes.begin() + generation;
-    const auto members = std::accumulate(m_sizes.begin(), upTo, qlonglong(0));
-    return tr("Generation %1 added %2 voxels; up to here %3 (%4)")
+    const auto members = std::accumulate(m_sizes.begin(), upTo, std::int64_t(0));
+    return tr("Generation %1 added %2 voxels; up to here %3")
         .arg(countText(generation), countText(m_sizes[std::size_t(generation - 1)]),
-            countText(members), millilitreText(members, m_voxelMm3));
+            m_counted(members));
 }
 
 QString GenerationBar::scrubText() const
@@ -135,8 +144,7 @@ QString GenerationBar::scrubText() const
     const auto members =
         std::accumulate(m_sizes.begin(), m_sizes.begin() + m_shown, std::int64_t(0));
     return tr("Generation %1 of %2 · %3")
-        .arg(countText(m_shown), countText(qlonglong(m_sizes.size())),
-            millilitreText(members, m_voxelMm3));
+        .arg(countText(m_shown), countText(qlonglong(m_sizes.size())), m_size(members));
 }
 
 void GenerationBar::scrubTo(int generation)

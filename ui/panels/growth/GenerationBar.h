@@ -4,6 +4,7 @@
 #include <QWidget>
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -29,8 +30,11 @@ public:
     [[nodiscard]] const std::optional<std::pair<int, int>>& leak() const { return m_leak; }
     /// Sets whether the mark can be dragged.
     void setScrubbable(bool scrubbable);
-    /// Sets the volume of a voxel, for the millilitres in tool tips.
-    void setVoxelMm3(double voxelMm3) { m_voxelMm3 = voxelMm3; }
+    /// A text for a number of voxels.
+    using SizeText = std::function<QString(std::int64_t voxels)>;
+    /// Sets how sizes are written: "3.40 mL" while it is dragged, and "3 400 voxels, 3.4 mL" in
+    /// tool tips. Without, both are the number.
+    void setSizeTexts(SizeText size, SizeText counted);
     [[nodiscard]] bool scrubbing() const { return m_scrubbing; }
     /// Ends a drag that nothing follows, without scrubEnded(); the mark goes back to the last
     /// generation.
@@ -67,7 +71,8 @@ private:
     std::vector<std::uint32_t> m_sizes;
     std::optional<std::pair<int, int>> m_leak;
     int m_shown = 0;
-    double m_voxelMm3 = 0.0;
+    SizeText m_size;
+    SizeText m_counted;
     bool m_scrubbable = false;
     bool m_scrubbing = false;
 };

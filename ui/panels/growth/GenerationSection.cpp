@@ -4,6 +4,7 @@
 #include "core/edits/kinds/growth/ShrinkSteps.h"
 #include "core/edits/kinds/parts/GrowthPlane.h"
 #include "core/session/questions/VoxelQuestions.h"
+#include "ui/base/StudyTexts.h"
 #include "ui/base/Theme.h"
 #include "ui/panels/growth/GenerationBar.h"
 #include "ui/tasks/GrowthTurns.h"
@@ -30,6 +31,14 @@ GenerationSection::GenerationSection(Workspace& workspace, QWidget* parent)
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(m_bar);
+    using ToText = QString (*)(const core::Volume& volume, std::int64_t voxels);
+    const auto inVolume = [this](ToText text) {
+        return [this, text](std::int64_t voxels) {
+            const core::Volume* volume = m_workspace.volume();
+            return volume ? text(*volume, voxels) : QString();
+        };
+    };
+    m_bar->setSizeTexts(inVolume(millilitreText), inVolume(countedText));
     m_countLater.setSingleShot(true);
     m_countLater.setInterval(countAfterMilliseconds);
     connect(&m_countLater, &QTimer::timeout, this, &GenerationSection::count);
@@ -114,8 +123,6 @@ void GenerationSection::showSizes()
     std::vector<std::uint32_t> sizes = m_sizes;
     sizes.insert(sizes.end(), m_added.begin(), m_added.end());
     m_bar->setSizes(sizes);
-    if (const core::Volume* volume = m_workspace.volume())
-        m_bar->setVoxelMm3(volume->geometry.voxelVolumeMm3());
     showScrubbable();
 }
 

@@ -6,6 +6,7 @@
 #include "core/history/MovedGrowth.h"
 #include "core/session/EditSession.h"
 #include "ui/base/NumberText.h"
+#include "ui/base/StudyTexts.h"
 
 #include <QObject>
 
@@ -44,13 +45,14 @@ requires core::isOneOf<E, core::SeedStroke, core::BarrierStroke, core::ResumeGro
 
 } // namespace
 
-QString generationText(std::uint32_t generation, const core::HistoryRow* row, double voxelMm3)
+QString generationText(
+    std::uint32_t generation, const core::HistoryRow* row, const core::Volume& volume)
 {
     QString text = QObject::tr("Generation %1").arg(countText(generation));
     const auto tell = [&](const auto& known) {
         if (const std::optional<QString> did = whatItDid(known))
             text = did->arg(
-                countText(generation), millilitreText(row->statistics.voxelsChanged, voxelMm3));
+                countText(generation), millilitreText(volume, row->statistics.voxelsChanged));
     };
     if (row)
         core::visitAmong(tell, row->edit, core::GrowthKinds());
@@ -62,12 +64,12 @@ QString generationText(
 {
     const core::GrowthProgress progress = session.growthProgress();
     const core::Document& document = session.document();
-    const double voxelMm3 = document.volumes.front().geometry.voxelVolumeMm3();
+    const core::Volume& volume = document.volumes.front();
     if (progress.open && progress.members > 0)
         return QObject::tr("Generation %1 · front %2 · +%3")
             .arg(countText(progress.generation),
                 countText(fronts.empty() ? 0 : qlonglong(fronts.back())),
-                millilitreText(progress.members, voxelMm3));
+                millilitreText(volume, progress.members));
     const std::uint32_t generation =
         progress.open ? progress.generation : document.generation(plane);
     const core::History& history = session.history();
@@ -75,7 +77,7 @@ QString generationText(
         progress.open || history.position() == 0 ? nullptr : &history.row(history.position());
     if (row && core::toldGrowthPlane(row->edit, history) != plane)
         row = nullptr; // it was done to another growth
-    return generationText(generation, row, voxelMm3);
+    return generationText(generation, row, volume);
 }
 
 } // namespace ui

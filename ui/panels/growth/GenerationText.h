@@ -10,7 +10,8 @@
 
 namespace core {
 class EditSession;
-}
+struct Volume;
+} // namespace core
 
 namespace ui {
 
@@ -18,9 +19,9 @@ namespace ui {
 /// "Generation 12 · added 3.4 mL".
 /// @param row the last step; null: none is to be told, since a growth is under way or nothing was
 /// done
-/// @param voxelMm3 volume of a voxel
+/// @param volume in which it grows
 [[nodiscard]] QString generationText(
-    std::uint32_t generation, const core::HistoryRow* row, double voxelMm3);
+    std::uint32_t generation, const core::HistoryRow* row, const core::Volume& volume);
 
 /// The same for the growth of a session in a label plane. While one runs, the line tells the size
 /// of its front instead.

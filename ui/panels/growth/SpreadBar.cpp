@@ -22,6 +22,7 @@ namespace ui {
 namespace {
 
 constexpr int barMilliseconds = 40;
+constexpr int againAfterMilliseconds = 150;
 
 QPushButton* button(QWidget* parent, const char* name, const QString& text, const QString& tip)
 {
@@ -45,13 +46,13 @@ SpreadBar::SpreadBar(Workspace& workspace, QWidget* parent)
     connect(m_preview, &QPushButton::clicked, this, &SpreadBar::preview);
     connect(m_apply, &QPushButton::clicked, this, &SpreadBar::apply);
     connect(m_cancel, &QPushButton::clicked, this, &SpreadBar::cancel);
-    connect(m_extent, &QComboBox::activated, this, [this] {
-        if (m_wanted)
-            begin();
-    });
+    m_again.setSingleShot(true);
+    m_again.setInterval(againAfterMilliseconds);
+    connect(&m_again, &QTimer::timeout, this, &SpreadBar::beginAgain);
+    connect(m_extent, &QComboBox::activated, this, &SpreadBar::beginAgain);
     connect(&workspace, &Workspace::editableChanged, this, [this] {
         if (m_wanted && m_workspace.editableRange() != m_begunWithin)
-            begin();
+            m_again.start();
     });
     connect(&workspace, &Workspace::sessionChanged, this, &SpreadBar::stop);
     connect(&workspace, &Workspace::documentChanged, this, &SpreadBar::showState);
@@ -149,6 +150,7 @@ void SpreadBar::begin()
     core::EditSession* session = m_workspace.session();
     if (!session)
         return stop();
+    m_again.stop();
     m_begunAt = session->history().position();
     m_begunWithin = m_workspace.editableRange();
     if (const auto begun = session->begin(edit()); !begun) {
@@ -159,6 +161,18 @@ void SpreadBar::begin()
     m_sinceBegun.start();
     m_watch.start();
     showState();
+}
+
+/// Something else that stands open meanwhile, a growth for instance, is left alone: the preview
+/// comes back after it, with what is chosen by then.
+void SpreadBar::beginAgain()
+{
+    const core::EditSession* session = m_workspace.session();
+    if (!m_wanted || !session)
+        return;
+    if (session->isOpen<core::GrowFromSeeds>())
+        return begin();
+    m_begunAt.reset();
 }
 
 void SpreadBar::follow()
@@ -184,6 +198,12 @@ void SpreadBar::apply()
 {
     core::EditSession* session = m_workspace.session();
     const bool open = session && session->isOpen<core::GrowFromSeeds>();
+    // What is kept is what the settings say, not what was shown of those before.
+    if (open && m_again.isActive()) {
+        begin();
+        if (!m_wanted)
+            return; // it was refused
+    }
     stop();
     if (open)
         session->end(core::Ending::Commit);
@@ -200,6 +220,7 @@ void SpreadBar::cancel()
 void SpreadBar::stop()
 {
     m_watch.stop();
+    m_again.stop();
     m_wanted = false;
     m_begunAt.reset();
     showState();

@@ -42,6 +42,7 @@ public Q_SLOTS:
 private:
     void build();
     void begin();
+    void beginAgain();
     void follow();
     void stop();
     void showState();
@@ -58,6 +59,7 @@ private:
     QPushButton* m_cancel = nullptr;
     QLabel* m_text = nullptr;
     QTimer m_watch; ///< starts the preview again after another edit
+    QTimer m_again; ///< starts it once after several changes of the editable range
     QElapsedTimer m_sinceBegun; ///< for the text
     bool m_wanted = false;
     std::uint8_t m_plane = 0; ///< of the preview that is wanted

@@ -104,10 +104,9 @@ void ToleranceBar::paintEvent(QPaintEvent*)
 
 QString ToleranceBar::textFor(int tolerance) const
 {
-    if (tolerance < 0 || tolerance > greatest() || !m_text)
+    if (tolerance < 0 || tolerance > greatest() || !m_text || !m_size)
         return {};
-    return m_text(tolerance) + QStringLiteral(" · ")
-        + millilitreText(m_members[std::size_t(tolerance)], m_voxelMm3);
+    return m_text(tolerance) + QStringLiteral(" · ") + m_size(m_members[std::size_t(tolerance)]);
 }
 
 void ToleranceBar::begin()

@@ -26,7 +26,8 @@ public:
     [[nodiscard]] const std::vector<int>& jumps() const { return m_jumps; }
     /// Sets how a tolerance is written, for example "±37 HU".
     void setText(std::function<QString(int tolerance)> text) { m_text = std::move(text); }
-    void setVoxelMm3(double voxelMm3) { m_voxelMm3 = voxelMm3; }
+    /// Sets how a number of voxels is written, for example "12.4 mL".
+    void setSizeText(std::function<QString(std::int64_t voxels)> size) { m_size = std::move(size); }
     /// The tolerance where the mark stands; −1 if it was never moved.
     [[nodiscard]] int tolerance() const { return m_tolerance; }
     void setTolerance(int tolerance);
@@ -67,7 +68,7 @@ private:
     std::vector<std::int64_t> m_members;
     std::vector<int> m_jumps;
     std::function<QString(int tolerance)> m_text;
-    double m_voxelMm3 = 0.0;
+    std::function<QString(std::int64_t voxels)> m_size;
     int m_tolerance = -1;
     int m_before = -1; ///< where the mark stood before it is moved
     bool m_moving = false;

@@ -71,8 +71,7 @@ ToleranceSection::ToleranceSection(Workspace& workspace, QWidget* parent)
     });
     const auto followRule = [this] {
         // Another interval or pace is none of its business.
-        const auto now = rule();
-        if (!now || !m_traced || !(*now == *m_traced))
+        if (!isUpToDate())
             follow();
     };
     connect(&workspace, &Workspace::growSettingsChanged, this, followRule);
@@ -100,6 +99,14 @@ void ToleranceSection::build()
     m_trace->setToolTip(
         tr("Find out at which distance from the seeds' mean value every voxel would join"));
     m_bar = new ToleranceBar(this);
+    m_bar->setText([this](int tolerance) {
+        const core::Volume* shown = m_workspace.volume();
+        return shown ? toleranceText(tolerance, *shown) : QString();
+    });
+    m_bar->setSizeText([this](std::int64_t voxels) {
+        const core::Volume* shown = m_workspace.volume();
+        return shown ? millilitreText(*shown, voxels) : QString();
+    });
     m_text = new QLabel(this);
     m_text->setObjectName(QStringLiteral("toleranceText"));
     m_text->setFont(theme::smallFont());
@@ -196,8 +203,7 @@ void ToleranceSection::take(
     const core::ToleranceRule& rule, const core::Result<std::optional<core::ToleranceCurve>>& curve)
 {
     m_asking = false;
-    const core::Volume* volume = m_workspace.volume();
-    if (!m_on || !volume)
+    if (!m_on || !m_workspace.volume())
         return;
     // What overtook it, an edit most likely, is waited for.
     if (m_stale || (!curve && curve.error().arguments.value(0) == QLatin1String("transaction")))
@@ -209,11 +215,6 @@ void ToleranceSection::take(
         return ask(); // there is more to do
     m_traced = rule;
     m_centre = traced->centre;
-    m_bar->setVoxelMm3(volume->geometry.voxelVolumeMm3());
-    m_bar->setText([this](int tolerance) {
-        const core::Volume* shown = m_workspace.volume();
-        return shown ? toleranceText(tolerance, *shown) : QString();
-    });
     std::vector<std::int64_t> members = core::membersOf(*traced);
     std::vector<int> jumps = core::jumpsOf(members);
     m_bar->setCurve(std::move(members), std::move(jumps));
@@ -244,16 +245,18 @@ void ToleranceSection::refuse(const core::Error& error)
     showText();
 }
 
-/// Whether the bar shows what was traced for the segment that is active by now.
-bool ToleranceSection::isOfActiveSegment() const
+/// Whether the bar shows what would be traced now: for the segment that is active, by what is set
+/// and within the editable range. Else a tolerance of the bar means another body than it shows.
+bool ToleranceSection::isUpToDate() const
 {
-    return m_traced && int(m_traced->label) == m_workspace.activeSegment();
+    const auto now = rule();
+    return now && m_traced && *now == *m_traced;
 }
 
 void ToleranceSection::preview(int tolerance)
 {
-    if (!isOfActiveSegment())
-        return;
+    if (!isUpToDate())
+        return m_workspace.setAtTolerance({});
     m_workspace.setAtTolerance(
         gpu::ToleranceDisplay{.label = m_traced->label, .tolerance = tolerance});
     showText();
@@ -261,10 +264,13 @@ void ToleranceSection::preview(int tolerance)
 
 void ToleranceSection::settle(bool kept)
 {
-    if (kept && isOfActiveSegment() && m_bar->tolerance() >= 0)
+    const bool isMeant = isUpToDate() && m_bar->tolerance() >= 0;
+    if (kept && isMeant)
         makeReal(m_bar->tolerance());
     else
         m_workspace.setAtTolerance({});
+    if (kept && !isMeant)
+        m_bar->setTolerance(-1); // nothing stands there
     showText();
 }
 

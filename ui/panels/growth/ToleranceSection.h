@@ -42,7 +42,7 @@ private:
     /// @param curve none if the computation goes on
     void take(const core::ToleranceRule& rule,
         const core::Result<std::optional<core::ToleranceCurve>>& curve);
-    [[nodiscard]] bool isOfActiveSegment() const;
+    [[nodiscard]] bool isUpToDate() const;
     void preview(int tolerance);
     void settle(bool kept);
     void makeReal(int tolerance);

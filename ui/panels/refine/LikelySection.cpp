@@ -3,6 +3,7 @@
 
 #include "ui/base/NumberText.h"
 #include "ui/base/SmallLabel.h"
+#include "ui/base/StudyTexts.h"
 #include "ui/base/Theme.h"
 #include "ui/workspace/Chunks.h"
 #include "ui/workspace/Workspace.h"
@@ -69,7 +70,7 @@ void LikelySection::show()
     QStringList rows;
     for (const Chunks::Likely& likely : chunks.likely()) {
         rows << (likely.isInside ? tr("%1 to take away?") : tr("%1 to add?"))
-                    .arg(volumeText(chunks.millilitres(likely.chunk)));
+                    .arg(volumeText(*m_workspace.volume(), chunks.voxels(likely.chunk)));
     }
     m_list->clear();
     m_list->addItems(rows);

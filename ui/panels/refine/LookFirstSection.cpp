@@ -15,16 +15,18 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace ui {
 
 namespace {
 
-QString placeText(const core::DoubtfulPlace& place)
+QString placeText(const core::DoubtfulPlace& place, const core::Volume& in)
 {
     using Why = core::DoubtfulPlace::Why;
-    const QString volume = volumeText(place.volumeMm3 / 1000.0);
+    const QString volume =
+        volumeText(in, std::llround(place.volumeMm3 / in.geometry.voxelVolumeMm3()));
     switch (place.why) {
     case Why::NoEdge:
         return LookFirstSection::tr("No edge · %1 cm²")
@@ -133,7 +135,7 @@ void LookFirstSection::fill(const SegmentDoubts::Found& found)
     for (int i = 0; i < count; ++i) {
         const SegmentDoubts::Entry& entry = found.entries[std::size_t(i)];
         QListWidgetItem& item = *m_list->item(i);
-        item.setText(placeText(entry.place));
+        item.setText(placeText(entry.place, *m_workspace.volume()));
         item.setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsUserCheckable);
         item.setCheckState(entry.seen ? Qt::Checked : Qt::Unchecked);
         item.setForeground(entry.seen ? theme::secondary : theme::text);

@@ -2,7 +2,6 @@
 #include "ui/tools/contour/ContourTool.h"
 
 #include "core/session/SegmentWork.h"
-#include "ui/base/NumberText.h"
 #include "ui/base/StudyTexts.h"
 #include "ui/base/Theme.h"
 #include "ui/settings/SeedValues.h"
@@ -21,8 +20,6 @@
 namespace ui {
 
 namespace {
-
-constexpr double mm3PerMillilitre = 1000.0;
 
 bool isInverseContour(const PointerSample& sample)
 {
@@ -451,13 +448,12 @@ QString ContourTool::shownText() const
     const core::Volume* volume = m_workspace.volume();
     if (!track || !volume)
         return {};
-    const double ml = volume->geometry.voxelVolumeMm3() / mm3PerMillilitre;
     if (m_erases)
         return tr("generation %1 · erases %2")
-            .arg(QString::number(track->shown()), volumeText(double(track->lost()) * ml));
+            .arg(QString::number(track->shown()), volumeText(*volume, track->lost()));
     return tr("generation %1 · +%2, −%3")
-        .arg(QString::number(track->shown()), volumeText(double(track->gained()) * ml),
-            volumeText(double(track->lost()) * ml));
+        .arg(QString::number(track->shown()), volumeText(*volume, track->gained()),
+            volumeText(*volume, track->lost()));
 }
 
 QColor ContourTool::ringColour() const

@@ -5,7 +5,7 @@
 #include "core/edits/kinds/parts/GrowthPlane.h"
 #include "core/growth/GrowthProgress.h"
 #include "core/session/EditSession.h"
-#include "ui/base/NumberText.h"
+#include "ui/base/StudyTexts.h"
 #include "ui/workspace/Workspace.h"
 
 #include <algorithm>
@@ -106,8 +106,7 @@ QString HeldShrink::words() const
     if (!progress)
         return tr("goes back …");
     using Bound = core::BackwardProgress::Bound;
-    const QString volume =
-        millilitreText(progress->members, m_workspace.volume()->geometry.voxelVolumeMm3());
+    const QString volume = millilitreText(*m_workspace.volume(), progress->members);
     const QString taken = progress->steps == 1
         ? tr("1 generation back: takes %1").arg(volume)
         : tr("%1 generations back: takes %2").arg(progress->steps).arg(volume);

@@ -114,7 +114,8 @@ BrushTool::StrokeMaker PaintTool::strokeMaker(bool inverted, const ViewContext& 
     if (followsEdges)
         stroke.edgeTolerance = now.edgeTolerance;
     stroke.editable = workspace().editableRange();
-    return [&shared = workspace(), stroke, byPressure = followsEdges && now.toleranceByPressure](
+    return [&shared = workspace(), stroke, byPressure = followsEdges && now.toleranceByPressure,
+               choice = workspace().editableSettings(), box = workspace().editableBox()](
                const core::BrushPath& path) -> core::Result<core::Edit> {
         core::PaintStroke made = stroke;
         // A segment is made only for a stroke that meets something.
@@ -123,7 +124,8 @@ BrushTool::StrokeMaker PaintTool::strokeMaker(bool inverted, const ViewContext& 
             if (!label)
                 return tl::unexpected(label.error());
             made.segment = *label;
-            made.editable = shared.editableRange();
+            // The choice is that of pen-down; whether the new segment is seen is known only now.
+            made.editable = editableRange(choice, shared.session()->foreseenDocument(), box);
         }
         made.path = path;
         made.seeds = !made.erase && takesPartInGrowth(shared.session()->history(), made.segment);

@@ -4,7 +4,7 @@
 #include "core/edits/kinds/growth/ShrinkAt.h"
 #include "core/edits/kinds/parts/GrowthPlane.h"
 #include "core/session/questions/VoxelQuestions.h"
-#include "ui/base/NumberText.h"
+#include "ui/base/StudyTexts.h"
 #include "ui/workspace/Workspace.h"
 
 #include <QPointer>
@@ -110,8 +110,7 @@ QString ShrinkPreview::words() const
     if (m_refused && m_refused->code == core::ErrorCode::SeedsStay) {
         words = tr("takes nothing: there are seeds under the sketch");
     } else if (m_cutPreview->members > 0) {
-        const QString volume =
-            millilitreText(m_cutPreview->voxels, m_workspace.volume()->geometry.voxelVolumeMm3());
+        const QString volume = millilitreText(*m_workspace.volume(), m_cutPreview->voxels);
         words = m_onlyHere ? tr("takes only this: %1").arg(volume) : tr("takes %1").arg(volume);
     }
     return upToDate() ? words : words + QStringLiteral(" …");

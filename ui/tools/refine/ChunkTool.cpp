@@ -2,6 +2,7 @@
 #include "ui/tools/refine/ChunkTool.h"
 
 #include "ui/base/NumberText.h"
+#include "ui/base/StudyTexts.h"
 #include "ui/tools/aim/CursorLabel.h"
 #include "ui/tools/refine/ChunkOptions.h"
 #include "ui/tools/refine/ChunkRay.h"
@@ -131,7 +132,8 @@ QString ChunkTool::whyNot() const
 QString ChunkTool::chunkText(Chunk chunk) const
 {
     const Chunks& chunks = m_workspace.chunks();
-    const QString size = tr("chunk of %1").arg(volumeText(chunks.millilitres(chunk)));
+    const QString size =
+        tr("chunk of %1").arg(volumeText(*m_workspace.volume(), chunks.voxels(chunk)));
     return chunks.has(chunk) ? tr("%1 of %2").arg(size, segmentName()) : size;
 }
 

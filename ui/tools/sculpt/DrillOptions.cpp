@@ -3,6 +3,7 @@
 
 #include "core/edits/kinds/sculpt/ToolMask.h"
 #include "core/edits/kinds/sculpt/ToolMasks.h"
+#include "ui/base/NumberText.h"
 #include "ui/base/Theme.h"
 #include "ui/tools/aim/DrillMask.h"
 #include "ui/tools/aim/DrillSurface.h"
@@ -10,7 +11,6 @@
 #include "ui/tools/sculpt/ToolMaskPresetMenu.h"
 #include "ui/widgets/FittingLabel.h"
 #include "ui/widgets/fields/NumberField.h"
-#include "ui/workspace/Workspace.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -252,6 +252,15 @@ void DrillOptions::showSize()
 void DrillOptions::showDrawing(bool drawing)
 {
     m_outline->setChecked(drawing);
+}
+
+QString DrillOptions::sizeText(const Workspace::DrillSettings& settings)
+{
+    const bool round = settings.shape == core::ToolMask::Kind::Circle && !settings.freehand;
+    const QString mm = numberText(round ? settings.radiusMm : 2.0 * settings.radiusMm, 1);
+    if (round)
+        return tr("radius %1 mm").arg(mm);
+    return settings.freehand ? tr("%1 mm across").arg(mm) : tr("width %1 mm").arg(mm);
 }
 
 void DrillOptions::takeShape(int index)

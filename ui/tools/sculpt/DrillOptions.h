@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "ui/workspace/Workspace.h"
+
 #include <QWidget>
 
 class QCheckBox;
@@ -10,8 +12,6 @@ class QLabel;
 class QToolButton;
 
 namespace ui {
-
-class Workspace;
 
 /// The options of drill or laser in the option bar; always in step with Workspace::drillSettings().
 class DrillOptions : public QWidget {
@@ -30,6 +30,9 @@ public:
     /// The tool for which they are: drill and laser have separate depths.
     enum class Of { Drill, Laser };
     explicit DrillOptions(Workspace& workspace, Of tool, QWidget* parent = nullptr);
+
+    /// How large the mask is: "radius 3.0 mm", or "width 6.0 mm" where it is no circle.
+    [[nodiscard]] static QString sizeText(const Workspace::DrillSettings& settings);
 
     /// Shows whether the next drag draws the outline of a freehand mask.
     void showDrawing(bool drawing);

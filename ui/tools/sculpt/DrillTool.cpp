@@ -42,16 +42,6 @@ double stepped(double value, int steps, double minimum, double maximum)
     return std::clamp(std::round((value + steps * step) / step) * step, minimum, maximum);
 }
 
-QString sizeText(const Workspace::DrillSettings& settings)
-{
-    const bool round = settings.shape == core::ToolMask::Kind::Circle && !settings.freehand;
-    const QString mm = numberText(round ? settings.radiusMm : 2.0 * settings.radiusMm, 1);
-    if (round)
-        return DrillTool::tr("radius %1 mm").arg(mm);
-    return settings.freehand ? DrillTool::tr("%1 mm across").arg(mm)
-                             : DrillTool::tr("width %1 mm").arg(mm);
-}
-
 } // namespace
 
 /// A stroke that waits for the place it is to go in at.
@@ -201,20 +191,20 @@ void DrillTool::press(const PointerSample& sample, const ViewContext& view)
     m_startSeconds = sample.timeSeconds;
     if (aims()) {
         aim(sample, view);
-    } else if (begin(editIn(view, m_restores))) {
+    } else if (begin(editIn(view, m_restores), m_workspace.drillSettings().mode)) {
         extend(sample);
     }
     showCursor(sample, view.view);
 }
 
-bool DrillTool::begin(const core::Edit& edit)
+bool DrillTool::begin(const core::Edit& edit, core::DrillMode mode)
 {
     if (const auto begun = m_workspace.session()->begin(edit); !begun) {
         m_strokeView.reset();
         m_workspace.fail(begun.error());
         return false;
     }
-    if (m_workspace.drillSettings().mode == core::DrillMode::Rate)
+    if (mode == core::DrillMode::Rate)
         m_resting.start();
     return true;
 }
@@ -269,7 +259,7 @@ void DrillTool::takeAim(const SurfacePatch& surface)
     if (!stroke.hidden)
         stroke.hidden.emplace();
     stroke.hidden->push_back(m_aim->before(2.0 * core::reachMm(stroke.mask) + stroke.depthMm));
-    if (!begin(stroke))
+    if (!begin(stroke, stroke.mode))
         return;
     for (const PointerSample& sample : waited->samples)
         extend(sample);
@@ -494,7 +484,7 @@ void DrillTool::paintOverlay(QPainter& painter, const ViewContext& view) const
         const double now = depthMm() * m_pressure * m_pressure;
         depth = tr("%1 of %2 mm").arg(numberText(now, 1), full);
     }
-    QStringList lines{depth, sizeText(settings), target()};
+    QStringList lines{depth, DrillOptions::sizeText(settings), target()};
     // Where the picture itself does not say where a cut starts.
     if (m_workspace.volumeDisplay().mode != gpu::RenderMode::Surface)
         lines += startText(m_workspace);

@@ -81,7 +81,8 @@ private:
     void aim(const PointerSample& sample, const ViewContext& view);
     void takeAim(const SurfacePatch& surface);
     void drop();
-    [[nodiscard]] bool begin(const core::Edit& edit);
+    /// @param mode of the edit
+    [[nodiscard]] bool begin(const core::Edit& edit, core::DrillMode mode);
     [[nodiscard]] bool paintFootprint(QPainter& painter, const ViewContext& view) const;
     [[nodiscard]] core::PenSample penSample(const PointerSample& sample) const;
     void showCursor(const PointerSample& sample, gpu::ViewId view);

@@ -28,8 +28,12 @@ PeelTool::PeelTool(Workspace& workspace, QObject* parent)
         m_wasPutAway = false;
         m_endedByOther = false;
         m_depthDrag.reset();
-        follow();
+        if (!std::exchange(m_open, false))
+            return;
+        Q_EMIT changed();
+        Q_EMIT overlayChanged();
     });
+    connect(&workspace, &Workspace::failed, this, [this] { ++m_failures; });
     connect(&workspace, &Workspace::documentChanged, this, &PeelTool::follow);
     connect(&workspace, &Workspace::activeToolChanged, this, [this] { offerToTakeBack(); });
 }
@@ -124,6 +128,7 @@ bool PeelTool::open(core::PeelCut peel)
     m_peel = std::move(peel);
     m_endedByOther = false;
     m_rowsBefore = workspace().session()->history().rows().size();
+    m_failuresBefore = m_failures;
     const auto begun = workspace().session()->begin(m_peel);
     if (!begun)
         workspace().fail(begun.error());
@@ -208,14 +213,40 @@ void PeelTool::tellKept(const std::function<void(const core::HistoryRow&)>& tell
 {
     const bool restores = m_peel.get<core::PeelCut>().restore;
     workspace().session()->questions().afterAll(
-        [tool = QPointer<PeelTool>(this), before = m_rowsBefore, restores, tell] {
+        [tool = QPointer<PeelTool>(this), before = m_rowsBefore, failures = m_failuresBefore,
+            restores, tell] {
             if (!tool)
                 return;
             if (const core::RowId row = tool->keptRow(before); row != 0)
                 tell(tool->workspace().session()->history().row(row));
             else
-                tool->workspace().say(
-                    restores ? tr("Nothing was restored there") : tr("Nothing was peeled there"));
+                tool->tellNothing(failures, restores);
+        });
+}
+
+/// A peel that was refused, or that failed, is no row either: then its error is what is said. It is
+/// reported right after the answers that have come with it.
+void PeelTool::tellNothing(int failures, bool restores)
+{
+    QTimer::singleShot(0, this, [this, failures, restores] {
+        if (m_failures == failures)
+            workspace().say(
+                restores ? tr("Nothing was restored there") : tr("Nothing was peeled there"));
+    });
+}
+
+/// Its row is told of when it is seen; without one that is told.
+void PeelTool::awaitEndByOther()
+{
+    m_endedByOther = true;
+    const bool restores = m_peel.get<core::PeelCut>().restore;
+    workspace().session()->questions().afterAll(
+        [tool = QPointer<PeelTool>(this), before = m_rowsBefore, failures = m_failuresBefore,
+            restores] {
+            if (!tool || !tool->m_endedByOther || tool->keptRow(before) != 0)
+                return;
+            tool->m_endedByOther = false;
+            tool->tellNothing(failures, restores);
         });
 }
 
@@ -249,7 +280,8 @@ void PeelTool::follow()
     if (m_open && !(session && session->isOpen<core::PeelCut>() && keptRow(m_rowsBefore) == 0)) {
         m_open = false;
         m_depthDrag.reset();
-        m_endedByOther = session != nullptr;
+        if (session)
+            awaitEndByOther();
         Q_EMIT changed();
         Q_EMIT overlayChanged();
     }

@@ -87,6 +87,10 @@ private:
     void follow();
     /// Tells of the row that the peel becomes that was closed last, or that it becomes none.
     void tellKept(const std::function<void(const core::HistoryRow&)>& tell);
+    /// Says that it became no row, unless something has failed since.
+    /// @param failures how many there were when it was begun
+    void tellNothing(int failures, bool restores);
+    void awaitEndByOther();
     void offerToTakeBack();
     void offerToTakeBack(core::RowId row);
     /// The row that a peel became which was begun when there were so many; 0: none yet.
@@ -99,8 +103,10 @@ private:
     core::Edit m_peel; ///< the open one, a PeelCut
     std::optional<DepthDrag> m_depthDrag;
     std::size_t m_rowsBefore = 0; ///< of the history, when the peel was begun
+    int m_failures = 0; ///< that the workspace was told of
+    int m_failuresBefore = 0; ///< when the peel was begun
     bool m_wasPutAway = false; ///< until another tool is there
-    bool m_endedByOther = false; ///< until its row is seen
+    bool m_endedByOther = false; ///< until its row is seen, or that there is none
 };
 
 } // namespace ui

@@ -10,11 +10,23 @@
 #include "core/edits/kinds/growth/SeedStroke.h"
 #include "core/edits/kinds/growth/ShrinkAt.h"
 #include "core/edits/kinds/growth/ShrinkSteps.h"
+#include "core/volume/Volume.h"
 #include "tests/support/program/TestProgram.h"
 
 #include <QtTest>
 
 namespace generationTextTest {
+
+namespace {
+
+core::Volume ofTwoMm3()
+{
+    core::Volume volume;
+    volume.geometry.indexToWorld[2][2] = 2.0;
+    return volume;
+}
+
+} // namespace
 
 /// The line under the generation bar, for each kind of row that a growth consists of.
 class GenerationTextTest : public QObject {
@@ -46,13 +58,19 @@ private Q_SLOTS:
         core::HistoryRow row;
         row.edit = edit;
         row.statistics.voxelsChanged = 1700;
-        constexpr double voxelMm3 = 2.0;
-        QCOMPARE(ui::generationText(12, &row, voxelMm3), text);
+        core::Volume volume = ofTwoMm3();
+        QCOMPARE(ui::generationText(12, &row, volume), text);
+        // Nobody has measured what a voxel comes to whose size the source does not state.
+        volume.problems.push_back({.kind = core::VolumeProblem::Kind::AssumedSpacing,
+            .said = {core::ProblemCode::SpacingAssumed}});
+        const QString counted =
+            QString(text).replace(QStringLiteral("3.40 mL"), QStringLiteral("1 700 voxels"));
+        QCOMPARE(ui::generationText(12, &row, volume), counted);
     }
 
     void withoutAStepTheGenerationIsTold()
     {
-        QCOMPARE(ui::generationText(123, nullptr, 1.0), QStringLiteral("Generation 123"));
+        QCOMPARE(ui::generationText(123, nullptr, ofTwoMm3()), QStringLiteral("Generation 123"));
     }
 };
 

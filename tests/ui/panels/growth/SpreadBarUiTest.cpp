@@ -3,6 +3,7 @@
 #include "ui/panels/growth/SpreadBar.h"
 
 #include "core/edits/kinds/growth/GrowFromSeeds.h"
+#include "core/edits/kinds/growth/GrowSteps.h"
 #include "tests/support/fixtures/WorkspaceFixture.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/PlainEdits.h"
@@ -72,6 +73,20 @@ public:
         return seen;
     }
     [[nodiscard]] std::size_t rows() { return session().history().rows().size(); }
+    /// An editable range from below all values to this one.
+    void choose(double upper)
+    {
+        workspace.setEditableSettings(
+            {.on = true, .byValue = true, .lower = -1100.0, .upper = upper});
+    }
+    /// The end of the range to which the open preview keeps; 0: none is open, or without a range.
+    [[nodiscard]] double upperOfPreview()
+    {
+        if (!session().isOpen<core::GrowFromSeeds>())
+            return 0.0;
+        const auto& range = session().openEdit()->get<core::GrowFromSeeds>().editable;
+        return range ? range->upper.value_or(0.0) : 0.0;
+    }
 
     SpreadBar bar;
 };
@@ -101,6 +116,50 @@ private Q_SLOTS:
         fixture.workspace.setEditableSettings({.on = true, .byValue = true, .upper = 900.0});
         QVERIFY(fixture.bar.edit().editable);
         QCOMPARE(fixture.bar.edit().editable, fixture.workspace.editableRange());
+    }
+
+    /// A preview is worked out anew for another range, but not over something else that is open.
+    void anotherRangeLeavesARunningGrowthAlone()
+    {
+        SeededBar fixture;
+        fixture.seedBoth();
+        fixture.click("spreadPreview");
+        const core::Edit growth = test::growBetween(-1100.0, 2000.0);
+        QVERIFY(fixture.session().begin(growth));
+        QVERIFY(fixture.bar.previewing());
+        QVERIFY(fixture.session().isOpen<core::GrowSteps>());
+        fixture.choose(900.0);
+        for (int round = 0; round < 10; ++round) {
+            QTest::qWait(40);
+            fixture.session().poll();
+            QVERIFY(fixture.session().isOpen<core::GrowSteps>());
+        }
+        fixture.session().end(core::Ending::Rollback);
+        QTRY_VERIFY((fixture.session().poll(), fixture.upperOfPreview() == 900.0));
+        fixture.click("spreadCancel");
+        fixture.settle();
+    }
+
+    void anotherRangeIsFollowedOnce()
+    {
+        SeededBar fixture;
+        fixture.seedBoth();
+        fixture.choose(1000.0);
+        const std::size_t rows = fixture.rows();
+        fixture.click("spreadPreview");
+        QCOMPARE(fixture.upperOfPreview(), 1000.0);
+        fixture.choose(900.0);
+        fixture.choose(800.0);
+        QCOMPARE(fixture.upperOfPreview(), 1000.0);
+        QTRY_COMPARE((fixture.session().poll(), fixture.upperOfPreview()), 800.0);
+        // What is applied before it is worked out anew is what is chosen.
+        fixture.choose(700.0);
+        fixture.click("spreadApply");
+        fixture.settle();
+        QVERIFY(!fixture.bar.previewing());
+        QCOMPARE(fixture.rows(), rows + 1);
+        const core::Edit& kept = fixture.session().history().rows().back().edit;
+        QCOMPARE(kept.get<core::GrowFromSeeds>().editable->upper.value(), 700.0);
     }
 
     void showsAndCancels()

@@ -6,6 +6,7 @@
 #include "tests/support/fixtures/WorkspaceFixture.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/PlainEdits.h"
+#include "ui/base/NumberText.h"
 #include "ui/overlays/Readout.h"
 #include "ui/panels/growth/ToleranceBar.h"
 #include "ui/workspace/PendingSeeds.h"
@@ -18,6 +19,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace toleranceSectionUiTest {
 
@@ -32,8 +34,9 @@ namespace {
 /// away, bone 892, air 1008.
 class Traced : public WorkspaceFixture {
 public:
-    explicit Traced(bool seeded = true)
-        : section(workspace)
+    explicit Traced(bool seeded = true, core::LoadedVolume volume = smallHead::volume())
+        : WorkspaceFixture(std::move(volume))
+        , section(workspace)
         , bar(*section.findChild<ToleranceBar*>())
         , button(*section.findChild<QPushButton*>(QStringLiteral("toleranceTrace")))
     {
@@ -126,6 +129,18 @@ private Q_SLOTS:
         QCOMPARE(fixture.bar.jumps(), (std::vector<int>{32, 892, 1008}));
         QVERIFY(fixture.bar.textFor(32).startsWith(QStringLiteral("±32 HU · ")));
         QVERIFY(fixture.bar.textFor(32).contains(QStringLiteral("mL")));
+    }
+
+    /// Where the source does not say how large voxels are, they are counted.
+    void unknownSpacingLeavesVoxels()
+    {
+        core::LoadedVolume head = smallHead::volume();
+        head.volume.problems.push_back({.kind = core::VolumeProblem::Kind::AssumedSpacing,
+            .said = {core::ProblemCode::SpacingAssumed}});
+        const Traced fixture(true, std::move(head));
+        const QString text = fixture.bar.textFor(32);
+        const QString voxels = ui::countText(fixture.bar.members()[32]);
+        QVERIFY2(text.endsWith(QStringLiteral(" · %1 voxels").arg(voxels)), qPrintable(text));
     }
 
     void showsWhatItWouldBeBothWays()
@@ -293,6 +308,35 @@ private Q_SLOTS:
         const core::History& history = fixture.session().history();
         QCOMPARE(core::growCriteriaOf(history.row(history.position()).edit)->editable,
             fixture.workspace.editableRange());
+    }
+
+    /// What the bar shows was traced for another range: nothing comes of it until it is traced
+    /// anew.
+    void anotherRangeEndsTheMove()
+    {
+        Traced fixture;
+        const std::size_t rows = fixture.rows();
+        fixture.drag({20, 40}, false);
+        QVERIFY(fixture.workspace.atTolerance());
+        fixture.workspace.setEditableSettings({.on = true,
+            .byValue = true,
+            .lower = smallHead::ventricleHu,
+            .upper = smallHead::ventricleHu});
+        QTest::mouseMove(&fixture.bar, fixture.at(30));
+        QVERIFY(!fixture.workspace.atTolerance());
+        QTest::mouseRelease(&fixture.bar, Qt::LeftButton, {}, fixture.at(30));
+        QVERIFY(!fixture.workspace.atTolerance());
+        QCOMPARE(fixture.bar.tolerance(), -1);
+        fixture.settle();
+        QCOMPARE(fixture.rows(), rows);
+        QVERIFY(QTest::qWaitFor([&fixture] {
+            fixture.session().poll();
+            return fixture.section.traced() && fixture.session().idle()
+                && fixture.bar.members().back() == smallHead::voxelsOf(smallHead::ventricleHu);
+        }));
+        fixture.drag({0});
+        fixture.settle();
+        QCOMPARE(fixture.rows(), rows + 1);
     }
 
     /// What is being chosen for one segment is not applied to the one that becomes active.

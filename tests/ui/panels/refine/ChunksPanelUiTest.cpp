@@ -6,6 +6,7 @@
 #include "tests/support/fixtures/WorkspaceFixture.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/PlainMasks.h"
+#include "ui/base/StudyTexts.h"
 #include "ui/panels/refine/ChunksPanel.h"
 #include "ui/settings/ChunkLeaves.h"
 #include "ui/workspace/ChunkMembers.h"
@@ -246,10 +247,10 @@ private Q_SLOTS:
         QCOMPARE(list->count(), int(likely.size()));
         QVERIFY(!likely.front().isInside);
         const QString first = list->item(0)->text();
-        const double volume = on.chunks().millilitres(likely.front().chunk);
-        QVERIFY2(first.endsWith(QStringLiteral("mL to add?"))
-                && first.startsWith(QLocale().toString(volume, 'f', volume < 1.0 ? 2 : 1)),
-            qPrintable(first));
+        const QString volume =
+            ui::volumeText(*on.workspace.volume(), on.chunks().voxels(likely.front().chunk));
+        QCOMPARE(first, volume + QStringLiteral(" to add?"));
+        QVERIFY2(volume.endsWith(QStringLiteral(" mL")), qPrintable(volume));
         QCOMPARE(on.chunks().chunkAt(on.voxelAt(inMissing)), std::optional(likely.front().chunk));
         QVERIFY(on.rimAt(inMissing) >> 24 == 255U);
         QCOMPARE(on.rimAt(inBone), 0U);

@@ -134,6 +134,43 @@ private Q_SLOTS:
         QTRY_VERIFY(fixture.button("abortSurface").isHidden());
     }
 
+    /// Whoever takes it before the refusal has come has not drawn in vain.
+    void aTemplateThatWasTakenTooSoonIsNotLost()
+    {
+        PanelFixture fixture;
+        ui::Refinement& refinement = fixture.workspace.refinement();
+        fixture.apply(core::LaySurface{.segment = 1, .vertices = 800});
+        const std::size_t rows = fixture.session().history().rows().size();
+        std::vector<glm::dvec3> lobe;
+        for (int i = -8; i <= 8; ++i)
+            lobe.emplace_back(14.0 - 0.15 * i * i, double(i), 0.0);
+        refinement.addContour(lobe);
+        const std::vector<std::vector<glm::dvec3>> drawn = refinement.contours();
+        // Nothing is red, so that it will be refused.
+        refinement.previewTemplate();
+        refinement.takeTemplate();
+        QVERIFY(refinement.contours().empty());
+        QSignalSpy told(&refinement, &ui::Refinement::contoursChanged);
+        QVERIFY(!fixture.session().settle());
+        QVERIFY(refinement.contours() == drawn);
+        QCOMPARE(told.size(), 1);
+        QCOMPARE(fixture.session().history().rows().size(), rows);
+        // What is removed then does not come back with another failure.
+        refinement.removeContour();
+        fixture.workspace.fail({core::ErrorCode::Cancelled, {}});
+        QVERIFY(refinement.contours().empty());
+        // With a red region it is taken, and over.
+        fixture.apply(core::MarkSurface{
+            .mark = core::SurfaceMark::Red, .path = {.radiusMm = 12.0, .pointsLps = {{10, 0, 0}}}});
+        refinement.addContour(lobe);
+        refinement.previewTemplate();
+        refinement.takeTemplate();
+        fixture.settle();
+        QVERIFY(fixture.session().history().rows().size() > rows + 1);
+        fixture.workspace.fail({core::ErrorCode::Cancelled, {}});
+        QVERIFY(refinement.contours().empty());
+    }
+
     /// Whoever took it at once, and then thinks better of it, has not drawn in vain.
     void aTakenTemplateIsAborted()
     {

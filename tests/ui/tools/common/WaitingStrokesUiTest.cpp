@@ -24,41 +24,37 @@
 
 #include <QtTest>
 
+#include <vector>
+
 namespace waitingStrokesUiTest {
 
 namespace {
 
 using Brush = ui::Workspace::Brush;
 
-/// The small head, whose bone the 3D view sees from the front, with a second sculpt layer and two
-/// segments: the first one has grown through the bone, the second one lies in another label plane.
-class TwoSegments : public test::WindowFixture {
+/// The small head, whose bone the 3D view sees from the front.
+class BareHead : public test::WindowFixture {
 public:
-    TwoSegments()
+    BareHead()
         : test::WindowFixture(test::smallHead::volume())
         , view(window.views().volume())
     {
         ui::Workspace::VolumeDisplay display = workspace.volumeDisplay();
         display.surfaceThreshold = 300.0;
         workspace.setVolumeDisplay(display);
-        apply(core::AddLayer{.name = QStringLiteral("Sculpt 2")});
-        apply(test::newSegment(QStringLiteral("Bone"), 1));
-        apply(test::seedAt(1, {glm::dvec3(0.0, -14.0, 0.0)}));
-        apply(test::growBetween(500.0, 1200.0));
-        core::AddSegment other;
-        other.name = QStringLiteral("Other");
-        other.plane = 1;
-        apply(other);
-        workspace.setActiveSegment(1);
-        workspace.setActiveLayer(1);
         view.lookFrom({0.0, -1.0, 0.0});
     }
+    /// A pixel over the bone, away from the middle.
+    [[nodiscard]] QPointF beside(double mm = 8.0) const
+    {
+        const double perMm = 1.0 / view.context().mmPerPixel();
+        return QPointF(view.width(), view.height()) / 2.0 + QPointF(mm * perMm, 0.0);
+    }
     /// A stroke over the bone, away from the seed, which is let go of before its place is known.
-    void drawUnanswered(ui::Tool& tool)
+    void drawUnanswered(ui::Tool& tool, double mm = 8.0)
     {
         workspace.setActiveTool(&tool);
-        const double perMm = 1.0 / view.context().mmPerPixel();
-        const QPointF at = QPointF(view.width(), view.height()) / 2.0 + QPointF(8.0 * perMm, 0.0);
+        const QPointF at = beside(mm);
         test::Pen pen(view);
         pen.press(at, 1.0, 100);
         pen.move(at + QPointF(4, 0), 1.0, 110);
@@ -70,6 +66,28 @@ public:
             session().poll();
             QVERIFY(session().settle());
         }
+    }
+    [[nodiscard]] const core::Edit& lastEdit() { return session().history().rows().back().edit; }
+
+    ui::VolumeView& view;
+};
+
+/// The head with a second sculpt layer and two segments: the first one has grown through the bone,
+/// the second one lies in another label plane.
+class TwoSegments : public BareHead {
+public:
+    TwoSegments()
+    {
+        apply(core::AddLayer{.name = QStringLiteral("Sculpt 2")});
+        apply(test::newSegment(QStringLiteral("Bone"), 1));
+        apply(test::seedAt(1, {glm::dvec3(0.0, -14.0, 0.0)}));
+        apply(test::growBetween(500.0, 1200.0));
+        core::AddSegment other;
+        other.name = QStringLiteral("Other");
+        other.plane = 1;
+        apply(other);
+        workspace.setActiveSegment(1);
+        workspace.setActiveLayer(1);
     }
     /// Something else becomes active, and is set, while the stroke waits.
     void chooseOthers()
@@ -86,10 +104,63 @@ public:
         drill.sweep = ui::Workspace::Sweep::LeftRight;
         workspace.setDrillSettings(drill);
     }
-    [[nodiscard]] const core::Edit& lastEdit() { return session().history().rows().back().edit; }
-
-    ui::VolumeView& view;
 };
+
+/// A sketch whose pen is down until it is lifted.
+class OpenSketch {
+public:
+    enum class By { Tip, Eraser, Mouse, MouseWithCtrl };
+    OpenSketch(ui::VolumeView& view, By by, const QPointF& at)
+        : m_view(view)
+        , m_by(by)
+        , m_at(at)
+        , m_pen(view, by == By::Eraser ? test::Pen::End::Eraser : test::Pen::End::Tip)
+    {
+        if (isMouse()) {
+            test::WindowFixture::mouse(m_view, QEvent::MouseButtonPress, m_at, keys());
+            m_at += QPointF(4, 0);
+            test::WindowFixture::mouse(m_view, QEvent::MouseMove, m_at, keys());
+        } else {
+            m_pen.press(m_at, 1.0, 100);
+            m_at += QPointF(4, 0);
+            m_pen.move(m_at, 1.0, 110);
+        }
+    }
+    void lift()
+    {
+        if (isMouse())
+            test::WindowFixture::mouse(m_view, QEvent::MouseButtonRelease, m_at, keys());
+        else
+            m_pen.release(m_at, 120);
+    }
+    [[nodiscard]] static bool isInverse(By by)
+    {
+        return by == By::Eraser || by == By::MouseWithCtrl;
+    }
+
+private:
+    [[nodiscard]] bool isMouse() const { return m_by == By::Mouse || m_by == By::MouseWithCtrl; }
+    [[nodiscard]] Qt::KeyboardModifiers keys() const
+    {
+        return m_by == By::MouseWithCtrl ? Qt::ControlModifier : Qt::NoModifier;
+    }
+
+    ui::VolumeView& m_view;
+    By m_by;
+    QPointF m_at;
+    test::Pen m_pen;
+};
+
+/// Where the seeds of a plain sketch lie; it is taken back again.
+std::vector<glm::dvec3> seedsOfASketch(TwoSegments& fixture, ui::SeedTool& tool)
+{
+    fixture.drawUnanswered(tool);
+    fixture.answered();
+    const std::vector<glm::dvec3> places = fixture.lastEdit().get<core::SeedStroke>().pointsLps;
+    if (!fixture.session().undo() || !fixture.session().settle())
+        qFatal("nothing to undo");
+    return places;
+}
 
 } // namespace
 
@@ -116,6 +187,25 @@ private Q_SLOTS:
         QVERIFY(edit.seeds); // as the segment has some
         QVERIFY(!edit.overwriteUnlocked);
         QCOMPARE(fixture.workspace.activeSegment(), 2);
+    }
+
+    /// Also where the stroke makes the first segment, once it has met something.
+    void paintKeepsToTheRangeOfPenDown()
+    {
+        BareHead fixture;
+        ui::PaintTool tool(fixture.workspace);
+        ui::EditableSettings range{.on = true, .byValue = true, .lower = 500.0, .upper = 1200.0};
+        fixture.workspace.setEditableSettings(range);
+        const std::optional<core::EditableRange> chosen = fixture.workspace.editableRange();
+        QVERIFY(chosen);
+        fixture.drawUnanswered(tool);
+        range.lower = -1500.0;
+        fixture.workspace.setEditableSettings(range);
+        fixture.answered();
+        QCOMPARE(fixture.session().document().segments.size(), std::size_t(1));
+        const auto& edit = fixture.lastEdit().get<core::PaintStroke>();
+        QCOMPARE(edit.segment, 1);
+        QVERIFY(edit.editable == chosen);
     }
 
     void carvingGoesToTheLayerThatWasActive()
@@ -207,6 +297,83 @@ private Q_SLOTS:
         QVERIFY(!tool.canTakeStepBack());
     }
 
+    void undoDropsOnlyTheLastOfTwo()
+    {
+        TwoSegments fixture;
+        ui::SeedTool tool(fixture.workspace);
+        fixture.workspace.setActiveSegment(2);
+        const std::vector<glm::dvec3> first = seedsOfASketch(fixture, tool);
+        QVERIFY(!first.empty());
+        const std::size_t rows = fixture.rows();
+        fixture.drawUnanswered(tool);
+        fixture.drawUnanswered(tool, -6.0);
+        fixture.window.actionTable()[QStringLiteral("edit.undo")].trigger();
+        QVERIFY(tool.canTakeStepBack());
+        fixture.answered();
+        QCOMPARE(fixture.rows(), rows + 1);
+        QVERIFY(fixture.lastEdit().get<core::SeedStroke>().pointsLps == first);
+        QVERIFY(!tool.canTakeStepBack());
+    }
+
+    /// It was drawn after the one that waits.
+    void undoDropsTheOneUnderThePenFirst()
+    {
+        TwoSegments fixture;
+        ui::SeedTool tool(fixture.workspace);
+        fixture.workspace.setActiveSegment(2);
+        const std::vector<glm::dvec3> first = seedsOfASketch(fixture, tool);
+        const std::size_t rows = fixture.rows();
+        fixture.drawUnanswered(tool);
+        QSignalSpy said(&fixture.workspace, &ui::Workspace::said);
+        OpenSketch next(fixture.view, OpenSketch::By::Tip, fixture.beside(-6.0));
+        fixture.window.actionTable()[QStringLiteral("edit.undo")].trigger();
+        QVERIFY(!said.isEmpty());
+        QCOMPARE(said.back()[0].toString(), QStringLiteral("The sketch was dropped"));
+        QVERIFY(tool.canTakeStepBack());
+        next.lift();
+        fixture.answered();
+        QCOMPARE(fixture.rows(), rows + 1);
+        QVERIFY(fixture.lastEdit().get<core::SeedStroke>().pointsLps == first);
+    }
+
+    /// Each is what it was begun as, whichever is drawn when the answer comes.
+    void eachKeepsItsOwnKeys_data()
+    {
+        using By = OpenSketch::By;
+        QTest::addColumn<int>("waiting");
+        QTest::addColumn<int>("drawn");
+        QTest::newRow("tip, then eraser") << int(By::Tip) << int(By::Eraser);
+        QTest::newRow("eraser, then tip") << int(By::Eraser) << int(By::Tip);
+        QTest::newRow("plain, then Ctrl") << int(By::Mouse) << int(By::MouseWithCtrl);
+        QTest::newRow("Ctrl, then plain") << int(By::MouseWithCtrl) << int(By::Mouse);
+    }
+    void eachKeepsItsOwnKeys()
+    {
+        using By = OpenSketch::By;
+        QFETCH(const int, waiting);
+        QFETCH(const int, drawn);
+        TwoSegments fixture;
+        ui::ShrinkTool tool(fixture.workspace);
+        fixture.workspace.setActiveTool(&tool);
+        const std::size_t rows = fixture.rows();
+        OpenSketch first(fixture.view, By(waiting), fixture.beside());
+        first.lift();
+        QVERIFY(tool.canTakeStepBack());
+        OpenSketch next(fixture.view, By(drawn), fixture.beside(-6.0));
+        fixture.answered();
+        QCOMPARE(fixture.rows(), rows + 1);
+        QCOMPARE(
+            fixture.lastEdit().get<core::ShrinkAt>().onlyHere, OpenSketch::isInverse(By(waiting)));
+        // So that the next one meets a growth that is whole.
+        QVERIFY(fixture.session().undo());
+        fixture.answered();
+        next.lift();
+        fixture.answered();
+        QCOMPARE(fixture.rows(), rows + 2);
+        QCOMPARE(
+            fixture.lastEdit().get<core::ShrinkAt>().onlyHere, OpenSketch::isInverse(By(drawn)));
+    }
+
     void theDrillGoesInAsItWasSet()
     {
         TwoSegments fixture;
@@ -224,6 +391,32 @@ private Q_SLOTS:
         // Across the bone's face, which looks to the front and to the right, and not along it.
         const glm::dvec3 way = glm::normalize(edit.view.targetLps - edit.view.eyeLps);
         QVERIFY(way.y > 0.7);
+    }
+
+    /// A pen that rests goes deeper in mode Rate, whatever is set after it has gone down.
+    void theDrillRestsInTheModeOfPenDown()
+    {
+        TwoSegments fixture;
+        ui::DrillTool tool(fixture.workspace);
+        fixture.workspace.setActiveTool(&tool);
+        ui::Workspace::DrillSettings drill = fixture.workspace.drillSettings();
+        drill.mode = core::DrillMode::Rate;
+        drill.sweep = ui::Workspace::Sweep::Normal;
+        fixture.workspace.setDrillSettings(drill);
+        test::Pen pen(fixture.view);
+        pen.press(fixture.beside(), 1.0, 100);
+        QVERIFY(!fixture.session().transactionOpen());
+        drill.mode = core::DrillMode::Limit;
+        fixture.workspace.setDrillSettings(drill);
+        const auto samples = [&fixture]() -> std::size_t {
+            fixture.session().poll();
+            const core::Edit* open = fixture.session().openEdit();
+            return open ? open->get<core::DrillStroke>().samples.size() : 0;
+        };
+        QTRY_VERIFY(samples() > 3);
+        pen.release(fixture.beside(), 400);
+        fixture.answered();
+        QCOMPARE(fixture.lastEdit().get<core::DrillStroke>().mode, core::DrillMode::Rate);
     }
 };
 

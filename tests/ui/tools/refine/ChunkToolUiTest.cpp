@@ -4,6 +4,7 @@
 #include "core/edits/kinds/chunks/ChunkToggle.h"
 #include "core/edits/kinds/chunks/DivideSegment.h"
 #include "core/edits/kinds/segments/PaintStroke.h"
+#include "core/edits/kinds/segments/ReshapeSegment.h"
 #include "tests/reference/RefusingEngine.h"
 #include "tests/support/cases/SurfaceCases.h"
 #include "tests/support/faults/FailingLog.h"
@@ -330,12 +331,38 @@ private Q_SLOTS:
         QVERIFY(fixture.chunks().isWorking());
         QVERIFY(fixture.session().apply(test::paintAt(1, {inBone})));
         QCOMPARE(fixture.position(), divided); // it waits
+        QSignalSpy said(&fixture.workspace, &ui::Workspace::said);
         fixture.find<QPushButton>("chunksAbort")->click();
         fixture.settle();
         QCOMPARE(fixture.position(), divided + 1);
         QVERIFY(fixture.session().history().row(divided + 1).edit.is<core::PaintStroke>());
         QVERIFY(!fixture.chunks().isWorking() && !fixture.chunks().look().shown);
         QVERIFY(fixture.chunks().division()); // undo comes to it
+        QVERIFY(!said.isEmpty());
+        QVERIFY(said.last().first().toString().startsWith(QStringLiteral("The division stays")));
+    }
+
+    /// A preview that stands open comes to no step: the division goes once it has ended.
+    void anAbortWaitsForAPreviewToEnd()
+    {
+        ChunkFixture fixture;
+        const core::RowId before = fixture.position();
+        fixture.chunks().divide(marginMm);
+        QVERIFY(fixture.session().settle());
+        const core::RowId divided = fixture.position();
+        QVERIFY(divided != before && fixture.chunks().isWorking());
+        QVERIFY(fixture.session().begin(core::ReshapeSegment{
+            .segment = 1, .operation = core::ShapeOperation::Grow, .mm = 2.0}));
+        QVERIFY(fixture.session().openIsPreview());
+        QSignalSpy said(&fixture.workspace, &ui::Workspace::said);
+        fixture.find<QPushButton>("chunksAbort")->click();
+        QVERIFY(!fixture.session().transactionOpen());
+        QCOMPARE(fixture.position(), divided); // the preview is still being taken back
+        fixture.settle();
+        QCOMPARE(fixture.position(), before);
+        QVERIFY(!fixture.chunks().isWorking() && !fixture.chunks().division());
+        for (const QList<QVariant>& sentence : said)
+            QVERIFY(!sentence.first().toString().startsWith(QStringLiteral("The division stays")));
     }
 
     /// The engine cannot read the box: it is said why, and Divide works once it can.
@@ -611,7 +638,9 @@ private Q_SLOTS:
             QVERIFY(fixture.frames.lastRequest(view).interacting);
         QVERIFY(!said.isEmpty());
         const QString text = said.last().first().toString();
-        const double volume = fixture.chunks().millilitres(fixture.chunkAt(inBone));
+        const core::Volume& in = *fixture.workspace.volume();
+        const std::int64_t voxels = fixture.chunks().voxels(fixture.chunkAt(inBone));
+        const double volume = double(voxels) * in.geometry.voxelVolumeMm3() / 1000.0;
         QVERIFY(volume > 1.0 && volume < 50.0);
         QVERIFY2(text.contains(QLocale().toString(volume, 'f', 1) + QStringLiteral(" mL")),
             qPrintable(text));
