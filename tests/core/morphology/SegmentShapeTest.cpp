@@ -331,9 +331,9 @@ private Q_SLOTS:
             return core::shapeChange(labels, size, 1, ShapeOperation::Median, ShellPlace::Inside,
                 ball, core::Progress());
         };
-        // As sessions of before have it.
+        // As sessions of before have it: most of the ball is never there.
         const auto whole = majority(core::ballOf(geometry, 1.5));
-        QVERIFY(whole && after(labels, *whole) != labels);
+        QVERIFY(whole && after(labels, *whole) == labels);
         const auto change = majority(core::flatBallOf(geometry, 1.5));
         QVERIFY(change);
         Labels expected = labels;
