@@ -45,7 +45,8 @@ struct Study {
     }
     void fill(std::uint8_t label)
     {
-        for (const VoxelRun& run : cube().runs())
+        const VoxelRuns voxels = cube();
+        for (const VoxelRun& run : voxels.runs())
             std::fill_n(labels.begin() + std::ptrdiff_t(run.first), run.count, label);
     }
     /// @param imported labels of segments that were imported as the cube

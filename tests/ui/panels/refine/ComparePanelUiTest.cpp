@@ -219,7 +219,9 @@ private Q_SLOTS:
             fixture.panel.comparison().takeImported();
             QTRY_VERIFY(fixture.upToDate());
             const std::uint64_t before = fixture.outcome().voxels;
-            fixture.apply(test::paintAt(1, {glm::dvec3(radius + 6.0, 0.0, 0.0)}, 4.0));
+            const core::VolumeGeometry& geometry = fixture.workspace.volume()->geometry;
+            const glm::dvec3 beside = geometry.toWorld({20.0 + radius + 4.0, 20.0, 20.0});
+            fixture.apply(test::paintAt(1, {beside}, 4.0));
             QTRY_VERIFY(fixture.upToDate() && fixture.outcome().voxels > before);
             const std::uint64_t added = fixture.outcome().voxels - before;
             QCOMPARE(fixture.text("compareAdded"),
