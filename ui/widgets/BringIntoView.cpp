@@ -3,6 +3,7 @@
 
 #include "ui/base/Theme.h"
 
+#include <QCoreApplication>
 #include <QScrollArea>
 
 namespace ui {
@@ -11,6 +12,10 @@ void bringIntoView(QWidget& part, QWidget& head)
 {
     if (!part.isVisible())
         return;
+    // Each layout around the part asks the next one for room by an event. Until all of them have
+    // been asked, the part lies elsewhere.
+    for (QWidget* widget = &part; widget; widget = widget->parentWidget())
+        QCoreApplication::sendPostedEvents(widget, QEvent::LayoutRequest);
     for (QWidget* widget = part.parentWidget(); widget; widget = widget->parentWidget()) {
         auto* area = qobject_cast<QScrollArea*>(widget);
         if (!area)

@@ -29,6 +29,8 @@ namespace ui {
 
 namespace {
 
+constexpr int panelsTurnMilliseconds = 250;
+
 constexpr double um2PerMm2 = 1.0e6;
 
 /// A recipe of before may have counted voxels.
@@ -186,8 +188,10 @@ void LeakSection::showAlarm(const std::optional<core::LeakAlarm>& alarm)
                         .arg(countText(alarm->generation), widthText(*alarm),
                             QStringLiteral("<a href=\"show\" style=\"color: %1\">%2</a>")
                                 .arg(theme::accent.name(), tr("Show\u00a0it"))));
-    // In a panel that is scrolled away growth would seem to have ended by itself.
-    QTimer::singleShot(0, m_offer, [this] { bringIntoView(*m_offer, *m_text); });
+    // In a panel that is scrolled away growth would seem to have ended by itself. Once more when the
+    // panel has taken note that the growth has ended, since that shows other parts above this one.
+    for (const int milliseconds : {0, panelsTurnMilliseconds})
+        QTimer::singleShot(milliseconds, m_offer, [this] { bringIntoView(*m_offer, *m_text); });
 }
 
 void LeakSection::showBesideGrowth()
