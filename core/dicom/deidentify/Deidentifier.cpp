@@ -42,6 +42,35 @@ void addWords(QStringList& words, const QString& text)
     }
 }
 
+bool isHalfOfAName(const QString& part)
+{
+    constexpr std::ptrdiff_t fewest = 3; // shorter ones are articles, titles and initials
+    const auto letters =
+        std::count_if(part.begin(), part.end(), [](QChar letter) { return letter.isLetter(); });
+    return letters >= fewest
+        && std::none_of(part.begin(), part.end(), [](QChar letter) { return letter.isDigit(); });
+}
+
+/// The words of somebody's name in the form of DICOM (PS3.5 6.2.1), and what else people write of
+/// it: half of a double name, and family and given name without a gap, which in Chinese and Korean
+/// are often one character each.
+void addName(QStringList& words, const QString& name)
+{
+    addWords(words, name);
+    static const QRegularExpression joints(QStringLiteral("[\\s^=,\\\\\\x{3000}\\-_.'\\x{2019}]+"));
+    for (const QString& part : name.split(joints, Qt::SkipEmptyParts)) {
+        if (isHalfOfAName(part))
+            addWords(words, part);
+    }
+    static const QRegularExpression groups(QStringLiteral("[=\\\\]"));
+    static const QRegularExpression blanks(QStringLiteral("[\\s\\x{3000}]+"));
+    for (const QString& group : name.split(groups, Qt::SkipEmptyParts)) {
+        const QStringList components = group.split(QLatin1Char('^'));
+        QString joined = components.value(0) + components.value(1);
+        addWords(words, joined.remove(blanks));
+    }
+}
+
 QString without(QString text, const QStringList& words)
 {
     for (const QString& word : words) {
@@ -75,9 +104,10 @@ void collectWords(DcmItem& item, QStringList& words)
         DCM_InstitutionName, DCM_IssuerOfPatientID};
     for (unsigned long i = 0; i < item.card(); ++i) {
         DcmElement* element = item.getElement(i);
-        if (element->ident() == EVR_PN
-            || std::find(std::begin(numbers), std::end(numbers), element->getTag().getXTag())
-                != std::end(numbers))
+        if (element->ident() == EVR_PN)
+            addName(words, textOf(*element));
+        else if (std::find(std::begin(numbers), std::end(numbers), element->getTag().getXTag())
+            != std::end(numbers))
             addWords(words, textOf(*element));
         auto* sequence = dynamic_cast<DcmSequenceOfItems*>(element);
         for (unsigned long k = 0; sequence != nullptr && k < sequence->card(); ++k)
@@ -114,7 +144,7 @@ Deidentifier::Deidentifier(
     const QByteArray whose = patient.patientId.toUtf8() + '\n' + patient.patientName.toUtf8();
     m_patientId = QStringLiteral("ANON-")
         + QString::fromLatin1(keyed(m_secret, "patient\n" + whose).toHex().left(10).toUpper());
-    addWords(m_words, patient.patientName);
+    addName(m_words, patient.patientName);
     addWords(m_words, patient.patientId);
     addWords(m_words, patient.accessionNumber);
     QString born = patient.birthDate;

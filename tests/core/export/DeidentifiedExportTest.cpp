@@ -130,6 +130,8 @@ private Q_SLOTS:
     void oneMappingForAll();
     void namesAreCleaned();
     void japaneseNamesAreCleaned();
+    void partsOfNamesAreCleaned_data();
+    void partsOfNamesAreCleaned();
     void picturesWithTextAreRefused();
     void aNameThatWasLeftIsFound();
     void wordsOfTheStandardAreNoNames();
@@ -363,6 +365,62 @@ void DeidentifiedExportTest::japaneseNamesAreCleaned()
         DCM_SeriesDescription, QStringLiteral("山田様頭部").toUtf8().constData());
     QVERIFY(format.saveFile(QFile::encodeName(image).constData()).good());
     QVERIFY(!checkDeidentified(image, *by));
+}
+
+void DeidentifiedExportTest::partsOfNamesAreCleaned_data()
+{
+    QTest::addColumn<QString>("name");
+    QTest::addColumn<QString>("described");
+    QTest::addColumn<QString>("cleaned");
+    const auto row = [](const char* what, const char* name, const char* described,
+                         const char* cleaned) {
+        QTest::newRow(what) << QString::fromUtf8(name) << QString::fromUtf8(described)
+                            << QString::fromUtf8(cleaned);
+    };
+    row("half of a double name", "MUELLER-SCHMIDT^ANNA", "Abdomen Schmidt", "Abdomen");
+    row("all of it", "MUELLER-SCHMIDT^ANNA", "Abdomen Mueller-Schmidt", "Abdomen");
+    row("behind an apostrophe", "O'Neill^Ann", "Neill, abdomen", ", abdomen");
+    row("a short part stays", "Al-Sayed^Omar", "Kidney al", "Kidney al");
+    row("characters of one name each", "Wang^Wei=王^伟", "王伟 头部", "头部");
+    row("without a gap behind it", "Wang^Wei=王^伟", "王伟头部", "头部");
+}
+
+/// People write less of a name than stands in a header, or more of it in one word.
+void DeidentifiedExportTest::partsOfNamesAreCleaned()
+{
+    QFETCH(QString, name);
+    QFETCH(QString, described);
+    QFETCH(QString, cleaned);
+    QTemporaryDir folder;
+    test::SyntheticSeries series;
+    series.size = {16, 12, 3};
+    series.adjust = [&](DcmDataset& set, int) {
+        set.putAndInsertString(DCM_SpecificCharacterSet, "ISO_IR 192");
+        set.putAndInsertString(DCM_PatientName, name.toUtf8().constData());
+        set.putAndInsertString(DCM_SeriesDescription, described.toUtf8().constData());
+    };
+    test::writeSeries(series, folder.filePath(QStringLiteral("study")));
+    const auto study = loadVolume(folder.filePath(QStringLiteral("study")));
+    QVERIFY(study);
+    QCOMPARE(study->volume.identity.patientName, name);
+    const std::vector<std::uint8_t> coverage(study->codes.size(), 255);
+    const auto by = std::make_shared<Deidentifier>(
+        DeidentifyOptions{.keepDescriptions = true}, study->volume.identity);
+    const auto made = exportCarvedVolume(study->volume,
+        {.target = folder.filePath(QStringLiteral("out")),
+            .coverage = coverage,
+            .codes = study->codes,
+            .fill = -1000.0,
+            .deidentifier = by},
+        {});
+    QVERIFY2(made, qPrintable(made ? QString() : messageOf(made.error())));
+    QCOMPARE(valueIn(folder.filePath(QStringLiteral("out/IM0001.dcm")), DCM_SeriesDescription),
+        cleaned + QStringLiteral(" CARVED"));
+    // Numbers are no names: a part of one is any number.
+    StudyIdentity numbered;
+    numbered.patientId = QStringLiteral("CASE-4711-LIVER");
+    QCOMPARE(Deidentifier({}, numbered).cleanText(QStringLiteral("Liver 4711")),
+        QStringLiteral("Liver 4711"));
 }
 
 void DeidentifiedExportTest::picturesWithTextAreRefused()
