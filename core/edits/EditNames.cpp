@@ -6,6 +6,10 @@
 #include "core/edits/kinds/FileKinds.h"
 #include "core/edits/schema/FieldVisitor.h"
 
+#include <QJsonArray>
+#include <QJsonObject>
+
+#include <cstddef>
 #include <type_traits>
 
 namespace core {
@@ -67,6 +71,43 @@ private:
     const std::function<void(QString&)>& m_take;
 };
 
+/// Types of fields whose text is a word of the program, or voxels. Any other may hold what people
+/// wrote.
+template <class Kind>
+inline constexpr bool isOwnWord =
+    isOneOf<Kind, editFields::Colour, editFields::StepCount, editFields::PackedBytes>;
+template <class E, std::size_t N> inline constexpr bool isOwnWord<editFields::Choice<E, N>> = true;
+
+/// Collects the texts of an edit.
+class TextVisitor : public editSchema::FieldVisitor<TextVisitor> {
+public:
+    template <class Kind>
+    void field(const char*, Presence, typename Kind::Value& value, const Kind& kind, const char*)
+    {
+        if constexpr (!isOwnWord<Kind>)
+            take(kind.write(value));
+    }
+    [[nodiscard]] const QStringList& texts() const { return m_texts; }
+
+private:
+    void take(const QJsonValue& json)
+    {
+        if (json.isString())
+            m_texts.append(json.toString());
+        const QJsonArray list = json.toArray();
+        for (const QJsonValue& each : list)
+            take(each);
+        const QJsonObject object = json.toObject();
+        for (auto each = object.begin(); each != object.end(); ++each) {
+            // In base 64 these hold any short word by chance.
+            if (each.key() != QLatin1String("voxels"))
+                take(each.value());
+        }
+    }
+
+    QStringList m_texts;
+};
+
 } // namespace
 
 RowUse rowUseOf(const Edit& edit)
@@ -116,6 +157,14 @@ void changeFilesNamed(Edit& edit, const std::function<void(QString&)>& change)
             editSchema::visitFields(visitor, known);
         },
         edit);
+}
+
+QStringList textsIn(const Edit& edit)
+{
+    Edit copy = edit; // visitors of fields may change them
+    TextVisitor visitor;
+    visitEdit([&visitor](auto& known) { editSchema::visitFields(visitor, known); }, copy);
+    return visitor.texts();
 }
 
 } // namespace core

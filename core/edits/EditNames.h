@@ -5,6 +5,7 @@
 #include "core/edits/kinds/Edit.h"
 
 #include <QString>
+#include <QStringList>
 
 #include <cstdint>
 #include <functional>
@@ -31,5 +32,9 @@ void changeRowsNamed(Edit& edit, const std::function<void(std::int64_t&)>& chang
 
 /// Gives the files that an edit names other names. What a row holds of a file stays.
 void changeFilesNamed(Edit& edit, const std::function<void(QString&)>& change);
+
+/// The texts of an edit that people may have written: names, codes, files. Without the program's
+/// own words, the names of fields, and packed voxels.
+[[nodiscard]] QStringList textsIn(const Edit& edit);
 
 } // namespace core

@@ -6,25 +6,21 @@
 #include "core/edits/EditNames.h"
 #include "core/sessionfile/SessionFile.h"
 #include "core/sessionfile/SessionSalvage.h"
-#include "core/sessionfile/records/RowText.h"
 
 #include <QFile>
 #include <QFileInfo>
+
+#include <algorithm>
+#include <iterator>
 
 namespace core {
 
 namespace {
 
-/// Shorter ones are parts of ordinary words.
-constexpr qsizetype longEnough = 4;
-
 bool namesPatient(const QString& text, const QStringList& words)
 {
-    for (const QString& word : words) {
-        if (word.size() >= longEnough && text.contains(word, Qt::CaseInsensitive))
-            return true;
-    }
-    return false;
+    return std::any_of(
+        words.begin(), words.end(), [&text](const QString& word) { return holdsWord(text, word); });
 }
 
 /// Each text that a title holds, its own or of titles inside of it.
@@ -41,12 +37,19 @@ template <class Use> void useTexts(RowTitle& title, const Use& use)
         useTexts(each, use);
 }
 
-bool namesPatient(std::optional<RowTitle> title, const QStringList& words)
+/// Names and titles of rows also hold the program's own words and units. Short words may be among
+/// these (Hu and HU) and are looked for only in what people wrote, which the edits hold.
+bool namesPatient(HistoryRow row, const QStringList& words)
 {
-    bool names = false;
-    if (title)
-        useTexts(*title, [&](const QString& text) { names |= namesPatient(text, words); });
-    return names;
+    QStringList longWords;
+    std::copy_if(words.begin(), words.end(), std::back_inserter(longWords), isSoughtWithinWords);
+    bool names = namesPatient(row.name, longWords);
+    if (row.title)
+        useTexts(*row.title, [&](const QString& text) { names |= namesPatient(text, longWords); });
+    const QStringList written = textsIn(row.edit);
+    return names || std::any_of(written.begin(), written.end(), [&words](const QString& text) {
+        return namesPatient(text, words);
+    });
 }
 
 /// A name of a file that is not kept, or of a row that had it.
@@ -115,9 +118,7 @@ Result<void> copySteps(SessionFile& from, const SessionContents& contents, Sessi
     std::vector<Renaming> quotes;
     for (const HistoryRow& row : contents.rows) {
         const HistoryRow copied = neutral(row, by, quotes);
-        const RowText text = RowText::of(copied);
-        if (namesPatient(text.name, by.words()) || namesPatient(text.edit, by.words())
-            || namesPatient(copied.title, by.words()))
+        if (namesPatient(copied, by.words()))
             return failure(ErrorCode::UnsupportedFormat, file,
                 Clause::saying("step %1 holds a word of the patient's name or numbers, and no step "
                                "can be rewritten",
@@ -138,18 +139,23 @@ Result<void> copySteps(SessionFile& from, const SessionContents& contents, Sessi
     return to.flush();
 }
 
-/// Everything but the differences, which hold voxels, is text in the file.
+/// Everything but the differences, which hold voxels, is text in the file. In these, fewer bytes
+/// occur by chance.
+bool isFoundInBytes(const QString& word)
+{
+    constexpr qsizetype fewest = 5;
+    return isSoughtWithinWords(word) && word.toUtf8().size() >= fewest;
+}
+
 bool holdsAny(const QString& file, const QStringList& words)
 {
     QFile in(file);
     if (!in.open(QIODevice::ReadOnly))
         return true;
     const QByteArray bytes = in.readAll();
-    for (const QString& word : words) {
-        if (word.size() > longEnough && bytes.contains(word.toUtf8()))
-            return true;
-    }
-    return false;
+    return std::any_of(words.begin(), words.end(), [&bytes](const QString& word) {
+        return isFoundInBytes(word) && bytes.contains(word.toUtf8());
+    });
 }
 
 } // namespace
@@ -174,7 +180,8 @@ Result<DeidentifiedSession> deidentifySession(
     QStringList words = by.words();
     for (const QString& each :
         {source.path, source.studyUid, source.seriesUid, source.seriesDescription}) {
-        if (!each.isEmpty())
+        constexpr qsizetype shortest = 5; // a segment may be called as a short description
+        if (each.size() >= shortest)
             words += each;
     }
     source.path.clear();

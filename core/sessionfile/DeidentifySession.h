@@ -25,9 +25,9 @@ struct DeidentifiedSession {
 /// checksum of its voxels alone.
 ///
 /// Names of segments, layers and bookmarks belong to the hashed state and are kept. If one of them,
-/// or any other text of a step, contains a word of the patient's identity (Deidentifier::words()),
-/// nothing is written. Finally the texts of the copy are searched byte by byte for all these words.
-/// Blocks.
+/// or any other text of a step, contains a word of the patient's identity (Deidentifier::words(),
+/// holdsWord()), nothing is written. Finally the texts of the copy are searched byte by byte for
+/// those of these words that are long enough for that. Blocks.
 /// Errors: FileExists (unless @p replaceExisting), FileUnwritable, UnsupportedFormat (argument 1:
 /// the step that names the patient, or that the session is damaged), and those of checkSession().
 [[nodiscard]] Result<DeidentifiedSession> deidentifySession(

@@ -71,17 +71,20 @@ void addName(QStringList& words, const QString& name)
     }
 }
 
+QRegularExpression patternOf(const QString& word)
+{
+    const QString quoted = QRegularExpression::escape(word);
+    const QString pattern = isSoughtWithinWords(word)
+        ? quoted
+        : QStringLiteral("(?<![\\p{L}\\p{N}])%1(?![\\p{L}\\p{N}])").arg(quoted);
+    return QRegularExpression(pattern,
+        QRegularExpression::CaseInsensitiveOption | QRegularExpression::UseUnicodePropertiesOption);
+}
+
 QString without(QString text, const QStringList& words)
 {
-    for (const QString& word : words) {
-        const QString quoted = QRegularExpression::escape(word);
-        const QString pattern = isSoughtWithinWords(word)
-            ? quoted
-            : QStringLiteral("(?<![\\p{L}\\p{N}])%1(?![\\p{L}\\p{N}])").arg(quoted);
-        text.remove(QRegularExpression(pattern,
-            QRegularExpression::CaseInsensitiveOption
-                | QRegularExpression::UseUnicodePropertiesOption));
-    }
+    for (const QString& word : words)
+        text.remove(patternOf(word));
     return text.simplified();
 }
 
@@ -132,6 +135,12 @@ bool isSoughtWithinWords(const QString& word)
             return false;
         }
     });
+}
+
+bool holdsWord(const QString& text, const QString& word)
+{
+    return isSoughtWithinWords(word) ? text.contains(word, Qt::CaseInsensitive)
+                                     : text.contains(patternOf(word));
 }
 
 Deidentifier::Deidentifier(

@@ -79,6 +79,8 @@ private:
 /// Whether a word of somebody's identity is looked for within other words too. Short ones are parts
 /// of ordinary words, but not in scripts that write a name and what follows it without a gap.
 [[nodiscard]] bool isSoughtWithinWords(const QString& word);
+/// Whether a text holds that word: anywhere if it is sought within others, else as a whole word.
+[[nodiscard]] bool holdsWord(const QString& text, const QString& word);
 
 /// Opens what was written and searches every text and UID in it, including sequences.
 /// @returns what was checked, as a sentence

@@ -71,6 +71,25 @@ private Q_SLOTS:
         Edit drill = DrillStroke();
         changeFilesNamed(drill, [](QString&) { QFAIL("it names no file"); });
     }
+
+    /// Those of people, not the program's own.
+    void textsAreThoseOfPeople()
+    {
+        const ImportedSegment segment{.name = QStringLiteral("Mine"),
+            .rgb = 0x804020,
+            .code = {.scheme = QStringLiteral("99MINE"),
+                .value = QStringLiteral("1"),
+                .meaning = QStringLiteral("Yours")},
+            .voxels = QByteArray("voxels")};
+        ImportMask mask{.file = QStringLiteral("a.nrrd")};
+        mask.segments = std::vector<ImportedSegment>{segment};
+        QStringList texts = textsIn(mask);
+        texts.sort();
+        QCOMPARE(texts,
+            (QStringList{QStringLiteral("1"), QStringLiteral("99MINE"), QStringLiteral("Mine"),
+                QStringLiteral("Yours"), QStringLiteral("a.nrrd")}));
+        QCOMPARE(textsIn(DrillStroke()), QStringList());
+    }
 };
 
 BURIN_TEST(EditNamesTest)

@@ -2,6 +2,7 @@
 #include "core/sessionfile/DeidentifySession.h"
 #include "core/brick/VoxelRuns.h"
 #include "core/edits/kinds/history/RevertRows.h"
+#include "core/edits/kinds/segments/AddSegment.h"
 #include "core/edits/kinds/segments/ImportMask.h"
 #include "core/session/EditSession.h"
 #include "core/session/SessionKeyframes.h"
@@ -45,7 +46,7 @@ QByteArray makeMarked(const QString& path, const QString& segment)
     study.volume.identity.studyDate = QStringLiteral("1933-02-14");
     const auto session = *EditSession::create(engine, std::move(study), {.file = path});
     session->setOrigin([] { return presentOrigin(QStringLiteral("MARKERUSER")); });
-    if (!session->apply(test::addSegment(qPrintable(segment))) || !session->settle()
+    if (!session->apply(AddSegment{.name = segment, .rgb = 0xE0C068}) || !session->settle()
         || !session->apply(test::drillAt(-6)) || !session->settle())
         return {};
     session->keyframes().add(1, "MARKERTEXT in a picture");
@@ -164,6 +165,47 @@ private Q_SLOTS:
         QCOMPARE(done.error().code, ErrorCode::UnsupportedFormat);
         QVERIFY(done.error().arguments.value(1).contains(QStringLiteral("step 1")));
         QVERIFY(!QFile::exists(to));
+    }
+
+    void namesOfAllLengthsAndScriptsAreFound_data()
+    {
+        QTest::addColumn<QString>("name");
+        QTest::addColumn<QString>("segment");
+        QTest::addColumn<bool>("isRefused");
+        const auto row = [](const char* what, const char* name, const char* segment,
+                             bool isRefused) {
+            QTest::newRow(what) << QString::fromUtf8(name) << QString::fromUtf8(segment)
+                                << isRefused;
+        };
+        row("three letters", "Kim^Sun", "Kim liver", true);
+        row("three letters of another word", "Kim^Sun", "Kimono", false);
+        row("Hangul", "김^철수", "철수", true);
+        row("Hangul without a gap", "김^철수", "철수간", true);
+        row("another name in Hangul", "김^철수", "영희", false);
+        // What the program says itself names nobody: a row's name, and the name of a field.
+        row("a word of the program", "Add^Max", "Leber", false);
+        row("a field", "Code^Otto", "Leber", false);
+    }
+
+    /// Short names are looked for as whole words, those of scripts without gaps within others, too.
+    void namesOfAllLengthsAndScriptsAreFound()
+    {
+        QFETCH(QString, name);
+        QFETCH(QString, segment);
+        QFETCH(bool, isRefused);
+        QTemporaryDir folder;
+        const QString from = folder.filePath(QStringLiteral("from.burin"));
+        const QString to = folder.filePath(QStringLiteral("to.burin"));
+        QVERIFY(!makeMarked(from, segment).isEmpty());
+        StudyIdentity named;
+        named.patientName = name;
+        const auto done = deidentifySession(from, to, false, Deidentifier({}, named));
+        QCOMPARE(!done, isRefused);
+        QCOMPARE(QFile::exists(to), !isRefused);
+        if (!isRefused)
+            return;
+        QCOMPARE(done.error().code, ErrorCode::UnsupportedFormat);
+        QVERIFY(done.error().arguments.value(1).contains(QStringLiteral("step 1")));
     }
 
     void existingFileIsRefused()
