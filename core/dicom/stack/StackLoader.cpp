@@ -146,6 +146,61 @@ Errors decodeAll(const SliceStack& stack, LoadedVolume& loaded, const Progress& 
     return errors;
 }
 
+/// Whether a problem is one of the images or their files, which slices that are left out do not
+/// change. Those of places and pixels are found anew.
+bool isOfImages(const VolumeProblem& problem)
+{
+    switch (problem.kind) {
+    case VolumeProblem::Kind::MixedSlices:
+    case VolumeProblem::Kind::DoubledSlices:
+    case VolumeProblem::Kind::DuplicateSlices:
+    case VolumeProblem::Kind::DamagedSlice:
+        return true;
+    case VolumeProblem::Kind::MissingSlices:
+    case VolumeProblem::Kind::UnevenSpacing:
+    case VolumeProblem::Kind::Tilt:
+    case VolumeProblem::Kind::AssumedSpacing:
+    case VolumeProblem::Kind::LossyCompression:
+    case VolumeProblem::Kind::InexactValues:
+        return false;
+    case VolumeProblem::Kind::Other:
+        return problem.said.code == ProblemCode::FramesOfReferenceTakenAsOne;
+    }
+    return false;
+}
+
+/// The spans without the slices that failed, in the numbers of those that are left.
+std::vector<SliceSpan> spansOfRest(const std::vector<SliceSpan>& spans, const Errors& errors)
+{
+    std::vector<int> left{0}; // of the slices up to each
+    for (const std::optional<Error>& error : errors)
+        left.push_back(left.back() + (error ? 0 : 1));
+    const auto leftTo = [&left](int slice) {
+        return left[std::size_t(std::clamp(slice, 0, int(left.size()) - 1))];
+    };
+    std::vector<SliceSpan> rest;
+    for (const SliceSpan& span : spans) {
+        const SliceSpan here{.first = leftTo(span.first - 1) + 1, .last = leftTo(span.last)};
+        if (here.first <= here.last)
+            rest.push_back(here);
+    }
+    return rest;
+}
+
+/// What remains true of a stack when slices failed. The sentences keep the numbers of the whole
+/// stack, as that about the slices that failed does.
+std::vector<VolumeProblem> problemsOfImages(const SliceStack& stack, const Errors& errors)
+{
+    std::vector<VolumeProblem> kept;
+    for (const VolumeProblem& problem : stack.problems) {
+        if (!isOfImages(problem))
+            continue;
+        kept.push_back(problem);
+        kept.back().slices = spansOfRest(problem.slices, errors);
+    }
+    return kept;
+}
+
 /// Leaves out the slices that failed; the rest is placed anew.
 SliceStack withoutFailed(
     const SliceStack& stack, std::vector<std::uint16_t>& codes, const Errors& errors)
@@ -168,6 +223,8 @@ SliceStack withoutFailed(
     SliceStack rest = stackOf(std::move(sound));
     rest.part = stack.part;
     rest.time = stack.time;
+    const std::vector<VolumeProblem> kept = problemsOfImages(stack, errors);
+    rest.problems.insert(rest.problems.begin(), kept.begin(), kept.end());
     rest.problems.push_back(undecodedSlices(failed));
     return rest;
 }

@@ -11,6 +11,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <algorithm>
 #include <memory>
 
 namespace studyLoaderTest {
@@ -34,6 +35,7 @@ private Q_SLOTS:
     void unknownTransferSyntaxIsNamed();
     void seriesIsChosenNotGuessed();
     void cutSliceIsLeftOutAndNamed();
+    void aSliceThatFailsLeavesOtherCautions();
     void badPathsAreClear();
     void cancelStops();
     void nestedSequencesAreRefused();
@@ -230,6 +232,48 @@ void StudyLoaderTest::cutSliceIsLeftOutAndNamed()
         QVERIFY(test::hasProblem(loaded.volume.problems, VolumeProblem::Kind::MissingSlices));
         QCOMPARE(test::valueAt(loaded, {3, 5, 4}), series.value({3, 5, 5}));
     }
+}
+
+/// What is said of the images stays, and names the places that are left.
+void StudyLoaderTest::aSliceThatFailsLeavesOtherCautions()
+{
+    SyntheticSeries series;
+    series.size.z = 5;
+    series.transferSyntaxUid = QStringLiteral("1.2.840.10008.1.2.5");
+    const QStringList files = test::writeSeries(series, path());
+    SyntheticSeries second = series;
+    second.size.z = 1;
+    second.origin = series.position(3);
+    second.fileName = [](int) { return QStringLiteral("second"); };
+    second.adjust = [](DcmDataset& set, int) {
+        set.putAndInsertString(DCM_SOPInstanceUID, "700");
+        set.putAndInsertString(DCM_InstanceNumber, "99");
+    };
+    test::writeSeries(second, path());
+    // RLE that does nothing for so long.
+    constexpr int damaged = 150;
+    constexpr int endOfSequence = 8;
+    QFile fails(files[1]);
+    QVERIFY(fails.open(QIODevice::ReadWrite));
+    QVERIFY(fails.seek(fails.size() - endOfSequence - damaged));
+    QCOMPARE(fails.write(QByteArray(damaged, '\x80')), qint64(damaged));
+    fails.close();
+
+    const core::Result<core::StudyListing> listing = core::scanStudies(path());
+    QVERIFY(listing);
+    const core::LoadedVolume loaded = test::openVolume(path(), listing->candidates().front()->key);
+    QCOMPARE(loaded.volume.geometry.size.z, 4);
+    const std::vector<VolumeProblem>& problems = loaded.volume.problems;
+    const QString failed = test::problemText(problems, VolumeProblem::Kind::DamagedSlice);
+    QVERIFY2(failed.startsWith(QLatin1String("Slice 2 ")), qPrintable(failed));
+    QVERIFY(test::hasProblem(problems, VolumeProblem::Kind::MissingSlices));
+    const auto doubled =
+        std::find_if(problems.begin(), problems.end(), [](const VolumeProblem& problem) {
+            return problem.kind == VolumeProblem::Kind::DoubledSlices;
+        });
+    QVERIFY(doubled != problems.end());
+    QVERIFY(doubled->caution);
+    QVERIFY(doubled->slices == (std::vector<core::SliceSpan>{{.first = 3, .last = 3}}));
 }
 
 void StudyLoaderTest::badPathsAreClear()
