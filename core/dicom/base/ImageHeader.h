@@ -66,6 +66,8 @@ struct ImageHeader {
     int frames = 1; ///< in the file
     int frame = 0; ///< which of them this is, 0-based
     bool framesUnplaced = false; ///< there are several frames without a position for each
+    /// This stands for so many frames of the file of which nothing is said; 0: for a single frame.
+    int framesWithoutGroup = 0;
     /// Number of frames for which there are pixel data; none if it cannot be determined beforehand.
     std::optional<int> framesPresent{};
     PixelLayout layout;

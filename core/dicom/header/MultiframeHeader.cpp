@@ -77,6 +77,12 @@ std::vector<ImageHeader> framesOf(
             header.quantity = quantity;
         header.phases = readFramePhases(groups, frame, characterSet, whole.phases, slices);
     }
+    if (count < whole.frames) {
+        ImageHeader& others = frames.emplace_back(whole);
+        others.frame = count;
+        others.framesWithoutGroup = whole.frames - count;
+        others.position.reset();
+    }
     return frames;
 }
 

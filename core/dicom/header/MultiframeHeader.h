@@ -13,7 +13,8 @@ namespace core {
 /// frame, in the order of the file. Only for sources of core/dicom.
 ///
 /// If nothing is stated for individual frames, it returns a single header with framesUnplaced set;
-/// colour objects also give a single header.
+/// colour objects also give a single header. If something is stated for the first frames only, one
+/// more header without a position stands for all others (framesWithoutGroup).
 /// @param whole what the data set states about all frames
 [[nodiscard]] std::vector<ImageHeader> framesOf(
     DcmDataset& set, const QByteArray& characterSet, const ImageHeader& whole);

@@ -40,6 +40,11 @@ std::optional<ApartImage> whyApart(const ImageHeader& image)
         return ApartImage{Clause::saying("multi-frame image"),
             Clause::saying("nothing says where each of its %1 frames lies", image.frames)};
     }
+    if (image.framesWithoutGroup > 0) {
+        return ApartImage{Clause::saying("image without a place"),
+            Clause::saying("no position in the patient for %1 of its %2 frames",
+                image.framesWithoutGroup, image.frames)};
+    }
     if (!image.position || !image.plane) {
         return ApartImage{Clause::saying("image without a place"),
             image.frames > 1

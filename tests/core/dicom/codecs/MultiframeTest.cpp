@@ -140,6 +140,7 @@ private Q_SLOTS:
     void framesWithoutPlacesAreRefusedInWords();
     void missingPixelsCostTheirFrames();
     void onlySharedGroupsAreRefusedInWords();
+    void framesBeyondTheGroupsAreListed();
     void sourcesNameTheirFrames();
     void tornFramesAreJoined();
 };
@@ -211,6 +212,31 @@ void MultiframeTest::onlySharedGroupsAreRefusedInWords()
     const QString why = loaded.error().arguments.value(1);
     QVERIFY2(why.contains(QLatin1String("nothing says where each of its 12 frames lies")),
         qPrintable(why));
+}
+
+/// A file that says of its first frames only where they lie.
+void MultiframeTest::framesBeyondTheGroupsAreListed()
+{
+    const QTemporaryDir folder;
+    const QString file = folder.filePath(QStringLiteral("mf"));
+    EnhancedFile{.adjust = [](DcmDataset& set) {
+        DcmSequenceOfItems* groups = nullptr;
+        set.findAndGetSequence(DCM_PerFrameFunctionalGroupsSequence, groups);
+        for (int each = 0; each < 2; ++each)
+            delete groups->remove(groups->card() - 1);
+    }}.write(file);
+    const core::Result<core::Study> study = core::Study::scan(file);
+    QVERIFY(study);
+    int left = 0;
+    for (const core::SeriesEntry* entry : study->listing().candidates())
+        left += entry->slices() * std::max(1, int(entry->times.size()));
+    QCOMPARE(left, frames - 2);
+    const std::vector<core::ForeignObject>& foreign = study->listing().foreign;
+    QCOMPARE(foreign.size(), std::size_t(1));
+    QCOMPARE(foreign.front().kind, QStringLiteral("image without a place"));
+    QCOMPARE(foreign.front().reason,
+        QStringLiteral("no position in the patient for 2 of its 12 frames"));
+    QCOMPARE(foreign.front().files, QStringList{file});
 }
 
 void MultiframeTest::missingPixelsCostTheirFrames()
