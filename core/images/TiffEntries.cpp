@@ -14,8 +14,11 @@ namespace {
 /// More slices no volume has.
 constexpr std::size_t mostDirectories = 65536;
 constexpr std::uint64_t mostEntries = 4096;
-/// Strips and tiles of all directories together: what a file of few bytes can make us read.
+/// Of one list, and of a file of few bytes: what it can make us read.
 constexpr std::uint64_t mostNumbers = std::uint64_t(1) << 22;
+/// A larger file may have as many in all directories together as it needs for strips of twice as
+/// many bytes, each of which has a place and a size.
+constexpr std::uint64_t fewestBytesPerNumber = 64;
 constexpr std::uint64_t longestText = 65536;
 
 int bytesOf(int type)
@@ -41,7 +44,7 @@ int bytesOf(int type)
 TiffEntries::TiffEntries(QFile& file)
     : m_file(file)
     , m_fileBytes(std::uint64_t(file.size()))
-    , m_numbersLeft(mostNumbers)
+    , m_numbersLeft(std::max(mostNumbers, m_fileBytes / fewestBytesPerNumber))
 {
     constexpr int bigTiff = 43;
     const QByteArray begin = bytesAt(0, 16);

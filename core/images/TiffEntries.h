@@ -35,7 +35,7 @@ public:
     /// single number.
     [[nodiscard]] std::optional<std::uint64_t> number(int tag, std::uint64_t otherwise) const;
     /// At least that many numbers; none if there are fewer, or if all directories together have too
-    /// many.
+    /// many for the size of the file.
     [[nodiscard]] std::optional<std::vector<std::uint64_t>> numbers(int tag, std::uint64_t atLeast);
     /// A quotient; 0 if there is none.
     [[nodiscard]] double rational(int tag) const;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "core/images/TiffDirectory.h"
 #include "core/study/StudyLoader.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/program/FileBytes.h"
@@ -95,6 +96,7 @@ private Q_SLOTS:
     void otherFilesByTheName();
     void directoriesThatLie_data();
     void directoriesThatLie();
+    void stripsOfALargeFileAreMany();
     void pngThatLies_data();
     void pngThatLies();
 
@@ -283,6 +285,47 @@ void ImageHostileTest::directoriesThatLie()
     QFETCH(QString, says);
     const QString text = refusal(QStringLiteral("lies.tif"), bytes);
     QVERIFY2(!text.isEmpty() && text.contains(says), qPrintable(text));
+}
+
+/// How many strips may be is a matter of how much there is to lie in them.
+void ImageHostileTest::stripsOfALargeFileAreMany()
+{
+    constexpr quint32 wide = 8;
+    constexpr quint32 high = 30000;
+    constexpr quint32 pages = 71; // with a place and a size per strip more than 2²² numbers
+    constexpr quint32 headerBytes = 8;
+    constexpr quint32 directoryBytes = 2 + 6 * 12 + 4;
+    constexpr quint32 offsetsAt = headerBytes + pages * directoryBytes;
+    constexpr quint32 sizesAt = offsetsAt + 4 * high;
+    constexpr quint32 pixelsAt = sizesAt + 2 * high;
+    // All pages share their strips, one row each.
+    TiffBytes page = greyTiff(wide, high);
+    page.add(273, offsetsAt, high);
+    page.add(278, 1);
+    page.add(279, sizesAt, high, 3);
+    QByteArray bytes = page.bytes().left(headerBytes);
+    for (quint32 k = 1; k <= pages; ++k)
+        bytes += page.bytes(k < pages ? headerBytes + k * directoryBytes : 0).mid(headerBytes);
+    QByteArray offsets(4 * high, '\0');
+    QByteArray sizes(2 * high, '\0');
+    for (quint32 row = 0; row < high; ++row) {
+        qToLittleEndian(pixelsAt + row * wide, offsets.data() + 4 * row);
+        qToLittleEndian(quint16(wide), sizes.data() + 2 * row);
+    }
+    bytes += offsets + sizes + QByteArray(wide * high, 'x');
+
+    QFile file(put(QStringLiteral("many.tif"), bytes));
+    QVERIFY(file.open(QIODevice::ReadWrite));
+    const auto refused = core::readTiffPages(file);
+    QVERIFY(!refused);
+    QVERIFY2(refused.error().arguments.value(1).contains(QLatin1String("where its pixels lie")),
+        qPrintable(test::errorText(refused.error())));
+    // What is behind takes no room on the disk.
+    QVERIFY(file.resize(qint64(64) * 2 * high * pages));
+    const auto read = core::readTiffPages(file);
+    QVERIFY2(read, qPrintable(read ? QString() : test::errorText(read.error())));
+    QCOMPARE(read->size(), std::size_t(pages));
+    QCOMPARE(read->back().parts.size(), std::size_t(high));
 }
 
 void ImageHostileTest::pngThatLies_data()
