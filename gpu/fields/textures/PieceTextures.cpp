@@ -66,7 +66,7 @@ void PieceTextures::updateCells(Program& kernel, const PieceSource& source)
     m_cells.bindImage(0, GL_WRITE_ONLY);
     kernel.set("firstTexel", entry.place).set("texelCount", size).set("cellCount", count);
     glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
-    kernel.dispatch({unsigned((cells + 63) / 64), 1, 1});
+    kernel.dispatch({unsigned(std::min((cells + 63) / 64, mostWorkGroups)), 1, 1});
     glMemoryBarrier(GL_ALL_BARRIER_BITS);
     std::vector<std::uint8_t> greatest(cells);
     m_cells.read(entry.place / side, count, std::as_writable_bytes(std::span(greatest)));
