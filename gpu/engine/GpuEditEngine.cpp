@@ -87,6 +87,8 @@ void GpuEditEngine::close()
     m_cutPreviewer.forget();
     m_growthMarks.forget();
     m_fields.reset();
+    m_followUpsFailed = 0;
+    m_followUpsFrom = {};
 }
 
 /// What the GPU holds is not what the session says: nothing more is read from it or written.
@@ -186,6 +188,11 @@ bool GpuEditEngine::workUnguarded()
         return true;
     }
     try {
+        if (Clock::now() < m_followUpsFrom) {
+            m_thread.wakeAt(m_followUpsFrom);
+            requireContext();
+            return false;
+        }
         if (m_fields && m_expectsRanges)
             m_idleWork.warmUp(m_fields->grid().volumeSize, KernelWarmUp::Of::EditableRanges);
         const core::TraceSpan span("engine", "between edits", {.least = leastIdleWork});
@@ -214,7 +221,9 @@ void GpuEditEngine::followUpLater(const core::Error& why)
         return;
     }
     m_fields->deriveAnew();
-    m_thread.wakeAt(Clock::now() + pause);
+    // Pictures and edits that go on meanwhile do not use the patience up.
+    m_followUpsFrom = Clock::now() + pause;
+    m_thread.wakeAt(m_followUpsFrom);
 }
 
 void GpuEditEngine::abandon(const core::Error& why)

@@ -131,6 +131,7 @@ private:
     std::size_t m_tracedAtOnce = leastTraced; ///< bricks
     double m_editMilliseconds = 0.0; ///< time spent on the open transaction
     int m_followUpsFailed = 0; ///< consecutive failures
+    Clock::time_point m_followUpsFrom; ///< after a failure nothing is tried before
     int m_ringsPerSlice = GrowthKernel::ringsPerBatch;
     Clock::time_point m_nextGeneration;
 };

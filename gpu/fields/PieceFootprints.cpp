@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "gpu/fields/VoxelFields.h"
 
+#include "core/base/Log.h"
+#include "gpu/gl/GlFailure.h"
+
 namespace gpu {
 
 // VoxelFields, the part that keeps footprints of pieces.
@@ -17,6 +20,7 @@ void VoxelFields::setPieces(const std::vector<PieceSource>& sources)
         return;
     m_stalePieces = std::move(wanted);
     m_arrangeAnew = true;
+    m_piecesRefused = false;
 }
 
 bool VoxelFields::piecesStale() const
@@ -51,11 +55,11 @@ void VoxelFields::arrangePieces()
     std::map<PieceSource, core::VoxelBox> rooms;
     for (const auto& [source, bricks] : m_stalePieces)
         rooms[source] = roomFor(source);
-    m_shared.pieces().arrange(rooms);
+    const bool isThere = makeRoomFor(rooms);
     for (auto& [source, bricks] : m_stalePieces) {
         bricks.clear();
         const core::VoxelBox& room = rooms[source];
-        if (room.empty())
+        if (room.empty() || !isThere)
             continue;
         const glm::ivec3 count = m_grid.bricks();
         const glm::ivec3 first = room.minimum / core::BrickGrid::side;
@@ -69,6 +73,22 @@ void VoxelFields::arrangePieces()
     m_shared.markDirty(VolumeField::Pieces, {glm::ivec3(0), m_grid.volumeSize});
 }
 
+bool VoxelFields::makeRoomFor(const std::map<PieceSource, core::VoxelBox>& rooms)
+{
+    try {
+        m_shared.pieces().arrange(rooms);
+        m_piecesRefused = false;
+    } catch (const ContextLost&) {
+        throw;
+    } catch (const GlFailure& refused) {
+        qCWarning(core::log, "Pieces are not shown: %s",
+            qUtf8Printable(refused.error().arguments.join(QStringLiteral(": "))));
+        m_shared.pieces().arrange({});
+        m_piecesRefused = true;
+    }
+    return !m_piecesRefused;
+}
+
 void VoxelFields::notePieces(bool ofLayers, std::span<const std::uint32_t> bricks)
 {
     bool outgrown = false;
@@ -78,7 +98,8 @@ void VoxelFields::notePieces(bool ofLayers, std::span<const std::uint32_t> brick
         const core::VoxelBox room = roomFor(source);
         const PieceTextures::Entry* entry = m_shared.pieces().entry(source);
         if (!entry) {
-            outgrown = outgrown || !room.empty();
+            // What was refused is not asked for again with every edit.
+            outgrown = outgrown || (!room.empty() && !m_piecesRefused);
             continue;
         }
         const core::VoxelBox& own = entry->box;
@@ -109,7 +130,8 @@ void VoxelFields::updatePieces(std::size_t maxBricks)
         updatePiece(source, regions);
         if (stale.empty()) {
             m_shared.pieces().updateCells(m_programs.pieceCells, source);
-            m_shared.markDirty(VolumeField::Pieces, m_shared.pieces().entry(source)->box);
+            if (const PieceTextures::Entry* entry = m_shared.pieces().entry(source))
+                m_shared.markDirty(VolumeField::Pieces, entry->box);
         }
         return;
     }

@@ -109,7 +109,8 @@ public:
     /// updated where members come or go.
     void showAtTolerance(const std::optional<ToleranceDisplay>& shown);
 
-    /// Sets the layers and segments whose footprints are kept in VolumeTextures::pieces().
+    /// Sets the layers and segments whose footprints are kept in VolumeTextures::pieces(). Where
+    /// the driver refuses the memory for them there are none until others are set.
     void setPieces(const std::vector<PieceSource>& sources);
     [[nodiscard]] bool piecesStale() const;
     /// Updates about @p maxBricks bricks of footprints.
@@ -136,6 +137,8 @@ private:
     [[nodiscard]] core::VoxelBox roomFor(const PieceSource& source);
     /// Allocates the footprints of all pieces again if one has outgrown its box.
     void arrangePieces();
+    /// Allocates them. @return false: that was refused, so there are none
+    [[nodiscard]] bool makeRoomFor(const std::map<PieceSource, core::VoxelBox>& rooms);
     void updatePiece(const PieceSource& source, std::span<const RadiationKernel::Region> regions);
     void notePieces(bool ofLayers, std::span<const std::uint32_t> bricks);
     /// The tolerance at which pictures show the field's segment; none if they show it as it is.
@@ -169,6 +172,7 @@ private:
     /// For each source, the bricks to update.
     std::map<PieceSource, std::set<std::uint32_t>> m_stalePieces;
     bool m_arrangeAnew = false; ///< the pieces have to be arranged before they are updated
+    bool m_piecesRefused = false; ///< there was no memory for them
 };
 
 } // namespace gpu

@@ -178,8 +178,8 @@ void FrameScheduler::begin(ViewProgress& view, FrameRequest request)
     if (const auto* volume = std::get_if<VolumeScene>(&request.scene))
         showPieces(*volume);
     view.request = std::move(request);
-    // The same picture again is no work, interacting or not.
-    if (!same)
+    // The same picture again is no work, interacting or not, unless there is none.
+    if (!same || view.failed)
         view.restart();
 }
 

@@ -11,7 +11,8 @@ namespace gpu {
 /// Draws pictures on request. A view requests one; finished frames come to the listener, first a
 /// coarse one, then a full one, then a refined (anti-aliased) one. While nothing changes nothing is
 /// drawn. When an edit changes voxels, the last request of every affected view is drawn again
-/// without a new request. If the GPU refuses to draw, one frame with a failure is delivered.
+/// without a new request. If the GPU refuses to draw, one frame with a failure is delivered,
+/// and the same request may be made again.
 class FrameSource {
 public:
     using Listener = std::function<void(const Frame&)>;

@@ -20,6 +20,7 @@ void ViewProgress::restart()
     stage = Stage::Coarse;
     tiles.reset();
     stale = false;
+    failed = false;
     sample = 0;
     milliseconds = 0.0;
     begun.reset();
@@ -39,6 +40,7 @@ void ViewProgress::giveUp()
     stage = Stage::Done;
     tiles.reset();
     stale = false;
+    failed = true;
     begun.reset();
     targets = {};
     pictures = {};

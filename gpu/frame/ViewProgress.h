@@ -21,6 +21,7 @@ struct ViewProgress {
     int sample = 0; ///< which of the summed pictures of stage Refine is drawn
     std::optional<TilePlan> tiles; ///< tiles of the picture being drawn; none if it has not begun
     bool stale = false; ///< the content changed while its coarse picture was drawn
+    bool failed = false; ///< its last picture did
     double milliseconds = 0.0;
     std::optional<core::Trace::Clock::time_point> begun; ///< when the picture being drawn was
     std::optional<core::TraceLane> lane; ///< of its pictures, if a trace is on
@@ -34,7 +35,7 @@ struct ViewProgress {
     /// first.
     void changed();
     /// After a failure: drops the picture under way and its textures, and draws nothing until the
-    /// next request.
+    /// next request, be it the same.
     void giveUp();
 
     /// Whether there is a picture to draw now.

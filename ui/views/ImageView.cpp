@@ -162,6 +162,12 @@ void ImageView::takeFrame(const gpu::Frame& frame)
     Q_EMIT qualityChanged();
 }
 
+void ImageView::takeFailure()
+{
+    m_requested = false;
+    releasePicture();
+}
+
 void ImageView::holdPicture(const QString& awaited)
 {
     m_awaited = awaited;

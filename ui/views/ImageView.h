@@ -57,6 +57,9 @@ public:
     /// Whether frames with that id belong to this view.
     [[nodiscard]] virtual bool takes(gpu::ViewId view) const { return view == m_view; }
     virtual void takeFrame(const gpu::Frame& frame);
+    /// Notes that no picture will come of what was requested: it is requested anew when anything
+    /// asks for a picture, though it may be the same.
+    void takeFailure();
     /// Sets the early slice; null if no study is being loaded, or none has arrived yet.
     void showEarlySlice(const std::shared_ptr<const core::EarlySlice>& early);
     /// Keeps what is on the screen, whatever study is closed or opened, until a picture of the next

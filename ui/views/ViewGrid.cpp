@@ -111,7 +111,7 @@ void ViewGrid::give(const gpu::Frame& frame)
         if (!view->takes(frame.view))
             continue;
         if (frame.failure)
-            view->releasePicture(); // there will be no other
+            view->takeFailure();
         else
             view->takeFrame(frame);
     }

@@ -263,7 +263,7 @@ void OperationQueue::take(CommitWorker::Report&& report)
     if (report.error)
         return m_state.lose(*report.error);
     if (report.differences) {
-        if (m_started)
+        if (m_started && m_operations.front()->awaitedRow() == report.row)
             m_operations.front()->takeDifferences(m_state, *std::move(report.differences));
         return;
     }

@@ -19,7 +19,11 @@ public:
     virtual void start(SessionState& state) = 0;
     /// Receives a result that nobody else waits for: one of its own, or one that it may ignore.
     virtual void takeResult(SessionState&, EngineResult&&) { }
+    /// Receives the differences of awaitedRow().
     virtual void takeDifferences(SessionState&, Result<RowDifferences>&&) { }
+    /// The row whose differences are being read for it; 0: none. Those of other rows are of
+    /// operations that are gone.
+    [[nodiscard]] virtual RowId awaitedRow() const { return 0; }
     /// Called when SessionState::chunks has news.
     virtual void takeChunks(SessionState&) { }
     /// Whether it cannot continue before takeChunks().

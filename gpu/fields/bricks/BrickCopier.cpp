@@ -19,6 +19,25 @@ Buffer brickList(std::span<const std::uint32_t> bricks)
 }
 
 constexpr std::size_t bricksPerReadback = 1024;
+// Storage blocks end at 128 MiB, which is as much of seed words. Ranges of the lists begin at
+// multiples of what any driver asks for.
+constexpr std::size_t bricksPerDispatch = 8192;
+
+/// Runs a kernel whose textures are bound over listed bricks and their packed voxels.
+void run(const Program& kernel, std::span<const std::uint32_t> bricks, const Buffer& packed,
+    core::Field field)
+{
+    const Buffer list = brickList(bricks);
+    const std::size_t bytes = packedBrickBytes(field);
+    for (std::size_t first = 0; first < bricks.size(); first += bricksPerDispatch) {
+        const std::size_t count = std::min(bricksPerDispatch, bricks.size() - first);
+        list.bindRange(GL_SHADER_STORAGE_BUFFER, 0, first * sizeof(std::uint32_t),
+            count * sizeof(std::uint32_t));
+        packed.bindRange(GL_SHADER_STORAGE_BUFFER, 1, first * bytes, count * bytes);
+        kernel.dispatch({unsigned(count), 1, 1});
+    }
+    glMemoryBarrier(GL_ALL_BARRIER_BITS);
+}
 
 /// Whether all bytes are the same one: every byte equals the one after it.
 bool isEmpty(std::span<const std::uint8_t> image, std::uint8_t emptyByte)
@@ -48,14 +67,10 @@ Buffer BrickCopier::packed(const FieldTextures& source, std::span<const std::uin
         : source.field == core::Field::SeedWords ? m_programs.packWords
                                                  : m_programs.packBytes;
     pack.set("volumeSize", m_grid.volumeSize).set("volumeBricks", m_grid.bricks());
-    const Buffer list = brickList(bricks);
     source.voxels->bindUnit(0);
     if (source.pageTable)
         source.pageTable->bindUnit(1);
-    list.bindBase(GL_SHADER_STORAGE_BUFFER, 0);
-    target.bindBase(GL_SHADER_STORAGE_BUFFER, 1);
-    pack.dispatch({unsigned(bricks.size()), 1, 1});
-    glMemoryBarrier(GL_ALL_BARRIER_BITS);
+    run(pack, bricks, target, source.field);
     requireNoError(); // what was not packed must never be put back
     return target;
 }
@@ -117,14 +132,10 @@ void BrickCopier::write(
         : target.field == core::Field::SeedWords ? m_programs.unpackWords
                                                  : m_programs.unpackBytes;
     unpack.set("volumeSize", m_grid.volumeSize).set("volumeBricks", m_grid.bricks());
-    const Buffer list = brickList(bricks);
     target.voxels->bindImage(0, GL_WRITE_ONLY);
     if (target.pageTable)
         target.pageTable->bindUnit(1);
-    list.bindBase(GL_SHADER_STORAGE_BUFFER, 0);
-    packed.bindBase(GL_SHADER_STORAGE_BUFFER, 1);
-    unpack.dispatch({unsigned(bricks.size()), 1, 1});
-    glMemoryBarrier(GL_ALL_BARRIER_BITS);
+    run(unpack, bricks, packed, target.field);
 }
 
 } // namespace gpu

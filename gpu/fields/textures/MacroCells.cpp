@@ -117,7 +117,7 @@ void MacroCells::update(Program& kernel, const Texture3D& radiation, const Textu
     result.bindBase(GL_SHADER_STORAGE_BUFFER, 0);
     glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
     kernel.set("firstCell", first).set("cellCount", count);
-    kernel.dispatch({(words.size() + 63) / 64, 1, 1});
+    kernel.dispatch({unsigned(std::min((words.size() + 63) / 64, mostWorkGroups)), 1, 1});
     glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
     result.read<std::uint32_t>(words);
 

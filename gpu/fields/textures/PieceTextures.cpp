@@ -27,19 +27,25 @@ void PieceTextures::arrange(const std::map<PieceSource, core::VoxelBox>& boxes)
     m_bytes = {};
     m_cells = {};
     std::map<PieceSource, Entry> entries;
-    // One on top of the other as high as textures may be, then in the next row.
-    GLint highest = 0;
-    glGetIntegerv(GL_MAX_3D_TEXTURE_SIZE, &highest);
+    // One on top of the other as high as textures may be, then beside that, then behind it.
+    GLint longest = 0;
+    glGetIntegerv(GL_MAX_3D_TEXTURE_SIZE, &longest);
     glm::ivec3 size(0);
     glm::ivec3 corner(0);
+    int besideY = 0;
     for (const auto& [source, box] : boxes) {
         if (box.empty())
             continue;
         const glm::ivec3 room = cellsOf(box.maximum - box.minimum) * side;
-        if (corner.z + room.z > highest)
+        if (corner.z + room.z > longest)
+            corner = {corner.x, besideY, 0};
+        if (corner.y + room.y > longest) {
             corner = {size.x, 0, 0};
+            besideY = 0;
+        }
         entries[source] = Entry{.box = box, .place = corner, .filled = {}};
         size = glm::max(size, corner + room);
+        besideY = std::max(besideY, corner.y + room.y);
         corner.z += room.z;
     }
     if (entries.empty())
@@ -66,7 +72,7 @@ void PieceTextures::updateCells(Program& kernel, const PieceSource& source)
     m_cells.bindImage(0, GL_WRITE_ONLY);
     kernel.set("firstTexel", entry.place).set("texelCount", size).set("cellCount", count);
     glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
-    kernel.dispatch({unsigned((cells + 63) / 64), 1, 1});
+    kernel.dispatch({unsigned(std::min((cells + 63) / 64, mostWorkGroups)), 1, 1});
     glMemoryBarrier(GL_ALL_BARRIER_BITS);
     std::vector<std::uint8_t> greatest(cells);
     m_cells.read(entry.place / side, count, std::as_writable_bytes(std::span(greatest)));

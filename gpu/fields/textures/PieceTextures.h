@@ -35,7 +35,8 @@ public:
         std::vector<glm::ivec3> cells; ///< those cells, in cells of the volume
     };
 
-    /// Allocates these boxes, with empty footprints.
+    /// Allocates these boxes, with empty footprints. Throws GlFailure where that is refused, or
+    /// they do not fit into a texture; then there are none.
     void arrange(const std::map<PieceSource, core::VoxelBox>& boxes);
     /// Updates the cells of one source. Waits for the GPU.
     /// @param kernel fields/textures/pieceCells.comp

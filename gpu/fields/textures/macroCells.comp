@@ -1,5 +1,5 @@
 // Computes the range of radiation and the greatest segmentation in cells of 8³ voxels: one
-// invocation per cell of a box of cells.
+// invocation per cell of a box of cells, or several cells one after the other.
 layout(local_size_x = 64) in;
 
 /* Textures */
@@ -15,11 +15,8 @@ layout(std430, binding = 0) writeonly buffer Result { uint words[]; };
 
 const int side = 8;
 
-void main()
+void look(int i)
 {
-    const int i = int(gl_GlobalInvocationID.x);
-    if (i >= cellCount.x * cellCount.y * cellCount.z)
-        return;
     const ivec3 cell = firstCell
         + ivec3(i % cellCount.x, i / cellCount.x % cellCount.y, i / (cellCount.x * cellCount.y));
     const ivec3 first = cell * side;
@@ -42,4 +39,12 @@ void main()
     const uvec3 bytes
         = uvec3(vec3(leastRadiation, greatestRadiation, greatestSegmentation) * 255.0 + 0.5);
     words[i] = bytes.x | bytes.y << 8 | bytes.z << 16;
+}
+
+void main()
+{
+    const int cells = cellCount.x * cellCount.y * cellCount.z;
+    const int atOnce = int(gl_NumWorkGroups.x * gl_WorkGroupSize.x);
+    for (int i = int(gl_GlobalInvocationID.x); i < cells; i += atOnce)
+        look(i);
 }

@@ -1,4 +1,5 @@
-// Computes the greatest footprint in each cell of one piece's box: one invocation per cell.
+// Computes the greatest footprint in each cell of one piece's box: one invocation per cell, or
+// several cells one after the other.
 layout(local_size_x = 64) in;
 
 /* Textures */
@@ -12,11 +13,8 @@ uniform ivec3 cellCount;
 
 const int side = 8;
 
-void main()
+void look(int i)
 {
-    const int i = int(gl_GlobalInvocationID.x);
-    if (i >= cellCount.x * cellCount.y * cellCount.z)
-        return;
     const ivec3 cell
         = ivec3(i % cellCount.x, i / cellCount.x % cellCount.y, i / (cellCount.x * cellCount.y));
     const ivec3 first = cell * side;
@@ -29,4 +27,12 @@ void main()
                 greatest = max(
                     greatest, texelFetch(footprints, firstTexel + ivec3(x, y, z), 0).r);
     imageStore(cells, firstTexel / side + cell, uvec4(greatest));
+}
+
+void main()
+{
+    const int cells = cellCount.x * cellCount.y * cellCount.z;
+    const int atOnce = int(gl_NumWorkGroups.x * gl_WorkGroupSize.x);
+    for (int i = int(gl_GlobalInvocationID.x); i < cells; i += atOnce)
+        look(i);
 }

@@ -3,6 +3,8 @@
 
 #include "gpu/fields/bricks/HiddenBricks.h"
 
+#include <algorithm>
+
 namespace gpu {
 
 using core::fixedPoint::round14;
@@ -49,8 +51,10 @@ std::vector<std::uint32_t> ColumnCutter::lay(CutColumns& columns)
     columns.bind(1, 2);
     changedBuffer.bindBase(GL_SHADER_STORAGE_BUFFER, 3);
     hidden.bindBase(GL_SHADER_STORAGE_BUFFER, 6);
-    m_cut.set("firstTile", columns.firstTile()).set("tileCount", columns.tileCount());
-    m_cut.dispatch({unsigned(candidates.size()), 1, 1});
+    m_cut.set("firstTile", columns.firstTile())
+        .set("tileCount", columns.tileCount())
+        .set("candidateCount", unsigned(candidates.size()));
+    m_cut.dispatch({unsigned(std::min(candidates.size(), mostWorkGroups)), 1, 1});
     glMemoryBarrier(GL_ALL_BARRIER_BITS);
 
     std::vector<std::uint32_t> flags(candidates.size());

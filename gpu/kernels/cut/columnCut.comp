@@ -1,5 +1,6 @@
 // Cuts the columns of a mask plane into candidate bricks (core/sculpt/CutFrame.h, rule 6). One
-// work-group per brick; each voxel is written by one invocation.
+// work-group per brick, or several bricks one after the other; each voxel is written by one
+// invocation.
 
 layout(local_size_x = 64) in;
 
@@ -22,6 +23,7 @@ layout(binding = 3, std430) writeonly buffer Changed { uint changed[]; };
 
 uniform ivec3 volumeSize;
 uniform ivec3 volumeBricks;
+uniform uint candidateCount;
 uniform ivec3 planePerI; // mm16
 uniform ivec3 planePerJ;
 uniform ivec3 planePerK;
@@ -54,9 +56,9 @@ uint cutAt(ivec3 plane)
     return min(uint(c.weight), min(ramp(c.to - plane.z), ramp(plane.z - c.from)));
 }
 
-void main()
+void cutInto(uint slot)
 {
-    Candidate candidate = candidates[gl_WorkGroupID.x];
+    Candidate candidate = candidates[slot];
     ivec3 origin = brickPosition(candidate.planeBase.w, volumeBricks) * brickSide;
     uint entry = texelFetch(pageTable, origin >> 4, 0).r;
     bool any = false;
@@ -66,10 +68,16 @@ void main()
             continue;
         uint cut = cutAt(candidate.planeBase.xyz + local.x * planePerI + local.y * planePerJ
             + local.z * planePerK);
-        if (cut == 0u || isHidden(gl_WorkGroupID.x, local))
+        if (cut == 0u || isHidden(slot, local))
             continue;
         any = writeCut(entry, origin + local, cut) || any;
     }
     if (any)
-        changed[gl_WorkGroupID.x] = 1u;
+        changed[slot] = 1u;
+}
+
+void main()
+{
+    for (uint slot = gl_WorkGroupID.x; slot < candidateCount; slot += gl_NumWorkGroups.x)
+        cutInto(slot);
 }

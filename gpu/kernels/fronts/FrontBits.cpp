@@ -36,6 +36,12 @@ ShaderDefines definesOfOpen(const core::GrowLimits& limits, bool ranged)
     return defines;
 }
 
+/// Work groups that walk over this many.
+unsigned groupsFor(std::size_t parts)
+{
+    return unsigned(std::min(parts, mostWorkGroups));
+}
+
 Buffer listOf(
     std::span<const std::uint32_t> bricks, const BrickField& words, const glm::ivec3& grid)
 {
@@ -109,7 +115,7 @@ void FrontBits::enter(FrontBitsPrograms& programs, int brickCount, const Front& 
     m_holdsFront = true;
     bind(m_front);
     programs.fill.set("baseGeneration", front.generation);
-    programs.fill.dispatch({(front.voxels + 63) / 64, 1, 1});
+    programs.fill.dispatch({groupsFor((std::size_t(front.voxels) + 63) / 64), 1, 1});
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
 }
 
@@ -128,7 +134,7 @@ void FrontBits::advance(FrontBitsPrograms& programs, const BrickField& words,
         const Buffer list = listOf(fresh, words, grid);
         list.bindBase(GL_SHADER_STORAGE_BUFFER, 4);
         programs.open.set("growing", unsigned(m_label));
-        programs.open.dispatch({unsigned(fresh.size()), 1, 1});
+        programs.open.dispatch({groupsFor(fresh.size()), 1, 1});
         glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
     }
     const Buffer list = listOf(bricks, words, grid);
@@ -145,7 +151,11 @@ void FrontBits::advance(FrontBitsPrograms& programs, const BrickField& words,
         m_reach.bindBase(GL_SHADER_STORAGE_BUFFER, 4);
         bind(m_front);
         programs.ring.set("ring", unsigned(ring));
-        programs.ring.dispatchIndirect(m_reach);
+        // How many are in reach is not known here: they may be more than may be started at once.
+        if (bricks.size() > mostWorkGroups)
+            programs.ring.dispatch({groupsFor(bricks.size()), 1, 1});
+        else
+            programs.ring.dispatchIndirect(m_reach);
         glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT
             | GL_BUFFER_UPDATE_BARRIER_BIT);
         m_front = 1 - m_front;
@@ -153,7 +163,7 @@ void FrontBits::advance(FrontBitsPrograms& programs, const BrickField& words,
     bind(m_front);
     list.bindBase(GL_SHADER_STORAGE_BUFFER, 4);
     programs.end.set("generation", generation + std::uint32_t(rings));
-    programs.end.dispatch({unsigned(bricks.size()), 1, 1});
+    programs.end.dispatch({groupsFor(bricks.size()), 1, 1});
     glMemoryBarrier(GL_ALL_BARRIER_BITS);
 }
 

@@ -7,7 +7,8 @@ struct ListedBrick {
     uint x; // position in bricks
     uint yz; // y | z << 16
 };
-// The list begins with the group counts of a dispatch over it.
+// The list begins with the group counts of a dispatch over it, a group for each brick; of a dispatch
+// with fewer, the groups walk.
 layout(binding = 4, std430) restrict readonly buffer Bricks {
     uvec4 groups;
     ListedBrick bricks[];

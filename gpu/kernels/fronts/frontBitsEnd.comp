@@ -1,6 +1,6 @@
 // Ends a batch of generations (FrontBits): reports which listed bricks hold the front, and clears
-// the bits of the previous front, which the next batch will write. One work-group per brick, one
-// invocation per word.
+// the bits of the previous front, which the next batch will write. One work-group per brick, or
+// several bricks one after the other; one invocation per word.
 
 layout(local_size_x = 128) in;
 
@@ -14,10 +14,12 @@ uniform uint generation;
 
 void main()
 {
-    ListedBrick brick = bricks[gl_WorkGroupID.x];
-    uint last = open[brick.index * wordsOfOpen + lastFront];
-    if (last + 1u >= generation)
-        before[brick.index * wordsOfFront + gl_LocalInvocationID.x] = 0u;
-    if (last == generation)
-        reached[brick.page] = holdsFront;
+    for (uint slot = gl_WorkGroupID.x; slot < groups.x; slot += gl_NumWorkGroups.x) {
+        ListedBrick brick = bricks[slot];
+        uint last = open[brick.index * wordsOfOpen + lastFront];
+        if (last + 1u >= generation)
+            before[brick.index * wordsOfFront + gl_LocalInvocationID.x] = 0u;
+        if (last == generation)
+            reached[brick.page] = holdsFront;
+    }
 }

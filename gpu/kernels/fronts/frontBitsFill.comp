@@ -1,5 +1,5 @@
 // Converts the front in a queue to bits (FrontBits), which are all 0 before. One invocation per
-// voxel of the front.
+// voxel of the front, or several voxels one after the other.
 
 layout(local_size_x = 64) in;
 
@@ -11,12 +11,9 @@ layout(binding = 7, std430) restrict buffer Open { uint open[]; };
 
 uniform uint baseGeneration; // generation of the front
 
-void main()
+void fill(uint place)
 {
-    uint i = gl_GlobalInvocationID.x;
-    if (i >= state.counts[0])
-        return;
-    uint entry = queues[frontSlot(0u, i)];
+    uint entry = queues[frontSlot(0u, place)];
     uint owner = pageOwners[entry >> 12];
     uint brick = uint(brickIndex(
         ivec3(owner & 1023u, owner >> 10 & 1023u, owner >> 20), volumeBricks));
@@ -25,4 +22,11 @@ void main()
     for (uint i = 0u; i < 7u; ++i)
         open[brick * wordsOfOpen + lastFront + i] = baseGeneration;
     atomicOr(front[brick * wordsOfFront + (offset >> 5)], 1u << (offset & 31u));
+}
+
+void main()
+{
+    uint atOnce = gl_NumWorkGroups.x * gl_WorkGroupSize.x;
+    for (uint place = gl_GlobalInvocationID.x; place < state.counts[0]; place += atOnce)
+        fill(place);
 }

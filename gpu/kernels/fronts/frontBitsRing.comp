@@ -3,7 +3,8 @@
 // by a single invocation, so there is no competition. Its word is the one that would win in
 // growRing.comp: that of the lowest direction that leads from the front.
 //
-// One work-group per listed brick (frontBitsReach.comp), one invocation per word.
+// One work-group per listed brick (frontBitsReach.comp), or several bricks one after the other; one
+// invocation per word.
 
 layout(local_size_x = 128) in;
 
@@ -52,9 +53,8 @@ uint cameBy(const ivec3 step, ListedBrick brick, int pair, int slice)
     return rows;
 }
 
-uint claimed = 0u;
-// binary digits of the direction of each claimed bit
-uint directions[5] = uint[5](0u, 0u, 0u, 0u, 0u);
+uint claimed; // in the brick that is looked at
+uint directions[5]; // binary digits of the direction of each claimed bit
 
 void claim(const uint direction, uint left, ListedBrick brick, int pair, int slice)
 {
@@ -66,9 +66,10 @@ void claim(const uint direction, uint left, ListedBrick brick, int pair, int sli
     }
 }
 
-void main()
+void advance(ListedBrick brick)
 {
-    ListedBrick brick = bricks[gl_WorkGroupID.x];
+    claimed = 0u;
+    directions = uint[5](0u, 0u, 0u, 0u, 0u);
     uint at = brick.index * wordsOfFront + gl_LocalInvocationID.x;
     uint ours = brick.index * wordsOfOpen;
     uint left = open[ours + gl_LocalInvocationID.x];
@@ -125,4 +126,10 @@ void main()
         imageStore(words, pageTexel(brick.page, offset), uvec4(word));
         showLabel(word, voxel);
     } while (bits != 0u);
+}
+
+void main()
+{
+    for (uint slot = gl_WorkGroupID.x; slot < groups.x; slot += gl_NumWorkGroups.x)
+        advance(bricks[slot]);
 }

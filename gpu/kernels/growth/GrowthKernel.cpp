@@ -187,9 +187,13 @@ GrowthKernel::State GrowthKernel::runOver(
     Program& program, const std::vector<std::uint32_t>& bricks)
 {
     start({});
-    const Buffer list = bufferOf("growth bricks", bricks);
-    list.bindBase(GL_SHADER_STORAGE_BUFFER, 4);
-    program.dispatch({unsigned(bricks.size()), 1, 1});
+    for (std::size_t first = 0; first < bricks.size(); first += mostWorkGroups) {
+        const auto piece =
+            std::span(bricks).subspan(first, std::min(mostWorkGroups, bricks.size() - first));
+        const Buffer list = bufferOf("growth bricks", piece);
+        list.bindBase(GL_SHADER_STORAGE_BUFFER, 4);
+        program.dispatch({unsigned(piece.size()), 1, 1});
+    }
     glMemoryBarrier(GL_ALL_BARRIER_BITS);
     return takeBatch();
 }

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/reference/fields/Radiation.h"
+#include "tests/support/faults/RefusingGl.h"
 #include "tests/support/fixtures/frames/FrameTest.h"
 #include "tests/support/program/TestProgram.h"
 
 #include <QTest>
 
 #include <algorithm>
+#include <map>
 #include <random>
 
 namespace pieceFootprintsGlTest {
@@ -146,6 +148,72 @@ private Q_SLOTS:
             m_fixture->edits.fields->setMutedLayers(muted);
             wrong = check(muted);
             QVERIFY2(wrong.isEmpty(), qPrintable(QStringLiteral("muted: ") + wrong));
+        }
+    }
+
+    /// Where there is no memory for them, pictures and edits go on without pieces, and nothing is
+    /// tried with every edit. When other pieces are shown, they are there again.
+    void nothingElseSuffersWhereTheyAreRefused()
+    {
+        const glm::ivec3 size(40, 36, 30);
+        m_fixture->open(test::centredGeometry(size), [](const glm::dvec3&) { return 1000.0; });
+        reference::DenseFields state(size);
+        std::mt19937 random(5);
+        scatter(state.coverage(1), random);
+        m_fixture->put(state);
+        const PieceSource source{.layer = 1};
+        {
+            const test::RefusingGl refusing(1, test::RefusingGl::From::OnAndOn);
+            m_fixture->edits.showPieces({source});
+            while (m_fixture->edits.work()) { }
+            QVERIFY(refusing.refused() > 0);
+        }
+        QVERIFY(!m_fixture->volume.pieces().entry(source));
+        scatter(state.coverage(1), random);
+        m_fixture->put(state);
+        QVERIFY(!m_fixture->edits.fields->piecesStale());
+
+        VolumeScene scene;
+        scene.heightMm = 60.0;
+        scene.surfaceThreshold = 500.0;
+        scene.pieces = {ScenePiece{.id = 1, .layer = 1}};
+        const Frame frame = m_fixture->draw(scene, {60, 50});
+        QVERIFY(!frame.failure);
+        QCOMPARE(frame.quality, Frame::Quality::Refined);
+        QVERIFY(frame.pieces.empty());
+
+        m_fixture->edits.showPieces({});
+        m_fixture->edits.showPieces({source});
+        const QString wrong = difference(source, state.coverage(1));
+        QVERIFY2(wrong.isEmpty(), qPrintable(wrong));
+        QVERIFY(m_fixture->volume.pieces().entry(source));
+        QVERIFY(newErrors() > 0);
+    }
+
+    /// Long boxes lie on, beside and behind each other, wherever a texture has room.
+    void boxesUseTheWholeTexture()
+    {
+        GLint longest = 0;
+        glGetIntegerv(GL_MAX_3D_TEXTURE_SIZE, &longest);
+        if (longest > 4096)
+            QSKIP("textures are so long here that these would take gigabytes");
+        const int half = longest / 16 * 8 + 8; // two of them are longer than a texture
+        std::map<PieceSource, core::VoxelBox> boxes;
+        for (const int layer : {1, 2, 3})
+            boxes[{.layer = layer}] = {glm::ivec3(0), {half, 8 * layer, half}};
+        PieceTextures pieces;
+        pieces.arrange(boxes);
+        for (const auto& [source, box] : boxes) {
+            const PieceTextures::Entry* entry = pieces.entry(source);
+            QVERIFY(entry);
+            const glm::ivec3 end = entry->place + box.maximum;
+            QVERIFY(glm::all(glm::lessThanEqual(end, pieces.footprints().size())));
+            for (const auto& [other, room] : pieces.entries()) {
+                const glm::ivec3 otherEnd = room.place + room.box.maximum;
+                const bool isApart = glm::any(glm::lessThanEqual(end, room.place))
+                    || glm::any(glm::lessThanEqual(otherEnd, entry->place));
+                QVERIFY(source == other || isApart);
+            }
         }
     }
 };

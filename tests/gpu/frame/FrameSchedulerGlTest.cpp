@@ -298,6 +298,33 @@ private Q_SLOTS:
         QVERIFY(newErrors() >= calls);
     }
 
+    /// What could not be drawn is drawn when it is asked for again, though nothing else has
+    /// changed.
+    void theSameRequestIsDrawnAfterItFailed()
+    {
+        const FrameRequest request = volumeRequest(1);
+        m_fixture->scheduler.request(request);
+        const auto expected = m_fixture->settle().back().rgba;
+        m_fixture->scheduler.forget(1);
+        {
+            const test::RefusingGl refusing(1);
+            m_fixture->scheduler.request(request);
+            const std::vector<Frame> frames = m_fixture->settle();
+            QCOMPARE(frames.size(), std::size_t(1));
+            QVERIFY(frames[0].failure);
+        }
+        QVERIFY(m_fixture->settle().empty());
+        m_fixture->scheduler.request(request);
+        const std::vector<Frame> after = m_fixture->settle();
+        QVERIFY(!after.empty() && !after.back().failure);
+        QCOMPARE(after.back().quality, Frame::Quality::Refined);
+        QVERIFY(*after.back().rgba == *expected);
+        // From then on it is no work again.
+        m_fixture->scheduler.request(request);
+        QVERIFY(m_fixture->settle().empty());
+        QVERIFY(newErrors() >= 1);
+    }
+
     /// A surface that there was no memory for is shown as soon as there is.
     void aSurfaceWaitsForMemory()
     {

@@ -34,6 +34,7 @@ public:
     void start(SessionState& state) override;
     void takeResult(SessionState& state, EngineResult&& result) override;
     void takeDifferences(SessionState& state, Result<RowDifferences>&& differences) override;
+    [[nodiscard]] RowId awaitedRow() const override { return m_isLoading ? m_toLoad.back() : 0; }
     [[nodiscard]] bool done() const override { return m_done; }
     [[nodiscard]] bool abandon(SessionState& state, const Error& error) override;
 

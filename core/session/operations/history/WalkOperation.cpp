@@ -48,9 +48,12 @@ void WalkOperation::step(SessionState& state)
         return;
     }
     std::optional<std::vector<BrickImage>> images = state.recent.images(m_row, !m_back);
-    if (!images)
+    if (!images) {
         state.worker->load(m_row);
-    else if (images->empty())
+        m_isLoading = true;
+        return;
+    }
+    if (images->empty())
         arrive(state, {});
     else
         put(state, SwapBricks{.bricks = *std::move(images)});
@@ -58,7 +61,10 @@ void WalkOperation::step(SessionState& state)
 
 void WalkOperation::takeDifferences(SessionState& state, Result<RowDifferences>&& differences)
 {
-    if (!differences)
+    m_isLoading = false;
+    if (m_isAbandoned)
+        m_done = true; // it has only read
+    else if (!differences)
         giveUp(state, differences.error());
     else if (differences->images.empty())
         arrive(state, {});
@@ -86,7 +92,13 @@ bool WalkOperation::abandon(SessionState& state, const Error& error)
 {
     if (m_arriving || m_swapping)
         return false;
-    giveUp(state, error);
+    if (m_isLoading) {
+        // Whoever comes next would take what is on its way for the difference of its own row.
+        state.fail(error);
+        m_isAbandoned = true;
+    } else {
+        giveUp(state, error);
+    }
     return true;
 }
 

@@ -15,6 +15,7 @@ public:
     void start(SessionState& state) override;
     void takeResult(SessionState& state, EngineResult&& result) override;
     void takeDifferences(SessionState& state, Result<RowDifferences>&& differences) override;
+    [[nodiscard]] RowId awaitedRow() const override { return m_isLoading ? m_row : 0; }
     [[nodiscard]] bool done() const override { return m_done; }
     [[nodiscard]] bool foresee(Document&) const override { return m_done; }
     [[nodiscard]] bool abandon(SessionState& state, const Error& error) override;
@@ -31,6 +32,8 @@ private:
     RowId m_target = 0;
     RowId m_row = 0; ///< whose difference is being applied
     bool m_back = false; ///< whether it is being undone
+    bool m_isLoading = false; ///< its difference is on the way, which is nobody else's
+    bool m_isAbandoned = false; ///< until it is there
     std::optional<Ticket> m_swapping; ///< the engine is changing bricks
     bool m_arriving = false; ///< the bricks are in place, but the history does not say so yet
     bool m_done = false;
