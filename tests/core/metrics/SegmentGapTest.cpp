@@ -53,7 +53,7 @@ void putBall(Labels& labels, const core::VolumeGeometry& geometry, std::uint8_t 
     });
 }
 
-/// The distance of two cells, from each voxel of the one to each of the other.
+/// The distance between facing corners of cells, from each voxel of the one to each of the other.
 std::optional<double> plainly(const Labels& labels, const core::VolumeGeometry& geometry)
 {
     std::vector<glm::ivec3> one;
@@ -67,8 +67,9 @@ std::optional<double> plainly(const Labels& labels, const core::VolumeGeometry& 
     std::optional<double> least;
     for (const glm::ivec3& from : one) {
         for (const glm::ivec3& to : other) {
-            const glm::dvec3 between = glm::max(glm::abs(glm::dvec3(to - from)) - 1.0, 0.0);
-            const double mm = glm::length(between * geometry.spacingMm());
+            const glm::dvec3 half = 0.5 * glm::dvec3(glm::sign(to - from));
+            const double mm = glm::distance(
+                geometry.toWorld(glm::dvec3(from) + half), geometry.toWorld(glm::dvec3(to) - half));
             least = std::min(least.value_or(mm), mm);
         }
     }
@@ -97,16 +98,21 @@ private Q_SLOTS:
     void anyMatter_data()
     {
         QTest::addColumn<uint>("seed");
+        QTest::addColumn<double>("tiltMm"); // from slice to slice
         for (uint seed = 1; seed <= 20; ++seed)
-            QTest::addRow("seed %u", seed) << seed;
+            QTest::addRow("seed %u", seed) << seed << 0.0;
+        for (uint seed = 21; seed <= 35; ++seed)
+            QTest::addRow("seed %u, tilted", seed) << seed << (seed % 2 == 0 ? 0.4 : -1.1);
     }
     void anyMatter()
     {
         QFETCH(const uint, seed);
+        QFETCH(const double, tiltMm);
         std::mt19937 random(seed);
         const glm::ivec3 size(20 + int(random() % 30), 18 + int(random() % 25), 40);
-        const core::VolumeGeometry geometry = gridOf(
+        core::VolumeGeometry geometry = gridOf(
             size, {0.5 + 0.1 * double(random() % 9), 0.8, 0.7 + 0.1 * double(random() % 30)});
+        geometry.indexToWorld[2] += glm::dvec4(-0.3 * tiltMm, tiltMm, 0.0, 0.0);
         Labels labels(geometry.voxelCount(), 0);
         for (int speck = 0; speck < 24; ++speck) {
             const glm::ivec3 at{int(random() & 15), int(random() & 15), int(random() % 18)};
@@ -153,6 +159,30 @@ private Q_SLOTS:
         QCOMPARE(lengthOf(**gap), 40.0 - 10.0 - 12.0 - 1.0);
         QCOMPARE((*gap)->fromLps, one + glm::dvec3(10.5, 0.0, 0.0));
         QCOMPARE((*gap)->toLps, other - glm::dvec3(12.5, 0.0, 0.0));
+    }
+
+    /// Plates across a tilted volume, of as many voxels each as a slice has: they are as near as
+    /// the voxels about the middle say, and of equal pairs the lowest counts.
+    void tiltedPlates()
+    {
+        core::VolumeGeometry geometry = gridOf({128, 128, 24}, {0.7, 0.7, 1.0});
+        geometry.indexToWorld[2].y = 0.5;
+        Labels labels(geometry.voxelCount(), 0);
+        forEachVoxel(geometry.size, [&](const glm::ivec3& at) {
+            if (at.z == 3 || at.z == 20)
+                labels[indexOf(at, geometry.size)] = at.z == 3 ? 1 : 2;
+        });
+        Labels few(geometry.voxelCount(), 0);
+        few[indexOf({64, 64, 3}, geometry.size)] = 1;
+        for (int y = 40; y < 88; ++y)
+            few[indexOf({64, y, 20}, geometry.size)] = 2;
+        const std::optional<double> expected = plainly(few, geometry);
+        const auto gap = gapOf(labels, geometry);
+        QVERIFY(gap && *gap && expected);
+        QVERIFY2(std::abs(lengthOf(**gap) - *expected) < 1e-9,
+            qPrintable(QStringLiteral("%1, %2").arg(lengthOf(**gap)).arg(*expected)));
+        const glm::dvec3 from = geometry.toIndex((*gap)->fromLps);
+        QVERIFY(glm::distance(from, glm::dvec3(0.0, 11.5, 3.5)) < 1e-6);
     }
 
     /// What touches, even by a corner, is one place; so is what shares a voxel.
