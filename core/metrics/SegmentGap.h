@@ -15,7 +15,8 @@ namespace core {
 struct VolumeGeometry;
 
 /// Where two segments are nearest to each other: one place on the surface of each. Both are the
-/// same place if the segments share a voxel or touch, be it at a corner.
+/// same place if the segments share a voxel or touch, be it at a corner. Where slices are unevenly
+/// spaced, they are the places that views show.
 struct SegmentGap {
     glm::dvec3 fromLps{0.0};
     glm::dvec3 toLps{0.0};
