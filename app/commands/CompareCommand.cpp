@@ -3,6 +3,7 @@
 
 #include "app/steps/Arguments.h"
 #include "app/steps/JsonLine.h"
+#include "core/measure/MeasuredSize.h"
 #include "core/metrics/MaskComparison.h"
 #include "core/metrics/SegmentPairs.h"
 #include "core/study/StudyLoader.h"
@@ -121,13 +122,17 @@ int runCompare(const Arguments& arguments)
                 QStringLiteral("its segments (%1) have no counterpart in %2 (%3); --segment and "
                                "--reference say which belong together")
                     .arg(namesOf(segments), paths[1], namesOf(references))}});
+    const bool isMeasured = core::unknownSpacing(loaded->volume) == core::UnknownSpacing::Nothing;
     for (const core::SegmentPair& pair : pairs) {
         const core::MaskSegment& segment = segments[pair.segment];
         const core::MaskSegment& reference = references[pair.reference];
-        const core::Result<core::MaskComparison> comparison = core::compareMasks(
+        core::Result<core::MaskComparison> comparison = core::compareMasks(
             segment.voxels, reference.voxels, loaded->volume.geometry, core::Progress());
         if (!comparison)
             return reportFailure(comparison.error());
+        // Where the spacing is unknown, nobody has measured millimetres.
+        if (!isMeasured)
+            comparison->distances.reset();
         print(segment.name, reference.name, *comparison, arguments.has("json"));
     }
     return 0;

@@ -3,7 +3,7 @@
 
 #include "core/brick/BrickGrid.h"
 #include "core/brick/LabelBox.h"
-#include "core/morphology/MillimetreBall.h"
+#include "core/metrics/CellDistances.h"
 #include "core/volume/VolumeGeometry.h"
 
 #include <algorithm>
@@ -24,14 +24,19 @@ std::size_t placeInMemory(const glm::ivec3& voxel, const glm::ivec3& size)
 
 /// The voxels of a segment's surface that lie in one brick, and the box around them.
 struct SurfacePart {
-    glm::ivec3 lowest{std::numeric_limits<int>::max()};
-    glm::ivec3 highest{std::numeric_limits<int>::min()};
+    VoxelBox box{};
     std::vector<glm::ivec3> voxels{};
 };
 
-/// Voxels that have one of their six neighbours beside the segment, or beside the volume.
-std::vector<SurfacePart> surfaceOf(
-    std::span<const std::uint8_t> labels, std::uint8_t label, const glm::ivec3& size)
+VoxelBox boxOf(const glm::ivec3& voxel)
+{
+    return {.minimum = voxel, .maximum = voxel + 1};
+}
+
+/// Voxels that have one of their six neighbours beside the segment, or beside the volume; some of
+/// them if it was cancelled.
+std::vector<SurfacePart> surfaceOf(std::span<const std::uint8_t> labels, std::uint8_t label,
+    const glm::ivec3& size, const Progress& progress)
 {
     const VoxelBox box = boxOfLabel(labels, size, label);
     const BrickGrid grid{size};
@@ -51,15 +56,14 @@ std::vector<SurfacePart> surfaceOf(
         }
         return true;
     };
-    for (int z = box.minimum.z; z < box.maximum.z; ++z) {
+    for (int z = box.minimum.z; z < box.maximum.z && !progress.cancelled(); ++z) {
         for (int y = box.minimum.y; y < box.maximum.y; ++y) {
             for (int x = box.minimum.x; x < box.maximum.x; ++x) {
                 const glm::ivec3 at(x, y, z);
                 if (!isOwn(at) || isInner(at))
                     continue;
                 SurfacePart& part = parts[grid.brickOf(at)];
-                part.lowest = glm::min(part.lowest, at);
-                part.highest = glm::max(part.highest, at);
+                part.box = part.box.united(boxOf(at));
                 part.voxels.push_back(at);
             }
         }
@@ -90,32 +94,23 @@ std::optional<glm::ivec3> sharedVoxel(std::span<const std::uint8_t> labels, std:
 /// The nearest pair of voxels so far.
 class Nearest {
 public:
-    Nearest(const MillimetreBall& form, const glm::ivec3& size)
-        : m_form(form)
+    Nearest(const CellDistances& distances, const glm::ivec3& size)
+        : m_distances(distances)
         , m_size(size)
     {
     }
 
     [[nodiscard]] const glm::ivec3& from() const { return m_from; }
     [[nodiscard]] const glm::ivec3& to() const { return m_to; }
-    /// Whether voxels of two boxes may be as near as the nearest ones. On a sheared grid it is not
-    /// told so easily, and each pair is looked at.
-    [[nodiscard]] bool mayBe(const SurfacePart& one, const SurfacePart& other) const
+    /// Whether voxels of two boxes may be as near as the nearest ones.
+    [[nodiscard]] bool mayBe(const VoxelBox& one, const VoxelBox& other) const
     {
-        return boundOf(one, other) <= m_squared;
-    }
-    [[nodiscard]] std::int64_t boundOf(const SurfacePart& one, const SurfacePart& other) const
-    {
-        if (!m_form.isStraight())
-            return 0;
-        const glm::ivec3 apart = glm::max(
-            glm::max(other.lowest - one.highest, one.lowest - other.highest) - 1, glm::ivec3(0));
-        return m_form.squared(apart.x, apart.y, apart.z);
+        return m_distances.leastSquared(one, other) <= m_squared;
     }
     void look(const SurfacePart& one, const SurfacePart& other)
     {
         for (const glm::ivec3& from : one.voxels) {
-            if (!mayBe({.lowest = from, .highest = from}, other))
+            if (!mayBe(boxOf(from), other.box))
                 continue;
             for (const glm::ivec3& to : other.voxels)
                 take(from, to);
@@ -125,8 +120,7 @@ public:
 private:
     void take(const glm::ivec3& from, const glm::ivec3& to)
     {
-        const glm::ivec3 step = to - from - glm::sign(to - from);
-        const std::int64_t squared = m_form.squared(step.x, step.y, step.z);
+        const std::int64_t squared = m_distances.squared(from, to);
         if (squared > m_squared)
             return;
         const auto placesOf = [this](const glm::ivec3& one, const glm::ivec3& other) {
@@ -139,7 +133,7 @@ private:
         m_to = to;
     }
 
-    const MillimetreBall& m_form;
+    const CellDistances& m_distances;
     glm::ivec3 m_size;
     std::int64_t m_squared = std::numeric_limits<std::int64_t>::max();
     glm::ivec3 m_from{0};
@@ -147,14 +141,16 @@ private:
 };
 
 /// The pair of parts that are nearest by their boxes: what is found in it rules most others out.
-std::pair<std::size_t, std::size_t> mostPromising(const Nearest& nearest,
-    const std::vector<SurfacePart>& parts, const std::vector<SurfacePart>& others)
+/// It may be another one if it was cancelled.
+std::pair<std::size_t, std::size_t> mostPromising(const CellDistances& distances,
+    const std::vector<SurfacePart>& parts, const std::vector<SurfacePart>& others,
+    const Progress& progress)
 {
     std::pair<std::size_t, std::size_t> best(0, 0);
     std::int64_t least = std::numeric_limits<std::int64_t>::max();
-    for (std::size_t one = 0; one < parts.size(); ++one) {
+    for (std::size_t one = 0; one < parts.size() && !progress.cancelled(); ++one) {
         for (std::size_t other = 0; other < others.size(); ++other) {
-            const std::int64_t bound = nearest.boundOf(parts[one], others[other]);
+            const std::int64_t bound = distances.leastSquared(parts[one].box, others[other].box);
             if (bound >= least)
                 continue;
             least = bound;
@@ -175,20 +171,21 @@ Result<std::optional<SegmentGap>> segmentGap(std::span<const std::uint8_t> label
         const glm::dvec3 place = geometry.toWorld(glm::dvec3(*shared));
         return SegmentGap{.fromLps = place, .toLps = place};
     }
-    const std::vector<SurfacePart> parts = surfaceOf(labels, label, size);
-    const std::vector<SurfacePart> others = surfaceOf(otherLabels, otherLabel, size);
+    const std::vector<SurfacePart> parts = surfaceOf(labels, label, size, progress);
+    const std::vector<SurfacePart> others = surfaceOf(otherLabels, otherLabel, size, progress);
+    if (progress.cancelled())
+        return failure(ErrorCode::Cancelled);
     if (parts.empty() || others.empty())
         return std::nullopt;
-    constexpr double anyRadiusMm = 1.0; // only the lengths of steps are asked for
-    const MillimetreBall form = ballOf(geometry, anyRadiusMm);
-    Nearest nearest(form, size);
-    const auto [first, second] = mostPromising(nearest, parts, others);
+    const CellDistances distances(geometry);
+    Nearest nearest(distances, size);
+    const auto [first, second] = mostPromising(distances, parts, others, progress);
     nearest.look(parts[first], others[second]);
     for (const SurfacePart& one : parts) {
         for (const SurfacePart& other : others) {
             if (progress.cancelled())
                 return failure(ErrorCode::Cancelled);
-            if (nearest.mayBe(one, other))
+            if (nearest.mayBe(one.box, other.box))
                 nearest.look(one, other);
         }
     }

@@ -15,7 +15,8 @@ namespace core {
 struct VolumeGeometry;
 
 /// Where two segments are nearest to each other: one place on the surface of each. Both are the
-/// same place if the segments share a voxel or touch, be it at a corner.
+/// same place if the segments share a voxel or touch, be it at a corner. Where slices are unevenly
+/// spaced, they are the places that views show.
 struct SegmentGap {
     glm::dvec3 fromLps{0.0};
     glm::dvec3 toLps{0.0};
@@ -23,11 +24,8 @@ struct SegmentGap {
 };
 
 /// Finds the shortest distance between two segments. Their surfaces are those of their voxels'
-/// cells, so along each axis of the grid the distance between two voxels is one step less than that
-/// between their centres, and never less than 0. On a sheared grid the distance is measured between
-/// the facing corners of the cells. Squared lengths are whole numbers (MillimetreBall.h). If
-/// several places are equally near, the one with the lowest voxel of the first segment in the order
-/// of memory counts, then of the other.
+/// cells, which are apart as CellDistances.h says. If several places are equally near, the one with
+/// the lowest voxel of the first segment in the order of memory counts, then of the other.
 ///
 /// Cost: two passes over the volume, and a comparison of those pairs of bricks along both surfaces
 /// that may be nearest. Any thread. Errors: Cancelled.

@@ -25,9 +25,15 @@ struct SegmentAxes {
 /// longest chord of the hull that is perpendicular to it. Either may leave the region where it is
 /// concave.
 ///
+/// Where slices are unevenly spaced, both axes are those of the true places (truePlace()): the long
+/// one joins the two midpoints that truly lie farthest apart, and the short one is perpendicular to
+/// it in the patient. Their ends are given where the slice shows them.
+///
+/// @param geometry of the volume
 /// @param inside for each pixel, x fastest; 0 is outside
 /// @return none: the pixel is outside
-[[nodiscard]] std::optional<SegmentAxes> segmentAxes(
-    const SliceLattice& lattice, const std::vector<std::uint8_t>& inside, const glm::ivec2& pixel);
+[[nodiscard]] std::optional<SegmentAxes> segmentAxes(const SliceLattice& lattice,
+    const VolumeGeometry& geometry, const std::vector<std::uint8_t>& inside,
+    const glm::ivec2& pixel);
 
 } // namespace core

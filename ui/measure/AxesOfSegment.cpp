@@ -86,7 +86,7 @@ struct AxesOfSegment::Job {
             for (int x = 0; x < lattice.size.x; ++x)
                 inside.push_back(labelAt(x, y) == label ? 1 : 0);
         }
-        axes = core::segmentAxes(lattice, inside, pixel);
+        axes = core::segmentAxes(lattice, geometry, inside, pixel);
         return true;
     }
 };

@@ -19,6 +19,8 @@ namespace ui {
 
 namespace {
 
+constexpr QLatin1String distanceSearchName("distanceOfSegments");
+
 /// One distance that is asked for; it deletes itself when that has been told.
 class GapSearch : public QObject {
 public:
@@ -28,6 +30,7 @@ public:
         , m_one(one)
         , m_other(other)
     {
+        setObjectName(QString(distanceSearchName));
         connect(&workspace, &Workspace::sessionClosing, this, &GapSearch::end);
         connect(&m_fetch, &LabelFetch::failed, this, [this](const core::Error& error) {
             m_workspace.fail(error);
@@ -36,15 +39,20 @@ public:
         connect(&m_fetch, &LabelFetch::finished, this, &GapSearch::find);
     }
 
-    void start(core::EditSession& session) { m_fetch.start(session, {m_one.plane, m_other.plane}); }
-
-private:
+    void start(core::EditSession& session)
+    {
+        m_workspace.say(QObject::tr("The distance from '%1' to '%2' is being measured …")
+                            .arg(m_one.name, m_other.name));
+        m_fetch.start(session, {m_one.plane, m_other.plane});
+    }
     void end()
     {
         m_fetch.cancel();
         m_background.cancel();
         deleteLater();
     }
+
+private:
     void find(const LabelFetch::Planes& planes)
     {
         m_background.start(
@@ -110,6 +118,9 @@ void measureDistance(Workspace& workspace, int label, int other)
     const core::Segment* two = session->document().segment(other);
     if (!one || !two)
         return;
+    for (QObject* before :
+        workspace.findChildren<QObject*>(QString(distanceSearchName), Qt::FindDirectChildrenOnly))
+        static_cast<GapSearch*>(before)->end();
     // It belongs to the workspace until it has told what it found.
     auto* search = new GapSearch(workspace, *one, *two);
     search->start(*session);

@@ -8,7 +8,8 @@ class Workspace;
 /// Measures the smallest distance between the surfaces of two segments (core/metrics/SegmentGap.h).
 /// It becomes a distance measurement, which is a step that can be undone, and the workspace tells
 /// its length. The call returns at once: the engine reads the labels and a background thread finds
-/// the two places. Closing the session drops the request. The workspace reports errors.
+/// the two places. Another call, or closing the session, drops the request. The workspace tells
+/// that it is being measured, and reports errors.
 void measureDistance(Workspace& workspace, int label, int other);
 
 } // namespace ui

@@ -11,11 +11,13 @@ namespace {
 
 constexpr int edge = 12;
 
+constexpr const char* firstLines = "NRRD0004\ntype: unsigned char\ndimension: 3\nsizes: 12 12 12\n";
+
 QByteArray header(const char* more)
 {
-    return QByteArray("NRRD0004\ntype: unsigned char\ndimension: 3\nsizes: 12 12 12\n"
-                      "space: left-posterior-superior\n"
-                      "space directions: (0.5,0,0) (0,0.5,0) (0,0,2)\nspace origin: (1,2,3)\n")
+    return QByteArray(firstLines)
+        + QByteArray("space: left-posterior-superior\n"
+                     "space directions: (0.5,0,0) (0,0.5,0) (0,0,2)\nspace origin: (1,2,3)\n")
         + more + "encoding: raw\n\n";
 }
 
@@ -99,6 +101,28 @@ private Q_SLOTS:
         QVERIFY2(
             outcome.output.contains("Dice                   0.7500"), outcome.output.constData());
         QVERIFY2(outcome.output.contains("at most 0.500 mm"), outcome.output.constData());
+    }
+
+    /// Where the study does not say how large its voxels are, nobody has measured millimetres.
+    void noDistancesOfUnknownVoxels()
+    {
+        const QByteArray unknown = QByteArray(firstLines) + "encoding: raw\n\n";
+        m_study = put(QStringLiteral("study.nrrd"), unknown + boxes(0, 8));
+        m_mask = put(QStringLiteral("mask.nrrd"), unknown + boxes(1, 8));
+        m_reference = put(QStringLiteral("reference.nrrd"), unknown + boxes(0, 7));
+        const test::Outcome outcome = compare({QStringLiteral("--json")});
+        QCOMPARE(outcome.status, 0);
+        QCOMPARE(outcome.lines.size(), 2);
+        for (const QJsonObject& line : outcome.lines) {
+            QCOMPARE(line[QStringLiteral("sharedVoxels")].toInt(), 48);
+            QCOMPARE(line[QStringLiteral("rVE")].toDouble(), 0.5);
+            for (const char* key : {"hd95Mm", "hausdorffMm", "meanSurfaceDistanceMm"})
+                QVERIFY2(line[QLatin1String(key)].isNull(), key);
+        }
+        const test::Outcome words = compare({});
+        QCOMPARE(words.status, 0);
+        QVERIFY2(
+            words.output.contains("mean –, 95 % within –, at most –"), words.output.constData());
     }
 
     void failuresAreOneLine()

@@ -10,6 +10,7 @@
 #include <QSignalSpy>
 #include <QtTest>
 
+#include <algorithm>
 #include <cmath>
 
 namespace distanceOfSegmentsTest {
@@ -59,7 +60,9 @@ private Q_SLOTS:
         QCOMPARE(document.segment(2)->voxels, std::int64_t(6 * 64));
         QSignalSpy said(&fixture.workspace, &ui::Workspace::said);
         ui::measureDistance(fixture.workspace, 1, 2);
-        QTRY_VERIFY((fixture.session().poll(), said.size() == 1)); // answers come when asked for
+        QCOMPARE(said.front().front().toString(),
+            QStringLiteral("The distance from 'Lower' to 'Upper' is being measured …"));
+        QTRY_VERIFY((fixture.session().poll(), said.size() == 2)); // answers come when asked for
         fixture.settle();
         QCOMPARE(document.measurements.size(), std::size_t(1));
         const core::Measurement& kept = document.measurements.front();
@@ -69,9 +72,41 @@ private Q_SLOTS:
         const core::MeasuredSize size = core::measuredSize(kept, volume);
         QVERIFY(size.length && !size.inVoxels);
         QVERIFY2(std::abs(*size.length - 2.0) < 0.01, qPrintable(QString::number(*size.length)));
-        QCOMPARE(said.front().front().toString(),
+        QCOMPARE(said.back().front().toString(),
             QStringLiteral("'Lower' and 'Upper' are 2.0 mm apart; it is in the panel "
                            "Measurements"));
+    }
+
+    /// Who asks again is answered once, and what was asked before is dropped.
+    void aNewCallEndsTheOldOne()
+    {
+        test::WorkspaceFixture fixture(unevenStudy());
+        fixture.apply(test::newSegment(QStringLiteral("Lower")));
+        fixture.apply(test::newSegment(QStringLiteral("Upper")));
+        fixture.apply(test::thresholdOf(1, lowerValue, lowerValue));
+        fixture.apply(test::thresholdOf(2, upperValue, upperValue));
+        QSignalSpy said(&fixture.workspace, &ui::Workspace::said);
+        QSignalSpy failed(&fixture.workspace, &ui::Workspace::failed);
+        ui::measureDistance(fixture.workspace, 1, 2);
+        ui::measureDistance(fixture.workspace, 2, 1);
+        const auto answers = [&said] {
+            return std::count_if(said.begin(), said.end(), [](const QList<QVariant>& each) {
+                return each.front().toString().contains(QStringLiteral(" apart"));
+            });
+        };
+        QTRY_VERIFY((fixture.session().poll(), answers() > 0));
+        // An answer to the first call would come about then.
+        for (int round = 0; round < 10; ++round) {
+            fixture.session().poll();
+            QTest::qWait(10);
+        }
+        fixture.settle();
+        QVERIFY(
+            said.back().front().toString().startsWith(QStringLiteral("'Upper' and 'Lower' are ")));
+        QCOMPARE(answers(), std::ptrdiff_t(1));
+        QCOMPARE(fixture.session().document().measurements.size(), std::size_t(1));
+        QVERIFY(failed.isEmpty());
+        QVERIFY(!fixture.workspace.findChild<QObject*>(QStringLiteral("distanceOfSegments")));
     }
 };
 

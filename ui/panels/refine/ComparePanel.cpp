@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/panels/refine/ComparePanel.h"
 
+#include "core/measure/MeasuredSize.h"
 #include "ui/base/NumberText.h"
 #include "ui/base/StudyTexts.h"
 #include "ui/base/Theme.h"
@@ -189,7 +190,10 @@ void ComparePanel::show()
             m_values[2]->setText(
                 tr("%1 %").arg(numberText(100.0 * *comparison.relativeVolumeError, 2)));
         m_values[3]->setText(numberText(comparison.dice, 4));
-        if (comparison.distances) {
+        // Where the spacing is unknown, nobody has measured millimetres.
+        const bool isMeasured =
+            core::unknownSpacing(*m_workspace.volume()) == core::UnknownSpacing::Nothing;
+        if (comparison.distances && isMeasured) {
             m_values[4]->setText(
                 tr("%1 mm").arg(numberText(comparison.distances->hausdorff95Mm, 2)));
             m_values[5]->setText(tr("%1 mm").arg(numberText(comparison.distances->meanMm, 2)));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/panels/refine/LookFirstSection.h"
 
+#include "core/measure/MeasuredSize.h"
 #include "ui/base/NumberText.h"
 #include "ui/base/SmallLabel.h"
 #include "ui/base/StudyTexts.h"
@@ -29,6 +30,9 @@ QString placeText(const core::DoubtfulPlace& place, const core::Volume& in)
         volumeText(in, std::llround(place.volumeMm3 / in.geometry.voxelVolumeMm3()));
     switch (place.why) {
     case Why::NoEdge:
+        // Where the spacing is unknown, nobody has measured an area.
+        if (core::unknownSpacing(in) != core::UnknownSpacing::Nothing)
+            return LookFirstSection::tr("No edge");
         return LookFirstSection::tr("No edge · %1 cm²")
             .arg(numberText(place.areaMm2 / 100.0, place.areaMm2 < 100.0 ? 2 : 1));
     case Why::OnlyHere:

@@ -206,7 +206,7 @@ private Q_SLOTS:
     }
 
     /// A voxel of a tilted series is less than the product of its edges; where the source does not
-    /// say how large voxels are, they are counted.
+    /// say how large voxels are, they are counted, and no distance is told.
     void sizesAreTrue()
     {
         for (const bool isKnown : {true, false}) {
@@ -229,6 +229,13 @@ private Q_SLOTS:
                         : ui::countText(qlonglong(added)) + QStringLiteral(" voxels"));
             QCOMPARE(fixture.text("compareTaken"),
                 isKnown ? QStringLiteral("0.00 mL") : QStringLiteral("0 voxels"));
+            QVERIFY(fixture.outcome().distances);
+            for (const char* distance : {"compareHd95", "compareMean"}) {
+                const QString text = fixture.text(distance);
+                QVERIFY2(
+                    isKnown ? text.endsWith(QStringLiteral(" mm")) : text == QStringLiteral("–"),
+                    qPrintable(text));
+            }
         }
     }
 

@@ -15,6 +15,7 @@
 #include <QtTest>
 
 #include <algorithm>
+#include <utility>
 
 namespace lookFirstUiTest {
 
@@ -26,8 +27,9 @@ using Why = core::DoubtfulPlace::Why;
 /// a lobe had been missed.
 class LookFixture : public test::WorkspaceFixture {
 public:
-    LookFixture()
-        : panel(workspace)
+    explicit LookFixture(core::LoadedVolume volume = test::smallHead::volume())
+        : WorkspaceFixture(std::move(volume))
+        , panel(workspace)
     {
         const core::VolumeGeometry& geometry = workspace.volume()->geometry;
         core::VoxelRuns runs;
@@ -133,6 +135,26 @@ private Q_SLOTS:
         QTest::mouseClick(fixture.list().viewport(), Qt::LeftButton, {}, row.center());
         QVERIFY(glm::distance(fixture.workspace.crosshairLps(), fixture.cut) < 3.0);
         QCOMPARE(std::int64_t(fixture.session().history().position()), rows);
+    }
+
+    /// Where the source does not say how large voxels are, nobody has measured an area.
+    void anAreaIsTold()
+    {
+        for (const bool isKnown : {true, false}) {
+            core::LoadedVolume head = test::smallHead::volume();
+            if (!isKnown)
+                head.volume.problems.push_back({.kind = core::VolumeProblem::Kind::AssumedSpacing,
+                    .said = {core::ProblemCode::SpacingAssumed}});
+            LookFixture fixture(std::move(head));
+            fixture.button().click();
+            QTRY_VERIFY(fixture.looked());
+            QVERIFY(fixture.list().count() > 0);
+            const QString text = fixture.list().item(0)->text();
+            QVERIFY2(isKnown ? text.startsWith(QStringLiteral("No edge · "))
+                        && text.endsWith(QStringLiteral(" cm²"))
+                             : text == QStringLiteral("No edge"),
+                qPrintable(text));
+        }
     }
 
     void aTickStaysAndLeadsNowhere()

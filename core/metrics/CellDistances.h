@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/brick/BrickGrid.h"
+#include "core/morphology/MillimetreBall.h"
+
+#include <glm/glm.hpp>
+
+#include <cstdint>
+#include <vector>
+
+namespace core {
+
+struct VolumeGeometry;
+
+/// How far the cells of voxels are apart. Along each axis of the grid that is one step less than
+/// between the voxels' centres, and never less than 0; on a sheared grid it is measured between the
+/// facing corners of the cells. Where slices are unevenly spaced, corners are where they truly lie
+/// (worldBetweenSlices()). Squared distances are whole numbers of a unit of the grid's own, so that
+/// equal ones are equal: that of MillimetreBall.h, and between uneven slices one in which a way
+/// across the whole volume is right to a hundred-millionth.
+class CellDistances {
+public:
+    explicit CellDistances(const VolumeGeometry& geometry);
+
+    [[nodiscard]] std::int64_t squared(const glm::ivec3& from, const glm::ivec3& to) const
+    {
+        const glm::ivec3 step = between(from, to);
+        return m_borders.empty() ? m_form.squared(step.x, step.y, step.z)
+                                 : squaredBetweenBorders(from, to);
+    }
+    /// What the squared distance of any voxel of a box from any voxel of another one is at least.
+    /// On an upright grid of even slices it is that of the nearest two; on others it may be a
+    /// little less.
+    /// @pre neither box is empty
+    [[nodiscard]] std::int64_t leastSquared(const VoxelBox& from, const VoxelBox& to) const;
+
+private:
+    static glm::ivec3 between(const glm::ivec3& from, const glm::ivec3& to)
+    {
+        const glm::ivec3 step = to - from;
+        return step - glm::sign(step);
+    }
+
+    void placeBorders(const VolumeGeometry& geometry);
+    [[nodiscard]] std::int64_t squaredBetweenBorders(
+        const glm::ivec3& from, const glm::ivec3& to) const;
+
+    MillimetreBall m_form;
+    /// Of the grid along its axes, in a frame of right angles; where slices are uneven none from
+    /// slice to slice.
+    glm::dmat3 m_steps{0.0};
+    /// Where slices are uneven: the places of their borders in that frame, from below the first one
+    /// to above the last one, in fractions of the unit, and both other steps likewise.
+    std::vector<glm::i64vec3> m_borders{};
+    glm::i64vec3 m_columnStep{0};
+    glm::i64vec3 m_rowStep{0};
+};
+
+} // namespace core
