@@ -21,6 +21,8 @@ namespace core {
 
 namespace {
 
+constexpr QLatin1String headerEnding(".hdr");
+
 struct FreeImage {
     void operator()(nifti_image* image) const { nifti_image_free(image); }
 };
@@ -100,17 +102,34 @@ glm::dmat4 affine(const nifti_image& image, std::vector<VolumeProblem>& problems
     return lps;
 }
 
+/// The file with the voxels: the same one, or that beside a header of its own; empty if there is
+/// none. The library would rather take another volume of that name.
+QString voxelFileOf(const nifti_image& image, const QString& path)
+{
+    if (isNiftiName(path) || image.nifti_type == NIFTI_FTYPE_NIFTI1_1)
+        return path;
+    const QString base = path.chopped(headerEnding.size());
+    for (const char* ending : {".img", ".img.gz", ".IMG", ".IMG.GZ"}) {
+        if (QString file = base + QLatin1String(ending); QFileInfo(file).isFile())
+            return file;
+    }
+    return {};
+}
+
 /// The voxels in the machine's byte order; empty if the file does not hold them all. The library's
 /// own reader fills what is missing with zeros and turns NaN into 0, both without a word.
+/// @param path from voxelFileOf()
 std::vector<char> readVoxels(const nifti_image& image, const QString& path)
 {
     const auto bytes = std::size_t(image.nvox) * std::size_t(image.nbyper);
     // A few bytes may claim gigabytes: what the file cannot hold is not asked of memory either.
     constexpr std::size_t mostPerPackedByte = 1032; // deflate's limit
     const auto stored = std::size_t(QFileInfo(path).size());
-    if (bytes > stored * (nifti_is_gzfile(image.iname) ? mostPerPackedByte : 1))
+    const QByteArray name = QFile::encodeName(path);
+    const int isPacked = nifti_is_gzfile(name.constData());
+    if (bytes > stored * (isPacked != 0 ? mostPerPackedByte : 1))
         return {};
-    znzFile file = znzopen(QFile::encodeName(path).constData(), "rb", nifti_is_gzfile(image.iname));
+    znzFile file = znzopen(name.constData(), "rb", isPacked);
     if (znz_isnull(file))
         return {};
     std::vector<char> voxels(bytes);
@@ -144,6 +163,18 @@ bool isNiftiName(const QString& path)
         || path.endsWith(QLatin1String(".nii.gz"), Qt::CaseInsensitive);
 }
 
+bool isNiftiFile(const QString& path)
+{
+    if (isNiftiName(path))
+        return true;
+    // Other formats have headers of that name, and DICOM may have any.
+    if (!path.endsWith(headerEnding, Qt::CaseInsensitive) || !QFileInfo(path).isFile())
+        return false;
+    QFile file(path);
+    const QByteArray size = file.open(QIODevice::ReadOnly) ? file.read(4) : QByteArray();
+    return size == QByteArray("\x5c\x01\0\0", 4) || size == QByteArray("\0\0\x01\x5c", 4);
+}
+
 Result<SeriesEntry> readNiftiEntry(const QString& path)
 {
     if (QFileInfo(path).size() == 0)
@@ -151,6 +182,18 @@ Result<SeriesEntry> readNiftiEntry(const QString& path)
     const Image image = readImage(path);
     if (!image)
         return failure(ErrorCode::FileUnreadable, path, Clause::saying("not a sound NIfTI header"));
+    // Programs disagree about what such headers leave open: images were mirrored that way.
+    if (image->nifti_type == NIFTI_FTYPE_ANALYZE && !isNiftiName(path)) {
+        return failure(ErrorCode::UnsupportedFormat, path,
+            Clause::saying("an Analyze 7.5 header, which does not say which side is left; convert "
+                           "it to NIfTI"));
+    }
+    const QString voxels = voxelFileOf(*image, path);
+    if (voxels.isEmpty()) {
+        return failure(ErrorCode::FileUnreadable, path,
+            Clause::saying("its voxels are not beside it (%1.img)",
+                QFileInfo(path.chopped(headerEnding.size())).fileName()));
+    }
     for (int axis = 4; axis <= 7; ++axis) {
         if (axis <= image->ndim && image->dim[axis] > 1) {
             return failure(ErrorCode::UnsupportedFormat, path,
@@ -172,6 +215,8 @@ Result<SeriesEntry> readNiftiEntry(const QString& path)
     entry.geometry.size = {image->nx, image->ny, image->nz};
     entry.geometry.indexToWorld = affine(*image, entry.problems);
     entry.files = {path};
+    if (voxels != path)
+        entry.files.append(voxels);
     entry.identity.seriesDescription = QFileInfo(path).fileName();
     const double volume = entry.geometry.voxelVolumeMm3();
     if (!std::isfinite(volume) || volume <= 0.0) {
@@ -189,10 +234,14 @@ Result<NiftiNumbers> readNiftiNumbers(const SeriesEntry& entry)
     const Image image = readImage(path);
     const std::optional<ScalarType> type = image ? scalarType(image->datatype) : std::nullopt;
     NiftiNumbers voxels;
-    if (type)
-        voxels.bytes = readVoxels(*image, path);
-    if (voxels.bytes.empty())
-        return failure(ErrorCode::FileTruncated, path, Clause::saying("its voxels are incomplete"));
+    const QString file = image ? voxelFileOf(*image, path) : path;
+    if (type && !file.isEmpty())
+        voxels.bytes = readVoxels(*image, file);
+    if (voxels.bytes.empty()) {
+        return failure(ErrorCode::FileTruncated, path,
+            file == path ? Clause::saying("its voxels are incomplete")
+                         : Clause::saying("its voxels in %1 are incomplete", file));
+    }
     voxels.type = *type;
     // A slope of 0 means that there is none (nifti1.h).
     if (image->scl_slope != 0.0f && std::isfinite(image->scl_slope)

@@ -13,11 +13,16 @@ namespace core {
 
 /// Whether a file is NIfTI by its name, as the format requires: .nii or .nii.gz.
 [[nodiscard]] bool isNiftiName(const QString& path);
+/// The same, or the header of a volume whose voxels are in an .img beside it: an .hdr that begins
+/// like one. Cost: opens an .hdr.
+[[nodiscard]] bool isNiftiFile(const QString& path);
 
 /// The entry of a file in a listing, from its header; the listing sets the key. The geometry is
 /// that of sform, else of qform, else of the pixel sizes with a caution; RAS is converted to LPS,
 /// in millimetres. The file's index order is kept even if it is left-handed, so that a mask fits
-/// its grid. UnsupportedFormat for more than one volume, colour or complex values.
+/// its grid. Files: the one with the header, and the one with the voxels if it is another.
+/// UnsupportedFormat for more than one volume, colour or complex values, and for an Analyze header;
+/// FileUnreadable if the voxels are not beside it.
 [[nodiscard]] Result<SeriesEntry> readNiftiEntry(const QString& path);
 
 /// The numbers of a file, in the machine's byte order, and how they become values.

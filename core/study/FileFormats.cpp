@@ -21,7 +21,7 @@ bool isNoName(const QString&)
 
 constexpr std::array formats{
     FileFormat{.name = "NIfTI",
-        .isName = isNiftiName,
+        .isName = isNiftiFile,
         .read = readNiftiEntry,
         .load = loadNifti,
         .headerBytes = niftiHeaderBytes,

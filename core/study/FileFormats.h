@@ -10,7 +10,8 @@
 namespace core {
 
 /// A file format whose volumes are single files, or headers with separate files of voxels,
-/// recognised by the file name; or pictures, which are found only by the name of the format.
+/// recognised by the file name, and by its first bytes where others have that name, too; or
+/// pictures, which are found only by the name of the format.
 struct FileFormat {
     const char* name; ///< as in Volume::sourceFormat
     bool (*isName)(const QString& path);
