@@ -116,25 +116,28 @@ QString voxelFileOf(const nifti_image& image, const QString& path)
     return {};
 }
 
-/// The voxels in the machine's byte order; empty if the file does not hold them all. The library's
-/// own reader fills what is missing with zeros and turns NaN into 0, both without a word.
-/// @param path from voxelFileOf()
-std::vector<char> readVoxels(const nifti_image& image, const QString& path)
+/// The voxels of a point in time in the machine's byte order; empty if the file does not hold them
+/// all. The library's own reader fills what is missing with zeros and turns NaN into 0, both
+/// without a word.
+/// @param path from voxelFileOf() @param count of voxels at one point
+std::vector<char> readVoxels(
+    const nifti_image& image, const QString& path, std::size_t count, int time)
 {
-    const auto bytes = std::size_t(image.nvox) * std::size_t(image.nbyper);
+    const std::size_t bytes = count * std::size_t(image.nbyper);
+    const std::size_t before = std::size_t(time) * bytes;
     // A few bytes may claim gigabytes: what the file cannot hold is not asked of memory either.
     constexpr std::size_t mostPerPackedByte = 1032; // deflate's limit
     const auto stored = std::size_t(QFileInfo(path).size());
     const QByteArray name = QFile::encodeName(path);
     const int isPacked = nifti_is_gzfile(name.constData());
-    if (bytes > stored * (isPacked != 0 ? mostPerPackedByte : 1))
+    if (before + bytes > stored * (isPacked != 0 ? mostPerPackedByte : 1))
         return {};
     znzFile file = znzopen(name.constData(), "rb", isPacked);
     if (znz_isnull(file))
         return {};
     std::vector<char> voxels(bytes);
     std::size_t done = 0;
-    if (znzseek(file, long(image.iname_offset), SEEK_SET) >= 0) {
+    if (znzseek(file, long(image.iname_offset) + long(before), SEEK_SET) >= 0) {
         // In pieces: one call for more than 4 GiB would wrap in zlib.
         constexpr std::size_t piece = std::size_t(1) << 28;
         while (done < bytes) {
@@ -153,6 +156,13 @@ std::vector<char> readVoxels(const nifti_image& image, const QString& path)
         nifti_swap_Nbytes(bytes / std::size_t(image.swapsize), image.swapsize, voxels.data());
     }
     return voxels;
+}
+
+/// Which of several this is, as of DICOM series in time.
+VolumeProblem pointInTime(int count, int time)
+{
+    return {.kind = VolumeProblem::Kind::MixedSlices,
+        .said = {ProblemCode::PointInTime, {count, std::int64_t(time) + 1}}};
 }
 
 } // namespace
@@ -194,10 +204,10 @@ Result<SeriesEntry> readNiftiEntry(const QString& path)
             Clause::saying("its voxels are not beside it (%1.img)",
                 QFileInfo(path.chopped(headerEnding.size())).fileName()));
     }
-    for (int axis = 4; axis <= 7; ++axis) {
+    for (int axis = 5; axis <= 7; ++axis) {
         if (axis <= image->ndim && image->dim[axis] > 1) {
             return failure(ErrorCode::UnsupportedFormat, path,
-                Clause::saying("it holds %1 volumes", image->dim[axis]));
+                Clause::saying("it holds %1 numbers for each voxel", image->dim[axis]));
         }
     }
     if (!scalarType(image->datatype)) {
@@ -217,6 +227,11 @@ Result<SeriesEntry> readNiftiEntry(const QString& path)
     entry.files = {path};
     if (voxels != path)
         entry.files.append(voxels);
+    if (image->ndim >= 4 && image->dim[4] > 1) {
+        // Nothing says whether they are moments, directions or echoes.
+        entry.times.set(image->dim[4] - 1, Clause());
+        entry.problems.push_back(pointInTime(image->dim[4], 0));
+    }
     entry.identity.seriesDescription = QFileInfo(path).fileName();
     const double volume = entry.geometry.voxelVolumeMm3();
     if (!std::isfinite(volume) || volume <= 0.0) {
@@ -226,7 +241,7 @@ Result<SeriesEntry> readNiftiEntry(const QString& path)
     return entry;
 }
 
-Result<NiftiNumbers> readNiftiNumbers(const SeriesEntry& entry)
+Result<NiftiNumbers> readNiftiNumbers(const SeriesEntry& entry, int time)
 {
     const QString path = entry.files.front();
     if (const Result<void> fits = checkMemory(2 * entry.geometry.voxelCount()); !fits)
@@ -236,7 +251,7 @@ Result<NiftiNumbers> readNiftiNumbers(const SeriesEntry& entry)
     NiftiNumbers voxels;
     const QString file = image ? voxelFileOf(*image, path) : path;
     if (type && !file.isEmpty())
-        voxels.bytes = readVoxels(*image, file);
+        voxels.bytes = readVoxels(*image, file, entry.geometry.voxelCount(), time);
     if (voxels.bytes.empty()) {
         return failure(ErrorCode::FileTruncated, path,
             file == path ? Clause::saying("its voxels are incomplete")
@@ -257,10 +272,10 @@ Result<NiftiNumbers> readNiftiNumbers(const SeriesEntry& entry)
     return voxels;
 }
 
-Result<LoadedVolume> loadNifti(const SeriesEntry& entry, const Progress& progress)
+Result<LoadedVolume> loadNifti(const SeriesEntry& entry, int time, const Progress& progress)
 {
     progress.report(ProgressStep::ReadingVoxels, 0, 1);
-    const Result<NiftiNumbers> voxels = readNiftiNumbers(entry);
+    const Result<NiftiNumbers> voxels = readNiftiNumbers(entry, time);
     if (!voxels)
         return tl::unexpected(voxels.error());
     if (progress.cancelled())
@@ -272,6 +287,8 @@ Result<LoadedVolume> loadNifti(const SeriesEntry& entry, const Progress& progres
     volume.geometry = entry.geometry;
     volume.sourceFormat = QStringLiteral("NIfTI");
     volume.problems = entry.problems;
+    if (!entry.times.isEmpty())
+        volume.problems.back() = pointInTime(int(entry.times.size()), time);
     if (voxels->window)
         volume.defaultWindow = *voxels->window;
     encodeScalars(loaded, voxels->bytes, voxels->type, voxels->slope, voxels->intercept,

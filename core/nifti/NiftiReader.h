@@ -21,8 +21,9 @@ namespace core {
 /// that of sform, else of qform, else of the pixel sizes with a caution; RAS is converted to LPS,
 /// in millimetres. The file's index order is kept even if it is left-handed, so that a mask fits
 /// its grid. Files: the one with the header, and the one with the voxels if it is another.
-/// UnsupportedFormat for more than one volume, colour or complex values, and for an Analyze header;
-/// FileUnreadable if the voxels are not beside it.
+/// Volumes along the fourth axis are points in time, without labels. UnsupportedFormat for axes
+/// beyond that, colour or complex values, and for an Analyze header; FileUnreadable if the voxels
+/// are not beside it.
 [[nodiscard]] Result<SeriesEntry> readNiftiEntry(const QString& path);
 
 /// The numbers of a file, in the machine's byte order, and how they become values.
@@ -34,10 +35,13 @@ struct NiftiNumbers {
     std::optional<WindowLevel> window{};
 };
 /// Errors: FileTruncated, OutOfMemory.
-[[nodiscard]] Result<NiftiNumbers> readNiftiNumbers(const SeriesEntry& entry);
+/// @param time 0-based
+[[nodiscard]] Result<NiftiNumbers> readNiftiNumbers(const SeriesEntry& entry, int time = 0);
 
-/// The volume with its voxels; scl_slope and scl_inter applied. FileTruncated, OutOfMemory.
-[[nodiscard]] Result<LoadedVolume> loadNifti(const SeriesEntry& entry, const Progress& progress);
+/// The volume at a point in time (0-based) with its voxels; scl_slope and scl_inter applied.
+/// FileTruncated, OutOfMemory.
+[[nodiscard]] Result<LoadedVolume> loadNifti(
+    const SeriesEntry& entry, int time, const Progress& progress);
 
 /// The 348 bytes of a file's header in the machine's byte order; empty if it cannot be read.
 [[nodiscard]] QByteArray niftiHeaderBytes(const QString& path);

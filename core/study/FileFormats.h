@@ -17,7 +17,8 @@ struct FileFormat {
     bool (*isName)(const QString& path);
     /// Reads geometry and properties from the header. Files: the header, then those with voxels.
     Result<SeriesEntry> (*read)(const QString& path);
-    Result<LoadedVolume> (*load)(const SeriesEntry& entry, const Progress& progress);
+    /// @param time which point of SeriesEntry::times, 0-based
+    Result<LoadedVolume> (*load)(const SeriesEntry& entry, int time, const Progress& progress);
     /// The part of the file that a session keeps, so that exports can be checked without the file;
     /// empty if it cannot be read.
     QByteArray (*headerBytes)(const QString& path);
