@@ -29,6 +29,9 @@ Result<StoredGrid> readStoredGrid(const QString& path, const Progress& progress)
         const Result<SeriesEntry> entry = readNiftiEntry(path);
         if (!entry)
             return tl::unexpected(entry.error());
+        if (!entry->times.isEmpty())
+            return failure(ErrorCode::UnsupportedFormat, path,
+                Clause::saying("it holds %1 volumes", entry->times.size()));
         Result<NiftiNumbers> voxels = readNiftiNumbers(*entry);
         if (!voxels)
             return tl::unexpected(voxels.error());

@@ -21,6 +21,8 @@ namespace core {
 
 namespace {
 
+constexpr QLatin1String headerEnding(".hdr");
+
 struct FreeImage {
     void operator()(nifti_image* image) const { nifti_image_free(image); }
 };
@@ -100,22 +102,42 @@ glm::dmat4 affine(const nifti_image& image, std::vector<VolumeProblem>& problems
     return lps;
 }
 
-/// The voxels in the machine's byte order; empty if the file does not hold them all. The library's
-/// own reader fills what is missing with zeros and turns NaN into 0, both without a word.
-std::vector<char> readVoxels(const nifti_image& image, const QString& path)
+/// The file with the voxels: the same one, or that beside a header of its own; empty if there is
+/// none. The library would rather take another volume of that name.
+QString voxelFileOf(const nifti_image& image, const QString& path)
 {
-    const auto bytes = std::size_t(image.nvox) * std::size_t(image.nbyper);
+    if (isNiftiName(path) || image.nifti_type == NIFTI_FTYPE_NIFTI1_1)
+        return path;
+    const QString base = path.chopped(headerEnding.size());
+    for (const char* ending : {".img", ".img.gz", ".IMG", ".IMG.GZ"}) {
+        if (QString file = base + QLatin1String(ending); QFileInfo(file).isFile())
+            return file;
+    }
+    return {};
+}
+
+/// The voxels of a point in time in the machine's byte order; empty if the file does not hold them
+/// all. The library's own reader fills what is missing with zeros and turns NaN into 0, both
+/// without a word.
+/// @param path from voxelFileOf() @param count of voxels at one point
+std::vector<char> readVoxels(
+    const nifti_image& image, const QString& path, std::size_t count, int time)
+{
+    const std::size_t bytes = count * std::size_t(image.nbyper);
+    const std::size_t before = std::size_t(time) * bytes;
     // A few bytes may claim gigabytes: what the file cannot hold is not asked of memory either.
     constexpr std::size_t mostPerPackedByte = 1032; // deflate's limit
     const auto stored = std::size_t(QFileInfo(path).size());
-    if (bytes > stored * (nifti_is_gzfile(image.iname) ? mostPerPackedByte : 1))
+    const QByteArray name = QFile::encodeName(path);
+    const int isPacked = nifti_is_gzfile(name.constData());
+    if (before + bytes > stored * (isPacked != 0 ? mostPerPackedByte : 1))
         return {};
-    znzFile file = znzopen(QFile::encodeName(path).constData(), "rb", nifti_is_gzfile(image.iname));
+    znzFile file = znzopen(name.constData(), "rb", isPacked);
     if (znz_isnull(file))
         return {};
     std::vector<char> voxels(bytes);
     std::size_t done = 0;
-    if (znzseek(file, long(image.iname_offset), SEEK_SET) >= 0) {
+    if (znzseek(file, long(image.iname_offset) + long(before), SEEK_SET) >= 0) {
         // In pieces: one call for more than 4 GiB would wrap in zlib.
         constexpr std::size_t piece = std::size_t(1) << 28;
         while (done < bytes) {
@@ -136,12 +158,31 @@ std::vector<char> readVoxels(const nifti_image& image, const QString& path)
     return voxels;
 }
 
+/// Which of several this is, as of DICOM series in time.
+VolumeProblem pointInTime(int count, int time)
+{
+    return {.kind = VolumeProblem::Kind::MixedSlices,
+        .said = {ProblemCode::PointInTime, {count, std::int64_t(time) + 1}}};
+}
+
 } // namespace
 
 bool isNiftiName(const QString& path)
 {
     return path.endsWith(QLatin1String(".nii"), Qt::CaseInsensitive)
         || path.endsWith(QLatin1String(".nii.gz"), Qt::CaseInsensitive);
+}
+
+bool isNiftiFile(const QString& path)
+{
+    if (isNiftiName(path))
+        return true;
+    // Other formats have headers of that name, and DICOM may have any.
+    if (!path.endsWith(headerEnding, Qt::CaseInsensitive) || !QFileInfo(path).isFile())
+        return false;
+    QFile file(path);
+    const QByteArray size = file.open(QIODevice::ReadOnly) ? file.read(4) : QByteArray();
+    return size == QByteArray("\x5c\x01\0\0", 4) || size == QByteArray("\0\0\x01\x5c", 4);
 }
 
 Result<SeriesEntry> readNiftiEntry(const QString& path)
@@ -151,10 +192,22 @@ Result<SeriesEntry> readNiftiEntry(const QString& path)
     const Image image = readImage(path);
     if (!image)
         return failure(ErrorCode::FileUnreadable, path, Clause::saying("not a sound NIfTI header"));
-    for (int axis = 4; axis <= 7; ++axis) {
+    // Programs disagree about what such headers leave open: images were mirrored that way.
+    if (image->nifti_type == NIFTI_FTYPE_ANALYZE && !isNiftiName(path)) {
+        return failure(ErrorCode::UnsupportedFormat, path,
+            Clause::saying("an Analyze 7.5 header, which does not say which side is left; convert "
+                           "it to NIfTI"));
+    }
+    const QString voxels = voxelFileOf(*image, path);
+    if (voxels.isEmpty()) {
+        return failure(ErrorCode::FileUnreadable, path,
+            Clause::saying("its voxels are not beside it (%1.img)",
+                QFileInfo(path.chopped(headerEnding.size())).fileName()));
+    }
+    for (int axis = 5; axis <= 7; ++axis) {
         if (axis <= image->ndim && image->dim[axis] > 1) {
             return failure(ErrorCode::UnsupportedFormat, path,
-                Clause::saying("it holds %1 volumes", image->dim[axis]));
+                Clause::saying("it holds %1 numbers for each voxel", image->dim[axis]));
         }
     }
     if (!scalarType(image->datatype)) {
@@ -172,6 +225,13 @@ Result<SeriesEntry> readNiftiEntry(const QString& path)
     entry.geometry.size = {image->nx, image->ny, image->nz};
     entry.geometry.indexToWorld = affine(*image, entry.problems);
     entry.files = {path};
+    if (voxels != path)
+        entry.files.append(voxels);
+    if (image->ndim >= 4 && image->dim[4] > 1) {
+        // Nothing says whether they are moments, directions or echoes.
+        entry.times.set(image->dim[4] - 1, Clause());
+        entry.problems.push_back(pointInTime(image->dim[4], 0));
+    }
     entry.identity.seriesDescription = QFileInfo(path).fileName();
     const double volume = entry.geometry.voxelVolumeMm3();
     if (!std::isfinite(volume) || volume <= 0.0) {
@@ -181,7 +241,7 @@ Result<SeriesEntry> readNiftiEntry(const QString& path)
     return entry;
 }
 
-Result<NiftiNumbers> readNiftiNumbers(const SeriesEntry& entry)
+Result<NiftiNumbers> readNiftiNumbers(const SeriesEntry& entry, int time)
 {
     const QString path = entry.files.front();
     if (const Result<void> fits = checkMemory(2 * entry.geometry.voxelCount()); !fits)
@@ -189,10 +249,14 @@ Result<NiftiNumbers> readNiftiNumbers(const SeriesEntry& entry)
     const Image image = readImage(path);
     const std::optional<ScalarType> type = image ? scalarType(image->datatype) : std::nullopt;
     NiftiNumbers voxels;
-    if (type)
-        voxels.bytes = readVoxels(*image, path);
-    if (voxels.bytes.empty())
-        return failure(ErrorCode::FileTruncated, path, Clause::saying("its voxels are incomplete"));
+    const QString file = image ? voxelFileOf(*image, path) : path;
+    if (type && !file.isEmpty())
+        voxels.bytes = readVoxels(*image, file, entry.geometry.voxelCount(), time);
+    if (voxels.bytes.empty()) {
+        return failure(ErrorCode::FileTruncated, path,
+            file == path ? Clause::saying("its voxels are incomplete")
+                         : Clause::saying("its voxels in %1 are incomplete", file));
+    }
     voxels.type = *type;
     // A slope of 0 means that there is none (nifti1.h).
     if (image->scl_slope != 0.0f && std::isfinite(image->scl_slope)
@@ -208,10 +272,10 @@ Result<NiftiNumbers> readNiftiNumbers(const SeriesEntry& entry)
     return voxels;
 }
 
-Result<LoadedVolume> loadNifti(const SeriesEntry& entry, const Progress& progress)
+Result<LoadedVolume> loadNifti(const SeriesEntry& entry, int time, const Progress& progress)
 {
     progress.report(ProgressStep::ReadingVoxels, 0, 1);
-    const Result<NiftiNumbers> voxels = readNiftiNumbers(entry);
+    const Result<NiftiNumbers> voxels = readNiftiNumbers(entry, time);
     if (!voxels)
         return tl::unexpected(voxels.error());
     if (progress.cancelled())
@@ -223,6 +287,8 @@ Result<LoadedVolume> loadNifti(const SeriesEntry& entry, const Progress& progres
     volume.geometry = entry.geometry;
     volume.sourceFormat = QStringLiteral("NIfTI");
     volume.problems = entry.problems;
+    if (!entry.times.isEmpty())
+        volume.problems.back() = pointInTime(int(entry.times.size()), time);
     if (voxels->window)
         volume.defaultWindow = *voxels->window;
     encodeScalars(loaded, voxels->bytes, voxels->type, voxels->slope, voxels->intercept,

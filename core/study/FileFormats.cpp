@@ -19,9 +19,16 @@ bool isNoName(const QString&)
     return false;
 }
 
+/// For formats whose volumes are of one moment.
+template <auto load>
+Result<LoadedVolume> loadOnly(const SeriesEntry& entry, int, const Progress& progress)
+{
+    return load(entry, progress);
+}
+
 constexpr std::array formats{
     FileFormat{.name = "NIfTI",
-        .isName = isNiftiName,
+        .isName = isNiftiFile,
         .read = readNiftiEntry,
         .load = loadNifti,
         .headerBytes = niftiHeaderBytes,
@@ -29,13 +36,13 @@ constexpr std::array formats{
     FileFormat{.name = "NRRD",
         .isName = isNrrdName,
         .read = readNrrdEntry,
-        .load = loadNrrd,
+        .load = loadOnly<loadNrrd>,
         .headerBytes = nrrdHeaderBytes,
         .geometryOf = nrrdGeometryOf},
     FileFormat{.name = "MetaImage",
         .isName = isMetaImageName,
         .read = readMetaImageEntry,
-        .load = loadMetaImage,
+        .load = loadOnly<loadMetaImage>,
         .headerBytes = metaImageHeaderBytes,
         .geometryOf = metaImageGeometryOf},
     FileFormat{.name = imageFormatName,

@@ -10,13 +10,15 @@
 namespace core {
 
 /// A file format whose volumes are single files, or headers with separate files of voxels,
-/// recognised by the file name; or pictures, which are found only by the name of the format.
+/// recognised by the file name, and by its first bytes where others have that name, too; or
+/// pictures, which are found only by the name of the format.
 struct FileFormat {
     const char* name; ///< as in Volume::sourceFormat
     bool (*isName)(const QString& path);
     /// Reads geometry and properties from the header. Files: the header, then those with voxels.
     Result<SeriesEntry> (*read)(const QString& path);
-    Result<LoadedVolume> (*load)(const SeriesEntry& entry, const Progress& progress);
+    /// @param time which point of SeriesEntry::times, 0-based
+    Result<LoadedVolume> (*load)(const SeriesEntry& entry, int time, const Progress& progress);
     /// The part of the file that a session keeps, so that exports can be checked without the file;
     /// empty if it cannot be read.
     QByteArray (*headerBytes)(const QString& path);

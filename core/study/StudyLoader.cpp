@@ -397,12 +397,15 @@ Result<LoadedVolume> Study::load(
     const Result<const SeriesEntry*> entry = choose(listing, wanted.series);
     if (!entry)
         return tl::unexpected<Error>(entry.error());
-    const auto opened = [&](Result<LoadedVolume> loaded, const QString& from) {
+    // @param key of its other points, where it is opened again from there
+    const auto opened = [&](Result<LoadedVolume> loaded, const QString& from, const QString& key) {
         if (loaded) {
             loaded->volume.sourcePath = from;
             loaded->volume.seriesKey = (*entry)->keyAtTime(wanted.time);
-            loaded->volume.alternatives = std::make_shared<const SeriesAlternatives>(
-                seriesAlternatives(listing, **entry, wanted.time));
+            SeriesAlternatives alternatives = seriesAlternatives(listing, **entry, wanted.time);
+            alternatives.key = key;
+            loaded->volume.alternatives =
+                std::make_shared<const SeriesAlternatives>(std::move(alternatives));
         }
         return loaded;
     };
@@ -410,19 +413,22 @@ Result<LoadedVolume> Study::load(
         if (listed.entry.key == (*entry)->key)
             return opened(wanted.repair.isEmpty() ? loadStack(listed, wanted.time, progress, early)
                                                   : loadRepaired(listed, wanted, progress),
-                listing.path);
+                listing.path, (*entry)->key);
     }
     for (const SeriesEntry& pictures : m_contents->pictures) {
         if (pictures.key == (*entry)->key)
-            return opened(loadPictures(pictures, wanted, progress), stackPath(pictures));
+            return opened(
+                loadPictures(pictures, wanted, progress), stackPath(pictures), (*entry)->key);
     }
     if (!wanted.repair.isEmpty())
         return failure(ErrorCode::InvalidField, QStringLiteral("repair"),
             Clause::saying("only DICOM series can be repaired"));
     for (const SingleFile& single : m_contents->singles) {
+        // Without slices that name it, only this tells an export's check which file it was.
+        const QString file = single.entry.files.front();
         if (single.entry.key == (*entry)->key)
-            // Without slices that name it, only this tells an export's check which file it was.
-            return opened(single.format->load(single.entry, progress), single.entry.files.front());
+            return opened(single.format->load(single.entry, wanted.time, progress), file,
+                QFileInfo(file).fileName());
     }
     return failure(ErrorCode::SeriesNotFound, listing.path, series);
 }

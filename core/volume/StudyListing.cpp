@@ -3,6 +3,26 @@
 
 namespace core {
 
+namespace {
+
+/// A point in time that an entry has, by name; none if it is no such name.
+std::optional<SeriesChoice> pointNamed(const StudyListing& listing, const QString& name)
+{
+    const qsizetype mark = name.lastIndexOf(QLatin1Char('@'));
+    bool isNumber = false;
+    const int time = name.mid(mark + 1).toInt(&isNumber);
+    if (mark < 0 || !isNumber)
+        return std::nullopt;
+    const QString key = name.left(mark);
+    for (const SeriesEntry* entry : listing.matching(key)) {
+        if (time >= 1 && time <= entry->times.size())
+            return SeriesChoice{.series = key, .time = time - 1};
+    }
+    return std::nullopt;
+}
+
+} // namespace
+
 bool SeriesEntry::needsSpacing() const
 {
     return saidSpacingMm
@@ -82,21 +102,18 @@ SeriesChoice StudyListing::choice(const QString& series) const
 {
     if (find(series) != nullptr)
         return {.series = series};
+    // The name of a file may have a plus sign of its own.
+    if (const std::optional<SeriesChoice> point = pointNamed(*this, series))
+        return *point;
     SeriesChoice choice{.series = series};
     if (const qsizetype plus = series.lastIndexOf(QLatin1Char('+')); plus >= 0) {
         choice.series = series.left(plus);
         choice.repair = series.mid(plus + 1);
     }
-    const qsizetype mark = choice.series.lastIndexOf(QLatin1Char('@'));
-    bool isNumber = false;
-    const int time = choice.series.mid(mark + 1).toInt(&isNumber);
-    if (mark < 0 || !isNumber || find(choice.series) != nullptr)
+    if (find(choice.series) != nullptr)
         return choice;
-    const QString key = choice.series.left(mark);
-    for (const SeriesEntry* entry : matching(key)) {
-        if (time >= 1 && time <= entry->times.size())
-            return {.series = key, .time = time - 1, .repair = choice.repair};
-    }
+    if (const std::optional<SeriesChoice> point = pointNamed(*this, choice.series))
+        return {.series = point->series, .time = point->time, .repair = choice.repair};
     return choice;
 }
 

@@ -82,7 +82,7 @@ struct ImageHeader {
     double slope = 1.0;
     double intercept = 0.0;
     QString rescaleType;
-    QString units; ///< (0054,1001), PET
+    QString units; ///< (0054,1001), PET; (3004,0002), dose
     QString suvType; ///< (0054,1006), PET: to what uptake is related; empty: body weight
     std::optional<WindowLevel> window;
     bool inverted = false; ///< high values are displayed dark; the values themselves are unchanged

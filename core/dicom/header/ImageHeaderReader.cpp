@@ -9,6 +9,7 @@
 #include "core/dicom/header/ModalityLut.h"
 #include "core/dicom/header/MultiframeHeader.h"
 #include "core/dicom/header/PhaseAttributes.h"
+#include "core/dicom/items/SopClass.h"
 
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dctk.h>
@@ -136,6 +137,10 @@ Result<std::vector<ImageHeader>> read(const QString& path)
     header.identity = readIdentity(from);
     header.sopInstanceUid = from.text(DCM_SOPInstanceUID);
     header.sopClassUid = from.text(DCM_SOPClassUID);
+    if (header.sopClassUid.isEmpty()) {
+        // DICOMDIR and files that lost the attribute still say it in their file meta information.
+        header.sopClassUid = file->mediaSopClassUid();
+    }
     header.transferSyntaxUid = file->transferSyntaxUid();
     header.imageType = from.text(DCM_ImageType).split(QLatin1Char('\\'));
     header.quantity = imageQuantity(from.text(DCM_ImageType), from.text(DCM_ComplexImageComponent));
@@ -154,8 +159,10 @@ Result<std::vector<ImageHeader>> read(const QString& path)
     readOrientation(from, header);
     readMeasures(from, header);
     readRescale(from, header);
-    readWindow(from, header);
     header.units = from.text(DCM_Units);
+    if (isDose(header.sopClassUid))
+        readDoseScale(from, header);
+    readWindow(from, header);
     header.suvType = from.text(DCM_SUVType);
     header.hasModalityLut = hasModalityLut(set);
     if (header.hasModalityLut)
@@ -166,10 +173,6 @@ Result<std::vector<ImageHeader>> read(const QString& path)
     header.instanceNumber =
         int(std::clamp(from.number(DCM_InstanceNumber).value_or(0.0), -2e9, 2e9));
     header.phases = readPhases(from);
-    if (header.sopClassUid.isEmpty()) {
-        // DICOMDIR and files that lost the attribute still say it in their file meta information.
-        header.sopClassUid = file->mediaSopClassUid();
-    }
     return framesOf(set, characterSet, header);
 }
 

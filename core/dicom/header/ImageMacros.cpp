@@ -54,6 +54,17 @@ void readRescale(const HeaderAttributes& from, ImageHeader& header)
     header.rescaleType = from.text(DCM_RescaleType);
 }
 
+void readDoseScale(const HeaderAttributes& from, ImageHeader& header)
+{
+    const double scale = from.number(DCM_DoseGridScaling).value_or(0.0);
+    if (scale <= 0.0)
+        return;
+    header.hasRescale = true;
+    header.slope = scale;
+    header.intercept = 0.0;
+    header.units = from.text(DCM_DoseUnits);
+}
+
 void readWindow(const HeaderAttributes& from, ImageHeader& header)
 {
     const std::optional<double> centre = from.number(DCM_WindowCenter);

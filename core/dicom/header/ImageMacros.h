@@ -17,6 +17,9 @@ void readOrientation(const HeaderAttributes& from, ImageHeader& header);
 void readMeasures(const HeaderAttributes& from, ImageHeader& header);
 /// Slope and intercept of stored values.
 void readRescale(const HeaderAttributes& from, ImageHeader& header);
+/// Scale and unit of a dose (PS3.3 C.8.8.3), which take the place of slope and intercept; nothing
+/// if there is no scale.
+void readDoseScale(const HeaderAttributes& from, ImageHeader& header);
 /// The first window, if it is valid.
 void readWindow(const HeaderAttributes& from, ImageHeader& header);
 

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/dicom/header/MultiframeHeader.h"
 
+#include "core/dicom/header/FramesInARow.h"
 #include "core/dicom/header/ImageMacros.h"
 #include "core/dicom/header/ImageQuantity.h"
 #include "core/dicom/header/PhaseAttributes.h"
 #include "core/dicom/items/FunctionalGroups.h"
+#include "core/dicom/items/SopClass.h"
 
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dctk.h>
@@ -45,7 +47,11 @@ std::vector<ImageHeader> framesOf(
     DcmDataset& set, const QByteArray& characterSet, const ImageHeader& whole)
 {
     std::vector<ImageHeader> frames{whole};
-    if ((whole.frames == 1 && !whole.isEnhanced) || whole.layout.samplesPerPixel != 1)
+    if (whole.layout.samplesPerPixel != 1)
+        return frames;
+    if (haveFramesInARow(whole.sopClassUid) && !whole.isEnhanced)
+        return framesInARow(set, characterSet, whole);
+    if (whole.frames == 1 && !whole.isEnhanced)
         return frames;
     const FunctionalGroups groups(set);
     // What the file has of items bounds the work, not what it claims.

@@ -10,7 +10,8 @@ class DcmDataset;
 namespace core {
 
 /// The frames of an object whose functional groups state the position and meaning of values of each
-/// frame, in the order of the file. Only for sources of core/dicom.
+/// frame, or whose frames lie in a row (FramesInARow.h), in the order of the file. Only for sources
+/// of core/dicom.
 ///
 /// If nothing is stated for individual frames, it returns a single header with framesUnplaced set;
 /// colour objects also give a single header. If something is stated for the first frames only, one

@@ -6,6 +6,7 @@
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dctk.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 
@@ -29,38 +30,47 @@ std::optional<int> ItemReader::integer(const DcmTagKey& tag) const
     return known ? std::optional(value) : std::nullopt;
 }
 
-template <std::size_t N>
-std::optional<std::array<double, N>> ItemReader::numbers(const DcmTagKey& tag) const
+std::vector<double> ItemReader::numbers(const DcmTagKey& tag) const
 {
-    const QStringList parts = text(tag).split(QLatin1Char('\\'));
-    if (parts.size() != int(N))
-        return std::nullopt;
-    std::array<double, N> values{};
-    for (std::size_t i = 0; i < N; ++i) {
-        QByteArray part = parts[int(i)].trimmed().toLatin1();
+    std::vector<double> values;
+    for (const QString& one : text(tag).split(QLatin1Char('\\'))) {
+        QByteArray part = one.trimmed().toLatin1();
         if (part.startsWith('+'))
             part.remove(0, 1);
         const char* end = part.constData() + part.size();
-        const auto parsed = std::from_chars(part.constData(), end, values[i]);
-        if (parsed.ec != std::errc() || parsed.ptr != end || !std::isfinite(values[i]))
-            return std::nullopt;
+        double value = 0.0;
+        const auto parsed = std::from_chars(part.constData(), end, value);
+        if (parsed.ec != std::errc() || parsed.ptr != end || !std::isfinite(value))
+            return {};
+        values.push_back(value);
     }
+    return values;
+}
+
+template <std::size_t N>
+std::optional<std::array<double, N>> ItemReader::exactly(const DcmTagKey& tag) const
+{
+    const std::vector<double> all = numbers(tag);
+    if (all.size() != N)
+        return std::nullopt;
+    std::array<double, N> values{};
+    std::copy(all.begin(), all.end(), values.begin());
     return values;
 }
 
 std::optional<std::array<double, 2>> ItemReader::pair(const DcmTagKey& tag) const
 {
-    return numbers<2>(tag);
+    return exactly<2>(tag);
 }
 
 std::optional<std::array<double, 3>> ItemReader::triple(const DcmTagKey& tag) const
 {
-    return numbers<3>(tag);
+    return exactly<3>(tag);
 }
 
 std::optional<std::array<double, 6>> ItemReader::sextuple(const DcmTagKey& tag) const
 {
-    return numbers<6>(tag);
+    return exactly<6>(tag);
 }
 
 std::vector<float> ItemReader::floats(const DcmTagKey& tag) const

@@ -30,6 +30,8 @@ public:
     [[nodiscard]] std::optional<std::array<double, 2>> pair(const DcmTagKey& tag) const;
     [[nodiscard]] std::optional<std::array<double, 3>> triple(const DcmTagKey& tag) const;
     [[nodiscard]] std::optional<std::array<double, 6>> sextuple(const DcmTagKey& tag) const;
+    /// All values of decimal text; empty unless all are numbers.
+    [[nodiscard]] std::vector<double> numbers(const DcmTagKey& tag) const;
     /// The values of an attribute of representation FL; empty if absent.
     [[nodiscard]] std::vector<float> floats(const DcmTagKey& tag) const;
     /// Item @p index of a sequence; invalid if there is none.
@@ -42,7 +44,7 @@ public:
 
 private:
     template <std::size_t N>
-    std::optional<std::array<double, N>> numbers(const DcmTagKey& tag) const;
+    std::optional<std::array<double, N>> exactly(const DcmTagKey& tag) const;
 
     DcmItem* m_item = nullptr;
 };

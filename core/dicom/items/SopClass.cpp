@@ -32,7 +32,6 @@ const std::vector<NamedSopClass>& namedSopClasses()
         {"1.2.840.10008.5.1.4.1.1.66.5", Clause::saying("surface segmentation")},
         {"1.2.840.10008.5.1.4.1.1.66", Clause::saying("registration")},
         {"1.2.840.10008.5.1.4.1.1.67", Clause::saying("real world value mapping")},
-        {"1.2.840.10008.5.1.4.1.1.481.2", Clause::saying("RT dose")},
         {"1.2.840.10008.5.1.4.1.1.481.3", Clause::saying("RT structure set")},
         {"1.2.840.10008.5.1.4.1.1.481.5", Clause::saying("RT plan")},
         {"1.2.840.10008.5.1.4.1.1.481.8", Clause::saying("RT plan")},
@@ -64,6 +63,16 @@ Clause kindWithoutSlices(const ImageHeader& header)
     if (header.hasModalityLut && !header.modalityLut)
         return Clause::saying("image with a damaged modality lookup table");
     return {};
+}
+
+bool isDose(const QString& sopClassUid)
+{
+    return sopClassUid == QLatin1String(UID_RTDoseStorage);
+}
+
+bool haveFramesInARow(const QString& sopClassUid)
+{
+    return isDose(sopClassUid) || sopClassUid == QLatin1String(UID_NuclearMedicineImageStorage);
 }
 
 Result<QString> sopClassOf(const QString& path)

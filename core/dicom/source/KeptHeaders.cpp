@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/dicom/source/KeptHeaders.h"
 
+#include "core/dicom/items/ItemReader.h"
+#include "core/dicom/items/SopClass.h"
 #include "core/dicom/source/VisitSourceFiles.h"
 
 #include <dcmtk/config/osconfig.h>
@@ -26,6 +28,25 @@ const std::array<DcmTagKey, 32> keptTags{DCM_SpecificCharacterSet, DCM_SOPClassU
 
 const std::array<DcmTagKey, 3> keptMacros{
     DCM_PlanePositionSequence, DCM_PlaneOrientationSequence, DCM_PixelMeasuresSequence};
+
+/// What says where frames in a row lie.
+const std::array<DcmTagKey, 4> keptOfRows{DCM_ImageType, DCM_SpacingBetweenSlices,
+    DCM_GridFrameOffsetVector, DCM_DetectorInformationSequence};
+
+void keepRow(DcmDataset& dataset, DcmDataset& kept)
+{
+    for (const DcmTagKey& tag : keptOfRows)
+        dataset.findAndInsertCopyOfElement(tag, &kept);
+    DcmItem* detector = nullptr;
+    for (long i = 0;
+         kept.findAndGetSequenceItem(DCM_DetectorInformationSequence, detector, i).good(); ++i) {
+        for (unsigned long element = detector->card(); element > 0; --element) {
+            const DcmTagKey tag = detector->getElement(element - 1)->getTag();
+            if (tag != DCM_ImagePositionPatient && tag != DCM_ImageOrientationPatient)
+                delete detector->remove(element - 1);
+        }
+    }
+}
 
 /// The functional groups say where a frame lies, and much else.
 void trimGroups(DcmItem& dataset, const DcmTagKey& groups)
@@ -65,6 +86,8 @@ Result<KeptHeaders> keepHeaders(const std::vector<SourceSlice>& slices, const Pr
             DcmDataset kept;
             for (const DcmTagKey& tag : keptTags)
                 dataset.findAndInsertCopyOfElement(tag, &kept);
+            if (haveFramesInARow(ItemReader(&dataset).text(DCM_SOPClassUID)))
+                keepRow(dataset, kept);
             trimGroups(kept, DCM_SharedFunctionalGroupsSequence);
             trimGroups(kept, DCM_PerFrameFunctionalGroupsSequence);
             const QByteArray bytes = bytesOf(kept);

@@ -2,11 +2,13 @@
 #include "core/dicom/source/PatientAndPlane.h"
 
 #include "core/dicom/base/DicomText.h"
+#include "core/dicom/items/SopClass.h"
 
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dctk.h>
 
 #include <algorithm>
+#include <vector>
 
 namespace core {
 
@@ -18,6 +20,30 @@ QString digitsOf(const QString& date)
     std::copy_if(date.begin(), date.end(), std::back_inserter(digits),
         [](QChar character) { return character.isDigit(); });
     return digits;
+}
+
+/// How far along the normal a frame lies from the one position of its file (PS3.3 C.8.8.3.2,
+/// C.8.4.15). None if that is not said.
+std::optional<double> offsetInARow(const ItemReader& dataset, int frame)
+{
+    if (frame == 0)
+        return 0.0;
+    if (isDose(dataset.text(DCM_SOPClassUID))) {
+        const std::vector<double> offsets = dataset.numbers(DCM_GridFrameOffsetVector);
+        if (std::size_t(frame) >= offsets.size())
+            return std::nullopt;
+        return offsets[std::size_t(frame)] - offsets.front();
+    }
+    const std::vector<double> distance = dataset.numbers(DCM_SpacingBetweenSlices);
+    return distance.size() == 1 ? std::optional(distance.front() * frame) : std::nullopt;
+}
+
+/// The item that may hold the plane of such a file: the first detector's, of reconstructed slices.
+ItemReader detectorOf(const ItemReader& dataset)
+{
+    const bool isReconstructed = dataset.text(DCM_ImageType).split(QLatin1Char('\\')).value(2)
+        == QLatin1String("RECON TOMO");
+    return isReconstructed ? dataset.item(DCM_DetectorInformationSequence) : ItemReader(nullptr);
 }
 
 } // namespace
@@ -49,9 +75,16 @@ std::optional<HeaderPlane> readHeaderPlane(const ItemReader& dataset, int frame)
         const ItemReader group = dataset.functionalGroup(macro, frame);
         return group.valid() ? group : dataset;
     };
-    const auto position = source(DCM_PlanePositionSequence).triple(DCM_ImagePositionPatient);
-    const auto orientation =
-        source(DCM_PlaneOrientationSequence).sextuple(DCM_ImageOrientationPatient);
+    auto position = source(DCM_PlanePositionSequence).triple(DCM_ImagePositionPatient);
+    auto orientation = source(DCM_PlaneOrientationSequence).sextuple(DCM_ImageOrientationPatient);
+    const bool inARow = haveFramesInARow(dataset.text(DCM_SOPClassUID));
+    if (inARow) {
+        const ItemReader detector = detectorOf(dataset);
+        if (const auto own = detector.triple(DCM_ImagePositionPatient))
+            position = own;
+        if (const auto own = detector.sextuple(DCM_ImageOrientationPatient))
+            orientation = own;
+    }
     const auto spacing = source(DCM_PixelMeasuresSequence).pair(DCM_PixelSpacing);
     if (!position || !orientation || !spacing)
         return std::nullopt;
@@ -62,6 +95,13 @@ std::optional<HeaderPlane> readHeaderPlane(const ItemReader& dataset, int frame)
     plane.columnDirection = {o[3], o[4], o[5]};
     plane.rowSpacing = (*spacing)[0];
     plane.columnSpacing = (*spacing)[1];
+    if (inARow) {
+        const std::optional<double> offset = offsetInARow(dataset, frame);
+        if (!offset)
+            return std::nullopt;
+        const glm::dvec3 normal = glm::cross(plane.rowDirection, plane.columnDirection);
+        plane.position += *offset * glm::normalize(normal);
+    }
     return plane;
 }
 

@@ -12,7 +12,8 @@ namespace core {
 
 HeaderPatient readHeaderPatient(DcmDataset& dataset);
 
-/// The plane of a frame, from functional groups or, in single-frame objects, from the top level.
+/// The plane of a frame, from functional groups or, in single-frame objects and those with frames
+/// in a row (SopClass.h), from the top level.
 std::optional<HeaderPlane> readHeaderPlane(const ItemReader& dataset, int frame);
 
 } // namespace core

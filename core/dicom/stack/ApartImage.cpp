@@ -37,8 +37,11 @@ std::optional<ApartImage> whyApart(const ImageHeader& image)
             Clause::saying("Siemens mosaic: many slices tiled in one image; not read as a volume")};
     }
     if (image.framesUnplaced) {
+        // One frame is claimed, or groups for frames without any.
         return ApartImage{Clause::saying("multi-frame image"),
-            Clause::saying("nothing says where each of its %1 frames lies", image.frames)};
+            image.frames > 1
+                ? Clause::saying("nothing says where each of its %1 frames lies", image.frames)
+                : Clause::saying("nothing says where its frames lie")};
     }
     if (image.framesWithoutGroup > 0) {
         return ApartImage{Clause::saying("image without a place"),

@@ -62,6 +62,8 @@ QString unitOf(const ImageHeader& image)
             && (image.rescaleType.isEmpty() || image.rescaleType == QLatin1String("HU"));
         return hounsfield ? QStringLiteral("HU") : QString();
     }
+    if (modality == QLatin1String("RTDOSE"))
+        return image.units == QLatin1String("GY") ? QStringLiteral("Gy") : QString();
     if (modality != QLatin1String("PT"))
         return {};
     if (image.units == QLatin1String("BQML"))

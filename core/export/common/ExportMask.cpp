@@ -6,6 +6,7 @@
 #include "core/base/files/StagedError.h"
 #include "core/base/files/StagedFile.h"
 #include "core/dicom/deidentify/Deidentifier.h"
+#include "core/dicom/items/SopClass.h"
 #include "core/export/common/CheckExport.h"
 #include "core/export/common/CheckWayBack.h"
 #include "core/export/common/MaskSelection.h"
@@ -293,6 +294,14 @@ Clause dicomSegObstacle(const Volume& volume)
                 Clause::saying("the source images carry no SOP Instance UID, so a DICOM SEG or "
                                "RTSTRUCT could not say on which image it was drawn"));
     }
+    const bool inARow =
+        std::any_of(volume.sources.begin(), volume.sources.end(), [](const SourceSlice& slice) {
+            return slice.frame > 0 && haveFramesInARow(slice.sopClassUid);
+        });
+    if (inARow)
+        return orNifti(
+            Clause::saying("the source is one file whose frames have one position for all of them "
+                           "(a dose, or reconstructed nuclear medicine)"));
     if (std::max(volume.geometry.size.x, volume.geometry.size.y) > 65535)
         return orNifti(Clause::saying("DICOM holds at most 65535 rows and columns"));
     return {};

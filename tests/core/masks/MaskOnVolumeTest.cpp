@@ -201,16 +201,16 @@ private Q_SLOTS:
     {
         const MaskFolder folder;
         folder.add(QStringLiteral("liver.nii"), liver);
-        const test::SyntheticSeries doses{.size = {8, 8, 1},
-            .fileName = [](int) { return QStringLiteral("dose.dcm"); },
+        const test::SyntheticSeries plans{.size = {8, 8, 1},
+            .fileName = [](int) { return QStringLiteral("plan.dcm"); },
             .adjust =
                 [](DcmDataset& set, int) {
-                    set.putAndInsertString(DCM_SOPClassUID, "1.2.840.10008.5.1.4.1.1.481.2");
+                    set.putAndInsertString(DCM_SOPClassUID, "1.2.840.10008.5.1.4.1.1.481.5");
                 }};
-        QCOMPARE(test::writeSeries(doses, folder.path()).size(), 1);
+        QCOMPARE(test::writeSeries(plans, folder.path()).size(), 1);
         const Result<MaskOnVolume> mask = folder.read();
         QVERIFY(!mask);
-        QCOMPARE(QString(mask.error().arguments[0]), folder.path(QStringLiteral("dose.dcm")));
+        QCOMPARE(QString(mask.error().arguments[0]), folder.path(QStringLiteral("plan.dcm")));
     }
 
     void aFolderHasNoMoreSegmentsThanASession()

@@ -363,10 +363,10 @@ void NiftiReaderTest::damagedFilesAreNamed()
     QCOMPARE(codeOf(sound.left(100)), core::ErrorCode::FileUnreadable);
     QCOMPARE(codeOf(sound.chopped(10)), core::ErrorCode::FileTruncated);
     QCOMPARE(codeOf(QByteArray(2000, 'x')), core::ErrorCode::FileUnreadable);
-    QByteArray fourDimensional = sound;
-    put<std::int16_t>(fourDimensional, atDim, 4);
-    put<std::int16_t>(fourDimensional, atDim + 8, 2);
-    QCOMPARE(codeOf(fourDimensional), core::ErrorCode::UnsupportedFormat);
+    QByteArray fiveDimensional = sound;
+    put<std::int16_t>(fiveDimensional, atDim, 5);
+    put<std::int16_t>(fiveDimensional, atDim + 10, 2);
+    QCOMPARE(codeOf(fiveDimensional), core::ErrorCode::UnsupportedFormat);
     QByteArray colour = sound;
     put<std::int16_t>(colour, atDataType, 128);
     QCOMPARE(codeOf(colour), core::ErrorCode::UnsupportedFormat);

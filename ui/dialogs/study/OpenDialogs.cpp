@@ -26,9 +26,8 @@ bool isFolder(const LostStudy& lost)
 
 QString volumeFilter()
 {
-    return QObject::tr(
-        "Volumes and archives (*.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.dcm *.tif *.tiff *.png "
-        "*.zip *.7z *.tar *.tar.gz *.tgz);;All files (*)");
+    return QObject::tr("Volumes and archives (*.nii *.nii.gz *.hdr *.nrrd *.nhdr *.mha *.mhd *.dcm "
+                       "*.tif *.tiff *.png *.zip *.7z *.tar *.tar.gz *.tgz);;All files (*)");
 }
 
 } // namespace
