@@ -61,6 +61,7 @@ Clause SeriesEntry::line() const
 
 std::vector<const SeriesEntry*> StudyListing::candidates() const
 {
+    std::vector<const SeriesEntry*> images;
     std::vector<const SeriesEntry*> volumes;
     std::vector<const SeriesEntry*> all;
     for (const StudyEntry& study : studies) {
@@ -68,9 +69,11 @@ std::vector<const SeriesEntry*> StudyListing::candidates() const
             all.push_back(&entry);
             if (entry.isVolume())
                 volumes.push_back(&entry);
+            if (entry.isVolume() && !entry.isDose())
+                images.push_back(&entry);
         }
     }
-    return volumes.empty() ? all : volumes;
+    return !images.empty() ? images : !volumes.empty() ? volumes : all;
 }
 
 const SeriesEntry* StudyListing::find(const QString& key) const

@@ -44,6 +44,8 @@ struct SeriesEntry {
     [[nodiscard]] int slices() const { return geometry.size.z; }
     /// False for a single image, which is opened only on request or if there is nothing else.
     [[nodiscard]] bool isVolume() const { return slices() > 1; }
+    /// An RT dose, which lies beside the images that it was planned on.
+    [[nodiscard]] bool isDose() const { return identity.modality == QLatin1String("RTDOSE"); }
     /// The name that `loadVolume` and `--series` take for a point in time, 0-based: "UID@3" is the
     /// third; the key itself names the first.
     [[nodiscard]] QString keyAtTime(int time) const;
@@ -88,7 +90,7 @@ struct StudyListing {
     std::vector<UnreadableFile> unreadable;
 
     /// The entries that may be opened without asking: the volumes, or single images if there is no
-    /// volume.
+    /// volume. A dose beside images is none of them: whoever wants it names it.
     [[nodiscard]] std::vector<const SeriesEntry*> candidates() const;
     [[nodiscard]] const SeriesEntry* find(const QString& key) const;
     /// All entries whose key or SeriesInstanceUID is @p series; several if a UID was split.

@@ -5,6 +5,7 @@
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/SharedData.h"
 #include "tests/support/series/OpenedVolume.h"
+#include "tests/support/series/SmallSeries.h"
 #include "tests/support/series/VerifyResult.h"
 
 #include <dcmtk/config/osconfig.h>
@@ -166,6 +167,7 @@ private Q_SLOTS:
     void doses_data();
     void doses();
     void dosesOfBeamsAreNoPointsInTime();
+    void aDoseBesideImagesIsNoQuestion();
     void dosesWithoutAPlaceAreRefused_data();
     void dosesWithoutAPlaceAreRefused();
     void exportsLieWhereTheFramesLie_data();
@@ -306,6 +308,31 @@ void FramesInARowTest::dosesOfBeamsAreNoPointsInTime()
         QCOMPARE(entry->slices(), 3);
         QVERIFY(entry->times.isEmpty());
     }
+}
+
+/// Whoever opens the folder of a plan means its images; the dose has a name of its own.
+void FramesInARowTest::aDoseBesideImagesIsNoQuestion()
+{
+    const QTemporaryDir folder;
+    test::SmallSeries series;
+    series.size = {6, 5, 4};
+    series.placeEvenly({0.0, 0.0, 0.0}, {0.0, 0.0, 2.0});
+    series.write(folder.filePath(QStringLiteral("images")));
+    dose().write(folder.filePath(QStringLiteral("dose.dcm")));
+    const core::Result<core::StudyListing> listing = core::scanStudies(folder.path());
+    QVERIFY(listing);
+    const std::vector<const core::SeriesEntry*> candidates = listing->candidates();
+    QCOMPARE(candidates.size(), std::size_t(1));
+    QCOMPARE(candidates.front()->slices(), 4);
+    QString named;
+    for (const core::StudyEntry& study : listing->studies) {
+        for (const core::SeriesEntry& entry : study.series) {
+            if (entry.isDose())
+                named = entry.key;
+        }
+    }
+    QVERIFY(!named.isEmpty());
+    QCOMPARE(listing->matching(named).size(), std::size_t(1));
 }
 
 void FramesInARowTest::dosesWithoutAPlaceAreRefused_data()
