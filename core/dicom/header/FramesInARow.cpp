@@ -13,7 +13,6 @@ namespace core {
 
 namespace {
 
-constexpr int mostFrames = 65535;
 /// Where nothing but one number says how many there are: no more than that number can cost.
 constexpr int mostUnlisted = 4096;
 

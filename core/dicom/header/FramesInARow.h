@@ -9,6 +9,9 @@ class DcmDataset;
 
 namespace core {
 
+/// An object that claims more frames is not read: each costs a header.
+constexpr int mostFrames = 65535;
+
 /// The frames of an object for which haveFramesInARow() holds (SopClass.h), in the order of the
 /// file. Only for sources of core/dicom.
 ///

@@ -17,8 +17,6 @@ namespace core {
 
 namespace {
 
-constexpr int mostFrames = 65535;
-
 /// Which dimension index counts the slices of a stack; -1 if none is said to.
 int inStackIndex(DcmDataset& set)
 {
