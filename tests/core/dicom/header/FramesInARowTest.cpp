@@ -317,7 +317,7 @@ void FramesInARowTest::aDoseBesideImagesIsNoQuestion()
     test::SmallSeries series;
     series.size = {6, 5, 4};
     series.placeEvenly({0.0, 0.0, 0.0}, {0.0, 0.0, 2.0});
-    series.write(folder.filePath(QStringLiteral("images")));
+    static_cast<void>(series.write(folder.filePath(QStringLiteral("images"))));
     dose().write(folder.filePath(QStringLiteral("dose.dcm")));
     const core::Result<core::StudyListing> listing = core::scanStudies(folder.path());
     QVERIFY(listing);
