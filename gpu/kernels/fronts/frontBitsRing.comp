@@ -53,8 +53,9 @@ uint cameBy(const ivec3 step, ListedBrick brick, int pair, int slice)
     return rows;
 }
 
-uint claimed; // in the brick that is looked at
-uint directions[5]; // binary digits of the direction of each claimed bit
+uint claimed = 0u; // in the brick that is looked at
+// binary digits of the direction of each claimed bit
+uint directions[5] = uint[5](0u, 0u, 0u, 0u, 0u);
 
 void claim(const uint direction, uint left, ListedBrick brick, int pair, int slice)
 {
