@@ -99,8 +99,8 @@ private:
             take(each);
         const QJsonObject object = json.toObject();
         for (auto each = object.begin(); each != object.end(); ++each) {
-            // In base 64 these hold any short word by chance.
-            if (each.key() != QLatin1String("voxels"))
+            // In base 64 and in digits of colours any short word stands by chance.
+            if (each.key() != QLatin1String("voxels") && each.key() != QLatin1String("color"))
                 take(each.value());
         }
     }

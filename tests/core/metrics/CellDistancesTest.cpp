@@ -107,12 +107,14 @@ private Q_SLOTS:
                 qPrintable(QStringLiteral("%1 > %2").arg(bound).arg(least)));
             if (tiltMm == 0.0 && !uneven)
                 QCOMPARE(bound, least);
-            // Of two voxels it is their distance, but for rounding.
+            // Of two voxels it is their distance, but for rounding, and where uneven slices lie
+            // askew, since their borders wander sideways within a voxel.
             const std::int64_t squared = distances.squared(from.minimum, to.minimum);
             const std::int64_t ofVoxels =
                 distances.leastSquared(boxOf(from.minimum), boxOf(to.minimum));
             QVERIFY(ofVoxels <= squared);
-            QVERIFY(double(ofVoxels) >= (1.0 - 1e-4) * double(squared));
+            if (!uneven || tiltMm == 0.0)
+                QVERIFY(double(ofVoxels) >= (1.0 - 1e-4) * double(squared));
         }
     }
 
