@@ -8,6 +8,7 @@
 #include "core/edits/kinds/segments/ReshapeSegment.h"
 #include "core/edits/kinds/splitting/SplitByCurve.h"
 #include "core/edits/kinds/splitting/SplitSegment.h"
+#include "core/engine/EngineResult.h"
 
 #include <utility>
 
