@@ -4,10 +4,10 @@
 #include "ui/base/MenuText.h"
 #include "ui/base/Theme.h"
 #include "ui/menus/EditableSection.h"
+#include "ui/widgets/fields/FieldMenu.h"
 
 #include <QAction>
 #include <QMenu>
-#include <QWidgetAction>
 
 namespace ui {
 
@@ -29,14 +29,10 @@ EditableButton::EditableButton(Workspace& workspace, QWidget* parent, In place)
         setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
     setPopupMode(QToolButton::InstantPopup);
     setToolButtonStyle(Qt::ToolButtonTextOnly);
-    auto* menu = new QMenu(this);
-    auto* section = new EditableSection(workspace, menu);
+    auto* section = new EditableSection(workspace, this);
     section->setContentsMargins(
         theme::padding, theme::smallPadding, theme::padding, theme::smallPadding);
-    auto* action = new QWidgetAction(menu);
-    action->setDefaultWidget(section);
-    menu->addAction(action);
-    setMenu(menu);
+    setMenu(new FieldMenu(section, this));
     showState();
     connect(&workspace, &Workspace::editableChanged, this, &EditableButton::showState);
 }

@@ -3,16 +3,15 @@
 
 #include "ui/base/StudyTexts.h"
 #include "ui/base/Theme.h"
+#include "ui/widgets/fields/FieldMenu.h"
 #include "ui/widgets/fields/NumberField.h"
 #include "ui/widgets/fields/ValueField.h"
 
 #include <QCheckBox>
 #include <QDoubleSpinBox>
 #include <QHBoxLayout>
-#include <QMenu>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
-#include <QWidgetAction>
 
 #include <algorithm>
 #include <cmath>
@@ -58,8 +57,7 @@ EdgeOptions::EdgeOptions(Workspace& workspace, QWidget* parent)
     setCheckable(true);
     // As short as it can be: the bar has no room.
     setText(tr("edges"));
-    auto* menu = new QMenu(this);
-    auto* content = new QWidget(menu);
+    auto* content = new QWidget;
     m_follows = new QCheckBox(tr("follows edges on slices, within ±"), content);
     m_follows->setObjectName(QStringLiteral("brushFollowsEdges"));
     m_follows->setToolTip(
@@ -85,10 +83,7 @@ EdgeOptions::EdgeOptions(Workspace& workspace, QWidget* parent)
     rows->setSpacing(theme::smallPadding);
     rows->addLayout(row);
     rows->addWidget(m_byPressure);
-    auto* action = new QWidgetAction(menu);
-    action->setDefaultWidget(content);
-    menu->addAction(action);
-    setMenu(menu);
+    setMenu(new FieldMenu(content, this));
 
     showSettings();
     connect(&m_workspace, &Workspace::brushSettingsChanged, this, &EdgeOptions::showSettings);

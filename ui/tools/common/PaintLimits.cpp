@@ -4,16 +4,15 @@
 #include "ui/base/StudyTexts.h"
 #include "ui/base/Theme.h"
 #include "ui/menus/EditableSection.h"
+#include "ui/widgets/fields/FieldMenu.h"
 #include "ui/widgets/fields/ValueField.h"
 
 #include <QCheckBox>
 #include <QDoubleSpinBox>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QMenu>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
-#include <QWidgetAction>
 
 #include <algorithm>
 
@@ -53,8 +52,7 @@ PaintLimits::PaintLimits(Workspace& workspace, QWidget* parent)
     setFixedHeight(theme::controlHeight);
     setPopupMode(QToolButton::InstantPopup);
     setToolButtonStyle(Qt::ToolButtonTextOnly);
-    auto* menu = new QMenu(this);
-    auto* content = new QWidget(menu);
+    auto* content = new QWidget;
     m_onlyBetween = new QCheckBox(tr("only values from"), content);
     m_onlyBetween->setObjectName(QStringLiteral("brushOnlyBetween"));
     m_lower = valueField(content, "brushLower");
@@ -76,10 +74,7 @@ PaintLimits::PaintLimits(Workspace& workspace, QWidget* parent)
     rows->addWidget(m_overwrite);
     rows->addSpacing(theme::smallPadding);
     rows->addWidget(new EditableSection(workspace, content));
-    auto* action = new QWidgetAction(menu);
-    action->setDefaultWidget(content);
-    menu->addAction(action);
-    setMenu(menu);
+    setMenu(new FieldMenu(content, this));
 
     showSettings();
     connect(&m_workspace, &Workspace::brushSettingsChanged, this, &PaintLimits::showSettings);

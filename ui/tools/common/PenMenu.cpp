@@ -3,13 +3,12 @@
 
 #include "ui/base/Theme.h"
 #include "ui/widgets/PressureCurve.h"
+#include "ui/widgets/fields/FieldMenu.h"
 #include "ui/workspace/Workspace.h"
 
 #include <QCheckBox>
-#include <QMenu>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
-#include <QWidgetAction>
 
 #include <cmath>
 
@@ -39,11 +38,7 @@ PenMenu::PenMenu(Workspace& workspace, QWidget* parent)
     layout->addWidget(m_curve);
     layout->addWidget(m_turns);
     layout->addWidget(m_foreshortened);
-    auto* menu = new QMenu(this);
-    auto* holder = new QWidgetAction(menu);
-    holder->setDefaultWidget(content);
-    menu->addAction(holder);
-    setMenu(menu);
+    setMenu(new FieldMenu(content, this));
     showSettings();
     connect(&m_workspace, &Workspace::drillSettingsChanged, this, &PenMenu::showSettings);
     connect(m_curve, &PressureCurve::exponentChosen, this, [this](int exponent) {

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QMenu>
+
+namespace ui {
+
+/// A menu that holds a form (boxes, lists and number fields) instead of actions. The tab key goes
+/// from field to field, as in a dialog. In other menus it goes from action to action, and a field
+/// keeps it.
+class FieldMenu : public QMenu {
+public:
+    /// @param form taken over; all that the menu holds
+    FieldMenu(QWidget* form, QWidget* parent);
+
+protected:
+    void keyPressEvent(QKeyEvent* event) override;
+    bool focusNextPrevChild(bool next) override;
+};
+
+} // namespace ui
