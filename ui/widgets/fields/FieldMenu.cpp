@@ -2,6 +2,7 @@
 #include "ui/widgets/fields/FieldMenu.h"
 
 #include <QKeyEvent>
+#include <QMouseEvent>
 #include <QWidgetAction>
 
 namespace ui {
@@ -12,6 +13,19 @@ FieldMenu::FieldMenu(QWidget* form, QWidget* parent)
     auto* action = new QWidgetAction(this);
     action->setDefaultWidget(form);
     addAction(action);
+}
+
+void FieldMenu::mousePressEvent(QMouseEvent* event)
+{
+    // What no field takes would choose the form as if it were an action, which closes the menu.
+    if (!rect().contains(event->position().toPoint()))
+        QMenu::mousePressEvent(event);
+}
+
+void FieldMenu::mouseReleaseEvent(QMouseEvent* event)
+{
+    if (!rect().contains(event->position().toPoint()))
+        QMenu::mouseReleaseEvent(event);
 }
 
 void FieldMenu::keyPressEvent(QKeyEvent* event)

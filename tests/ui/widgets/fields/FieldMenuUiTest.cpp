@@ -86,6 +86,19 @@ private Q_SLOTS:
         QCOMPARE(f.upper->value(), 1500.0);
     }
 
+    /// On a greyed field and in the margin; only one beside the menu closes it.
+    void clicksBesideTheFields()
+    {
+        Fixture f;
+        QTRY_VERIFY(f.menu->isVisible());
+        QTest::mouseClick(f.greyed, Qt::LeftButton);
+        QTest::mouseClick(f.greyed->parentWidget(), Qt::LeftButton, {}, QPoint(2, 2));
+        QTest::qWait(50);
+        QVERIFY(f.menu->isVisible());
+        QTest::mouseClick(f.menu, Qt::LeftButton, {}, QPoint(-20, -20));
+        QTRY_VERIFY(!f.menu->isVisible());
+    }
+
     void escapeClosesIt()
     {
         Fixture f;
