@@ -4,16 +4,9 @@
 #include "core/contour/ContourRule.h"
 #include "core/engine/EngineCommands.h"
 
-#include <algorithm>
 #include <utility>
 
 namespace core {
-
-namespace {
-
-constexpr int codesAtOnce = 1 << 21; ///< 4 MiB; one slice where it has more
-
-} // namespace
 
 ContourOperation::ContourOperation(const EvolveContour& edit, RowId again)
     : WorkedOutOperation(edit, Kind::Whole, again)
@@ -53,7 +46,7 @@ void ContourOperation::findGround(SessionState& state)
             return SideThread::Sequel([this, failed](SessionState& known) {
                 if (failed)
                     return giveUp(known, *failed);
-                m_nextSlice = m_work->ground.box.minimum.z;
+                m_slabs = CodeSlabs(m_work->ground.box);
                 readCodes(known);
             });
         });
@@ -64,17 +57,12 @@ void ContourOperation::readCodes(SessionState& state)
 {
     if (!mayGoOn(state))
         return;
-    VoxelBox slab = m_work->ground.box;
-    if (slab.empty())
+    if (m_work->ground.box.empty())
         return leaveAsItIs(state);
-    if (m_nextSlice >= slab.maximum.z)
-        return evolve(state);
-    const glm::ivec3 extent = slab.maximum - slab.minimum;
-    const int slices = std::max(1, int(codesAtOnce / (std::int64_t(extent.x) * extent.y)));
-    slab.minimum.z = m_nextSlice;
-    slab.maximum.z = std::min(m_nextSlice + slices, slab.maximum.z);
-    m_nextSlice = slab.maximum.z;
-    m_asked = state.engine.submit(ReadCodes{slab});
+    if (const std::optional<VoxelBox> slab = m_slabs.take())
+        m_asked = state.engine.submit(ReadCodes{*slab});
+    else
+        evolve(state);
 }
 
 void ContourOperation::evolve(SessionState& state)

@@ -3,6 +3,7 @@
 
 #include "core/contour/ContourEvolution.h"
 #include "core/edits/kinds/filling/EvolveContour.h"
+#include "core/session/operations/segments/CodeSlabs.h"
 #include "core/session/operations/segments/WorkedOutOperation.h"
 #include "core/session/past/LabelReading.h"
 
@@ -42,7 +43,7 @@ private:
     std::shared_ptr<Work> m_work;
     std::optional<LabelReading> m_reading; ///< until all labels are read
     std::optional<Ticket> m_asked; ///< question for codes that is not answered yet
-    int m_nextSlice = 0; ///< index of the slice whose codes are read next
+    CodeSlabs m_slabs; ///< whose codes are not read yet
 };
 
 } // namespace core

@@ -6,16 +6,9 @@
 #include "core/engine/EngineCommands.h"
 #include "core/sculpt/labels/HeldVoxels.h"
 
-#include <algorithm>
 #include <utility>
 
 namespace core {
-
-namespace {
-
-constexpr int splitCodesAtOnce = 1 << 21; ///< 4 MiB; one slice where it has more
-
-} // namespace
 
 SplitIslandsOperation::SplitIslandsOperation(const SplitIslands& edit, Kind kind, RowId again)
     : WorkedOutOperation(edit, kind, again)
@@ -68,7 +61,7 @@ void SplitIslandsOperation::findBox(SessionState& state)
         if (const std::optional<LabelPlace> place = work->readings.front().reader().placeOf(label))
             work->box = place->box;
         return SideThread::Sequel([this](SessionState& known) {
-            m_nextSlice = m_work->box.minimum.z;
+            m_slabs = CodeSlabs(m_work->box);
             readCodes(known);
         });
     });
@@ -78,15 +71,10 @@ void SplitIslandsOperation::readCodes(SessionState& state)
 {
     if (!mayGoOn(state))
         return;
-    VoxelBox slab = m_work->box;
-    if (slab.empty() || m_nextSlice >= slab.maximum.z)
-        return workOut(state);
-    const glm::ivec3 extent = slab.maximum - slab.minimum;
-    const int slices = std::max(1, int(splitCodesAtOnce / (std::int64_t(extent.x) * extent.y)));
-    slab.minimum.z = m_nextSlice;
-    slab.maximum.z = std::min(m_nextSlice + slices, slab.maximum.z);
-    m_nextSlice = slab.maximum.z;
-    m_asked = state.engine.submit(ReadCodes{slab});
+    if (const std::optional<VoxelBox> slab = m_slabs.take())
+        m_asked = state.engine.submit(ReadCodes{*slab});
+    else
+        workOut(state);
 }
 
 void SplitIslandsOperation::workOut(SessionState& state)

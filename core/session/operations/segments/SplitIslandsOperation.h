@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/edits/kinds/splitting/SplitIslands.h"
+#include "core/session/operations/segments/CodeSlabs.h"
 #include "core/session/operations/segments/WorkedOutOperation.h"
 #include "core/session/past/LabelReading.h"
 
@@ -45,7 +46,7 @@ private:
 
     std::shared_ptr<Work> m_work;
     std::size_t m_reading = 0; ///< which reader; their number: all labels are read
-    int m_nextSlice = 0; ///< index of the slice whose codes are read next
+    CodeSlabs m_slabs; ///< whose codes are not read yet
     std::optional<Ticket> m_asked; ///< question that is not answered yet
 };
 
