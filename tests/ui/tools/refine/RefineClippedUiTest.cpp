@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/edits/kinds/surface/LaySurface.h"
-#include "tests/support/cases/SurfaceCases.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/fixtures/PointerStroke.h"
-#include "tests/support/fixtures/WindowFixture.h"
-#include "tests/support/fixtures/WorkspaceFixture.h"
+#include "tests/support/fixtures/SurfaceWindow.h"
 #include "tests/support/program/TestProgram.h"
-#include "ui/tools/refine/RefineTool.h"
 #include "ui/views/ViewGrid.h"
 #include "ui/workspace/CuttingPlane.h"
 #include "ui/workspace/Refinement.h"
@@ -20,8 +16,6 @@ namespace refineClippedUiTest {
 
 namespace {
 
-constexpr double radius = 10.0; // of the ball, voxels across the slices' plane
-
 /// From where to where the red vertices of a surface lie along the view, mm from the patient's
 /// front to the back.
 struct Depths {
@@ -30,27 +24,14 @@ struct Depths {
     int count = 0;
 };
 
-/// The real window with the small head and the surface of a ball around the origin, seen from the
-/// front.
-class ClippedFixture : public test::WindowFixture {
+/// The surface of a ball around the origin, seen from the front.
+class ClippedFixture : public test::SurfaceWindow {
 public:
     ClippedFixture()
-        : test::WindowFixture(test::smallHead::volume())
-        , tool(workspace)
-        , view(window.views().volume())
+        : view(window.views().volume())
     {
-        apply(test::ballMask(glm::ivec3(test::smallHead::side), radius));
-        workspace.setActiveSegment(1);
-        workspace.setActiveTool(&tool);
         view.lookFrom({0.0, -1.0, 0.0});
-        apply(core::LaySurface{.segment = 1, .vertices = 800});
         settle();
-    }
-    /// Updates of the surface come in line with other events.
-    void settle()
-    {
-        QVERIFY(session().settle());
-        QCoreApplication::processEvents();
     }
     /// Hides what lies before, or beyond, the coronal plane at this place.
     void hide(double y, bool before)
@@ -79,7 +60,6 @@ public:
         return depths;
     }
 
-    ui::RefineTool tool;
     ui::VolumeView& view;
 };
 
@@ -135,7 +115,7 @@ private Q_SLOTS:
     void whereAllIsHiddenThereIsNothing()
     {
         ClippedFixture fixture;
-        fixture.hide(-radius - 4.0, false);
+        fixture.hide(-test::SurfaceWindow::ballRadius - 4.0, false);
         QSignalSpy said(&fixture.workspace, &ui::Workspace::said);
         const std::size_t rows = fixture.rows();
         QCOMPARE(fixture.mark().count, 0);

@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/edits/kinds/surface/LaySurface.h"
 #include "core/edits/kinds/surface/PlaneScrape.h"
 #include "core/edits/kinds/surface/SmoothSurface.h"
 #include "core/edits/kinds/surface/SpherePush.h"
-#include "tests/support/cases/SurfaceCases.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/fixtures/PointerStroke.h"
-#include "tests/support/fixtures/WindowFixture.h"
+#include "tests/support/fixtures/SurfaceWindow.h"
 #include "tests/support/fixtures/WorkspaceFixture.h"
 #include "tests/support/program/TestProgram.h"
-#include "ui/tools/refine/RefineTool.h"
 #include "ui/views/ViewGrid.h"
 #include "ui/workspace/Refinement.h"
 
@@ -23,30 +20,18 @@ namespace {
 
 using Mode = ui::Refinement::Mode;
 
-constexpr double radius = 10.0; // of the ball, voxels across the slices' plane
+constexpr double radius = test::SurfaceWindow::ballRadius;
 constexpr double toolMm = 6.0;
 
-/// The real window with the small head, a ball as segment 1 and its surface.
-class InverseFixture : public test::WindowFixture {
+/// The surface of a ball, seen from the front in 3D.
+class InverseFixture : public test::SurfaceWindow {
 public:
     InverseFixture()
-        : test::WindowFixture(test::smallHead::volume())
-        , tool(workspace)
-        , slice(window.views().axial())
+        : slice(window.views().axial())
         , view(window.views().volume())
     {
-        apply(test::ballMask(glm::ivec3(test::smallHead::side), radius));
-        workspace.setActiveSegment(1);
-        workspace.setActiveTool(&tool);
         view.lookFrom({0.0, -1.0, 0.0});
-        apply(core::LaySurface{.segment = 1, .vertices = 800});
         settle();
-    }
-    /// Updates of the surface come in line with other events.
-    void settle()
-    {
-        QVERIFY(session().settle());
-        QCoreApplication::processEvents();
     }
     /// Draws a stroke through these places; returns how many voxels the segment gains by it.
     [[nodiscard]] std::int64_t gainOf(Mode mode, ui::ImageView& where, test::DrawnBy by,
@@ -73,7 +58,6 @@ public:
         return recipe.session().stateHash() == session().stateHash();
     }
 
-    ui::RefineTool tool;
     ui::SliceView& slice;
     ui::VolumeView& view;
     core::Edit drawn; ///< the last stroke

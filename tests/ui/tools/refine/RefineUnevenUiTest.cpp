@@ -1,16 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/edits/kinds/surface/ApplyTemplate.h"
-#include "core/edits/kinds/surface/LaySurface.h"
 #include "core/measure/MeasuredSize.h"
-#include "tests/support/cases/SurfaceCases.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/fixtures/PointerStroke.h"
-#include "tests/support/fixtures/WindowFixture.h"
+#include "tests/support/fixtures/SurfaceWindow.h"
 #include "tests/support/fixtures/WorkspaceFixture.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/PlainEdits.h"
 #include "ui/panels/refine/RefinePanel.h"
-#include "ui/tools/refine/RefineTool.h"
 #include "ui/views/ViewGrid.h"
 #include "ui/workspace/Refinement.h"
 
@@ -33,7 +30,7 @@ using Mode = ui::Refinement::Mode;
 using core::SurfaceMark;
 using Voxels = std::set<std::array<int, 3>>;
 
-constexpr double radius = 10.0; // of the ball, voxels
+constexpr double radius = test::SurfaceWindow::ballRadius;
 constexpr double middle = 0.5 * (test::smallHead::side - 1); // of the ball, an index
 constexpr int slice = 26; // in its upper half
 /// Where the ball ends on that slice, on the patient's left.
@@ -54,29 +51,17 @@ core::LoadedVolume unevenHead()
     return head;
 }
 
-/// The real window with that head, a ball as segment 1 and its surface; the axial view shows a
-/// slice through its upper half.
-class UnevenFixture : public test::WindowFixture {
+/// A ball in that head and its surface; the axial view shows a slice through its upper half.
+class UnevenFixture : public test::SurfaceWindow {
 public:
     UnevenFixture()
-        : test::WindowFixture(unevenHead())
-        , tool(workspace)
+        : test::SurfaceWindow(unevenHead())
         , panel(workspace)
         , view(window.views().axial())
         , refinement(workspace.refinement())
     {
-        apply(test::ballMask(glm::ivec3(test::smallHead::side), radius));
-        workspace.setActiveSegment(1);
-        workspace.setActiveTool(&tool);
         workspace.setCrosshairLps(place({middle, middle, slice}));
-        apply(core::LaySurface{.segment = 1, .vertices = 800});
         settle();
-    }
-    /// Updates of the surface come in line with other events.
-    void settle()
-    {
-        QVERIFY(session().settle());
-        QCoreApplication::processEvents();
     }
     [[nodiscard]] glm::dvec3 index(const glm::dvec3& shownLps) const
     {
@@ -91,7 +76,6 @@ public:
         settle();
     }
 
-    ui::RefineTool tool;
     ui::RefinePanel panel;
     ui::SliceView& view;
     ui::Refinement& refinement;
