@@ -9,7 +9,8 @@ class OperationQueue;
 
 /// The edit of a segment that is being computed at present, also for its preview (CleanSegment,
 /// ReshapeSegment, FillBetweenSlices, FloodFill, MirrorSegment, EvolveContour, SplitIslands,
-/// SplitSegment, CopySegment, SplitByCurve). Part of EditSession.
+/// SplitSegment, CopySegment, SplitByCurve, ImportMask), or the RevertRows that looks at what
+/// imports of masks hold. Part of EditSession.
 class SegmentWork {
 public:
     explicit SegmentWork(OperationQueue& queue);

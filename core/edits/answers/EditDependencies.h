@@ -26,6 +26,9 @@ struct RowTrace {
     /// For a growth: the bricks in which it may have read labels, which is where seed words were or
     /// came, and next to them. None: anywhere.
     std::optional<std::set<std::uint32_t>> grownBeside{};
+    /// For an import: the bricks that it has voxels in. None: anywhere. To find them all its voxels
+    /// are unpacked, which is not for the thread of a window (core/session/past/ImportTrace.h).
+    std::optional<std::set<std::uint32_t>> importedTo{};
 };
 
 /// The forms that a set of dependencies can have.
@@ -37,6 +40,11 @@ struct Bricks {
 /// All seed words and labels of a plane.
 struct Plane {
     std::optional<std::uint8_t> plane{}; ///< none: of all planes
+};
+/// Labels and seed words of all planes in some bricks, and what was written.
+struct AllPlanes {
+    std::set<std::uint32_t> bricks;
+    std::set<BrickKey> written;
 };
 /// All seed words of a plane, and labels (with `coverage` that too) in some bricks.
 struct SeedWords {
@@ -60,7 +68,7 @@ struct SweptMask {
     double endMm = 0.0; ///< nothing behind this is read
 };
 
-using Any = std::variant<Bricks, Plane, SeedWords, SweptMask, Fields>;
+using Any = std::variant<Bricks, Plane, AllPlanes, SeedWords, SweptMask, Fields>;
 
 } // namespace dependsOn
 

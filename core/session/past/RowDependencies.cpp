@@ -31,6 +31,12 @@ bool isCovered(const dependsOn::Plane& plane, const BrickKey& key)
     return key.field != Field::Coverage && (!plane.plane || key.plane == *plane.plane);
 }
 
+bool isCovered(const dependsOn::AllPlanes& planes, const BrickKey& key)
+{
+    const bool isAsked = key.field == Field::Labels || key.field == Field::SeedWords;
+    return (isAsked && planes.bricks.count(key.brick) != 0) || planes.written.count(key) != 0;
+}
+
 bool isCovered(const dependsOn::SeedWords& growth, const BrickKey& key)
 {
     const bool isAsked = key.field == Field::Coverage ? growth.coverage : key.plane == growth.plane;

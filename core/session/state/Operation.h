@@ -39,8 +39,8 @@ public:
     [[nodiscard]] virtual bool foresee(Document&) const { return true; }
 };
 
-/// What an operation is, too, that first works out on the side thread what is to be changed, which
-/// may take long.
+/// What an operation is, too, that first works out on the side thread what is to be changed, or
+/// whether it may be, which may take long.
 class AbortableWork {
 public:
     virtual ~AbortableWork() = default;

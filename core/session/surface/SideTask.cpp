@@ -1,9 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/session/surface/SideTask.h"
 
+#include <algorithm>
+#include <cstdint>
 #include <utility>
 
 namespace core {
+
+SideWatch::SideWatch()
+    : progress([this](ProgressStep, int done, int total) {
+        constexpr std::int64_t percents = 100;
+        percent = int(percents * done / std::max(1, total));
+    })
+{
+}
 
 void SideTask::post(SideThread& side, SideThread::Work work, SideThread::Failed failed)
 {

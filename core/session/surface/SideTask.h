@@ -1,11 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/base/Progress.h"
 #include "core/session/surface/SideThread.h"
 
+#include <atomic>
 #include <functional>
 
 namespace core {
+
+/// What work on the side thread shares with the session's thread, which shows how far it is and may
+/// abort it.
+struct SideWatch {
+    SideWatch();
+    std::atomic<int> percent = -1; ///< as reported by `progress`; −1: nothing was reported yet
+    Progress progress;
+};
 
 /// What an operation asked the side thread to do, one thing at a time. While it is away the
 /// operation must not end, because what comes back belongs to it.

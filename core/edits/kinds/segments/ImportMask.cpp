@@ -2,7 +2,6 @@
 #include "core/edits/kinds/segments/ImportMask.h"
 
 #include "core/brick/BrickGrid.h"
-#include "core/brick/ThreadWithoutVoxels.h"
 #include "core/brick/VoxelRuns.h"
 #include "core/edits/answers/EditChecks.h"
 #include "core/edits/answers/EditDependencies.h"
@@ -263,24 +262,12 @@ RowTitle rowTitle(const ImportMask& mask, const RowFacts& row)
 
 /// The labels and seed words of all planes in the bricks that it has voxels in, whatever has become
 /// of the segments that were there.
-EditDependencies dependencies(const ImportMask& edit, const DependencyFacts& row)
+EditDependencies dependencies(const ImportMask&, const DependencyFacts& row)
 {
-    // Asked only where an import is taken back alone, or what it was carried out on.
-    const VoxelsAllowed here;
-    dependsOn::Bricks bricks;
-    bricks.keys.insert(row.written.begin(), row.written.end());
-    BrickList list(row.geometry().size);
-    for (const ImportedSegment& each : edit.segments.value_or(std::vector<ImportedSegment>())) {
-        if (const auto voxels = unpackedRuns(each.voxels, row.geometry().voxelCount()))
-            list.put(*voxels, 1);
-    }
-    for (const LabelListed::Brick& brick : list.take()) {
-        for (int plane = 0; plane < mostLabelPlanes; ++plane) {
-            for (const Field field : {Field::Labels, Field::SeedWords})
-                bricks.keys.insert({field, std::uint8_t(plane), brick.brick});
-        }
-    }
-    return bricks;
+    if (!row.trace.importedTo)
+        return dependsOn::Plane{};
+    return dependsOn::AllPlanes{
+        .bricks = *row.trace.importedTo, .written = {row.written.begin(), row.written.end()}};
 }
 
 } // namespace core

@@ -8,6 +8,7 @@
 #include "core/edits/kinds/history/RevertRows.h"
 #include "core/edits/kinds/history/ReviseStroke.h"
 #include "core/edits/kinds/parts/GrowthPlane.h"
+#include "core/edits/kinds/segments/ImportMask.h"
 #include "core/engine/EngineCommands.h"
 #include "core/growth/SeedWord.h"
 #include "core/history/MovedGrowth.h"
@@ -112,18 +113,20 @@ void addDecided(const History& history, RowId revert, std::set<RowId>& decided)
 
 /// Taking back "undo only" brings steps back.
 /// @param written the bricks that differ when they come back
-void claimWhatReturns(const SessionState& state, RowId row, RowId taken,
+void claimWhatReturns(const SessionState& state, const ImportTrace& imports, RowId row, RowId taken,
     const std::vector<BrickKey>& written, std::vector<Claim>& claims)
 {
     for (const RowId id : rowsTakenBackBy(state.history.row(row).edit)) {
         const Edit& edit = state.history.row(id).edit;
         if (rowUseOf(edit) != RowUse::TakesBack)
-            claims.push_back({RowDependencies(edit, state.document, written), taken, id});
+            claims.push_back({RowDependencies(edit, state.document, written,
+                                  {.importedTo = imports.bricksOf(id)}),
+                taken, id});
         if (const auto* revise = edit.as<ReviseStroke>()) {
             for (const SculptEdit& form : formsOf(state.history, revise->row))
                 claims.push_back({RowDependencies(form.plain(), state.document, {}), taken, id});
         }
-        claimWhatReturns(state, id, taken, written, claims);
+        claimWhatReturns(state, imports, id, taken, written, claims);
     }
 }
 
@@ -189,7 +192,26 @@ void RevertOperation::start(SessionState& state)
         if (GrowthTrace::mayNeed(edit) && !(row >= m_path.front() && isNeeded(row, edit)))
             m_toLoad.push_back(row);
     }
+    m_imports = importsAsked(state);
     loadNext(state);
+}
+
+ImportTrace RevertOperation::importsAsked(const SessionState& state) const
+{
+    const std::vector<RowId> standing = state.history.standing();
+    std::set<RowId> asked;
+    for (const RowId row : m_path) {
+        if (isTakenBack(row))
+            addDecided(state.history, row, asked); // what comes back
+        else if (std::binary_search(standing.begin(), standing.end(), row))
+            asked.insert(row);
+    }
+    ImportTrace imports;
+    for (const RowId row : asked) {
+        if (const auto* mask = state.history.row(row).edit.as<ImportMask>())
+            imports.note(row, *mask);
+    }
+    return imports;
 }
 
 bool RevertOperation::isNeeded(RowId row, const Edit& edit) const
@@ -200,7 +222,8 @@ bool RevertOperation::isNeeded(RowId row, const Edit& edit) const
 RowTrace RevertOperation::traceOf(const SessionState& state, RowId row) const
 {
     const HistoryRow& traced = state.history.row(row);
-    RowTrace trace{.searchedTo = traced.statistics.searchedTo};
+    RowTrace trace{
+        .searchedTo = traced.statistics.searchedTo, .importedTo = m_imports.bricksOf(row)};
     if (GrowthTrace::isOf(traced.edit))
         trace.grownBeside =
             m_growth.bricksUpTo(row, growthPlaneOf(growCriteriaOf(traced.edit)->plane));
@@ -250,11 +273,45 @@ Result<void> RevertOperation::checkRows(const SessionState& state) const
 
 void RevertOperation::loadNext(SessionState& state)
 {
+    if (!mayGoOn(state))
+        return;
     if (!m_toLoad.empty()) {
         m_isLoading = true;
         state.worker->load(m_toLoad.back(), true);
         return;
     }
+    if (m_imports.empty())
+        return checkAndLayOver(state);
+    lookAtImports(state);
+}
+
+void RevertOperation::lookAtImports(SessionState& state)
+{
+    m_aside.post(
+        *state.side,
+        [this, watch = m_watch, size = state.document.volumes.front().geometry.size,
+            imports = std::make_shared<ImportTrace>(m_imports)] {
+            imports->workOut(size, watch->progress);
+            return SideThread::Sequel([this, imports](SessionState& known) {
+                m_imports = std::move(*imports);
+                checkAndLayOver(known);
+            });
+        },
+        [this](SessionState& known, const Error& error) { giveUp(known, error); });
+}
+
+bool RevertOperation::mayGoOn(SessionState& state)
+{
+    const bool isAborted = m_watch->progress.cancelled();
+    if (isAborted)
+        giveUp(state, {ErrorCode::Cancelled, {}});
+    return !isAborted;
+}
+
+void RevertOperation::checkAndLayOver(SessionState& state)
+{
+    if (!mayGoOn(state))
+        return;
     if (const Result<void> checked = checkDependencies(state); !checked)
         return giveUp(state, checked.error());
     layOver(state);
@@ -288,7 +345,7 @@ Result<void> RevertOperation::checkDependencies(const SessionState& state) const
                     "%1 changed no voxel, only what later growths go by", titled(row)));
             for (const BrickKey& key : keysOf(differences->second))
                 taken.emplace(key, id);
-            claimWhatReturns(state, id, id, keysOf(differences->second), claims);
+            claimWhatReturns(state, m_imports, id, id, keysOf(differences->second), claims);
             claimForms(state, id, claims);
             continue;
         }
@@ -374,8 +431,21 @@ bool RevertOperation::abandon(SessionState& state, const Error& error)
 {
     if (m_done || m_swapping || m_isLoading || m_again != 0)
         return false;
-    giveUp(state, error);
+    state.fail(error);
+    m_watch->progress.cancel();
+    m_aside.giveUp([this] { m_done = true; });
     return true;
+}
+
+bool RevertOperation::isAbortable() const
+{
+    return !m_imports.empty() && !m_done && !m_swapping;
+}
+
+void RevertOperation::abort()
+{
+    if (isAbortable())
+        m_watch->progress.cancel();
 }
 
 void RevertOperation::giveUp(SessionState& state, const Error& error)

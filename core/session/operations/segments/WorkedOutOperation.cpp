@@ -4,18 +4,9 @@
 #include "core/edits/EditTask.h"
 #include "core/edits/document/DocumentEdits.h"
 
-#include <algorithm>
 #include <utility>
 
 namespace core {
-
-WorkedOutOperation::Watch::Watch()
-    : progress([this](ProgressStep, int done, int total) {
-        constexpr std::int64_t percents = 100;
-        percent = int(percents * done / std::max(1, total));
-    })
-{
-}
 
 WorkedOutOperation::WorkedOutOperation(Edit edit, Kind kind, RowId again)
     : m_edit(std::move(edit))

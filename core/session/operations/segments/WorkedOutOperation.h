@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/base/Progress.h"
 #include "core/edits/kinds/Edit.h"
 #include "core/sculpt/labels/LayerWrites.h"
 #include "core/session/operations/segments/Relabelling.h"
 #include "core/session/state/Operation.h"
 #include "core/session/surface/SideTask.h"
 
-#include <atomic>
 #include <memory>
 #include <optional>
 #include <variant>
@@ -52,12 +50,7 @@ public:
     [[nodiscard]] bool hasBegun() const final { return m_isWriting; }
 
 protected:
-    /// What the side thread shares with the session's.
-    struct Watch {
-        Watch();
-        std::atomic<int> percent = -1; ///< as reported by `progress`; −1: nothing was reported yet
-        Progress progress;
-    };
+    using Watch = SideWatch;
 
     /// @param again as in VoxelOperation
     WorkedOutOperation(Edit edit, Kind kind, RowId again);

@@ -18,6 +18,7 @@
 #include "core/session/EditSession.h"
 #include "core/session/questions/VoxelQuestions.h"
 #include "tests/reference/PassingEngine.h"
+#include "tests/support/cases/BoxedMasks.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/PlainEdits.h"
@@ -167,6 +168,9 @@ std::vector<Case> cases()
         {"push", {lay}, push},
         {"write back", {lay, push}, WriteBack{}},
         {"revert", {}, test::revertRows({7})},
+        {"revert before an import",
+            {test::importOfBoxes({{{33, 33, 20}, {38, 36, 30}}}, test::smallGrid().size)},
+            test::revertRows({7})},
         {"revise", {}, ReviseStroke{.row = 8, .radiusMm = 2.0}},
         {"revise among others", {test::drillAt(6.0), test::drillAt(3.0)},
             ReviseStroke{.row = 8, .radiusMm = 7.0}},

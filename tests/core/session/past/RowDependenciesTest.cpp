@@ -7,6 +7,7 @@
 #include "core/edits/kinds/filling/MirrorSegment.h"
 #include "core/edits/kinds/sculpt/BrushStroke.h"
 #include "core/edits/kinds/segments/CombineSegments.h"
+#include "core/edits/kinds/segments/ImportMask.h"
 #include "core/edits/kinds/segments/InvertSegment.h"
 #include "core/edits/kinds/segments/PaintStroke.h"
 #include "core/edits/kinds/segments/RemoveSegment.h"
@@ -262,6 +263,30 @@ private Q_SLOTS:
         const RowDependencies revert(test::revertRows({1}), document, {written});
         QVERIFY(revert.covers(written));
         QVERIFY(!revert.covers({Field::Labels, 0, 3}));
+    }
+
+    /// In all planes; anywhere, where nobody has looked where its voxels are.
+    void importsReachTheirBricksOnly()
+    {
+        test::Random random{7};
+        const Document document = test::randomDocument({48, 32, 32}, random, false);
+        const Edit mask = ImportMask{.file = QStringLiteral("organs.seg.nrrd")};
+        const BrickKey written{Field::Overwritten, 0, 2};
+        const RowDependencies known(
+            mask, document, {written}, {.importedTo = std::set<std::uint32_t>{3, 5}});
+        const RowDependencies unknown(mask, document, {written});
+        for (std::uint32_t brick = 0; brick < 12; ++brick) {
+            for (const int plane : {0, 1, 3}) {
+                for (const Field field : {Field::Labels, Field::SeedWords}) {
+                    const BrickKey key{field, std::uint8_t(plane), brick};
+                    QCOMPARE(known.covers(key), brick == 3 || brick == 5);
+                    QVERIFY(unknown.covers(key));
+                }
+            }
+            QVERIFY(!known.covers({Field::Coverage, 1, brick}));
+            QVERIFY(!unknown.covers({Field::Coverage, 1, brick}));
+        }
+        QVERIFY(known.covers(written) && unknown.covers(written));
     }
 };
 

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/base/Progress.h"
+#include "core/history/History.h"
+
+#include <QByteArray>
+
+#include <glm/glm.hpp>
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <set>
+#include <vector>
+
+namespace core {
+
+struct ImportMask;
+
+/// Where imports of masks have voxels, which is where they asked for labels
+/// (RowTrace::importedTo). A row holds them packed, and there may be millions of runs: they are
+/// noted on the session's thread and unpacked on another.
+class ImportTrace {
+public:
+    /// Cheap: packed voxels are shared.
+    void note(RowId row, const ImportMask& mask);
+    /// Whether none was noted.
+    [[nodiscard]] bool empty() const { return m_packed.empty() && m_bricks.empty(); }
+    /// Unpacks what was noted. Cost: that of all its runs; it asks @p progress before each segment,
+    /// and stops if that was cancelled. Any thread that may look at voxels.
+    /// @param size of the volume
+    void workOut(const glm::ivec3& size, const Progress& progress);
+
+    /// None: that row was not noted, or not worked out. Voxels that are damaged are in no brick.
+    [[nodiscard]] std::optional<std::set<std::uint32_t>> bricksOf(RowId row) const;
+
+private:
+    std::map<RowId, std::vector<QByteArray>> m_packed; ///< until they are worked out
+    std::map<RowId, std::set<std::uint32_t>> m_bricks;
+};
+
+} // namespace core
