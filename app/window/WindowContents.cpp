@@ -210,7 +210,7 @@ ui::MendingSteps& addMending(ui::MainWindow& window, ui::ComparePanel& panel)
         .run = [steps] { steps->setWanted(!steps->isWanted()); },
         .checked = [steps] { return steps->isWanted(); }});
     actions.fill(window.segmentsMenu(),
-        {QString(), QStringLiteral("mending.look"), QStringLiteral("mending.compare"),
+        {QString(), QStringLiteral("file.importMask"), QStringLiteral("mending.look"), QStringLiteral("mending.compare"),
             QStringLiteral("mending.strip")});
     QObject::connect(steps, &ui::MendingSteps::changed, &actions, &ui::Actions::refresh);
     using Step = ui::MendingStrip::Step;

@@ -188,6 +188,14 @@ void ImageView::releasePicture()
     update();
 }
 
+void ImageView::setCoveredTop(int pixels)
+{
+    if (m_coveredTop == pixels)
+        return;
+    m_coveredTop = pixels;
+    update();
+}
+
 void ImageView::paintHeld(QPainter& painter) const
 {
     painter.drawPixmap(rect(), m_held);
@@ -433,9 +441,9 @@ void ImageView::paintEvent(QPaintEvent*)
         }
         paintOnTop(painter);
         if (volume->needsCaution() && !m_workspace.cautionAccepted())
-            paintCautionStrip(painter, rect(), *volume);
+            paintCautionStrip(painter, textRect(), *volume);
     } else if (m_early && m_picture.isNull()) {
-        paintCorners(painter, rect(),
+        paintCorners(painter, textRect(),
             {.title = title(),
                 .titleColour = barColour(),
                 .topLeft = {},
@@ -447,7 +455,7 @@ void ImageView::paintEvent(QPaintEvent*)
     } else if (m_early) {
         paintAnnotations(painter, shownContext());
         if (m_early->volume.needsCaution())
-            paintCautionStrip(painter, rect(), m_early->volume);
+            paintCautionStrip(painter, textRect(), m_early->volume);
     }
     painter.fillRect(QRect(0, 0, width(), theme::viewBarHeight), barColour());
 }

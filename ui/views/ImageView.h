@@ -67,6 +67,9 @@ public:
     /// @param awaited what is to come; shown over the picture, which is dimmed, if that takes long
     void holdPicture(const QString& awaited);
     void releasePicture();
+    /// Sets how many pixels at the top of this view lie under something else: texts keep below.
+    void setCoveredTop(int pixels);
+    [[nodiscard]] int coveredTop() const { return m_coveredTop; }
     [[nodiscard]] bool holdsPicture() const { return !m_held.isNull(); }
     /// Resets zoom, pan and camera to show the whole volume.
     virtual void resetView() = 0;
@@ -97,6 +100,8 @@ protected:
         return m_workspace.segmentDisplay();
     }
     virtual void paintAnnotations(QPainter& painter, const ViewContext& shown) = 0;
+    /// Where texts and letters have their place.
+    [[nodiscard]] QRect textRect() const { return rect().adjusted(0, m_coveredTop, 0, 0); }
     /// Paints what lies over everything else, the tool's overlay too.
     virtual void paintOnTop(QPainter&) { }
     /// The picture of early() for scene(); null if the view's plane is another one.
@@ -158,6 +163,7 @@ private:
     QImage m_picture;
     gpu::Scene m_pictureScene; ///< in device pixels, as it came
     std::optional<gpu::Frame::Quality> m_pictureQuality; ///< none if the engine did not draw it
+    int m_coveredTop = 0;
     QPixmap m_held; ///< what was on the screen; null: no picture is held
     QString m_awaited; ///< of holdPicture()
     QTimer m_heldLong; ///< active while m_held is shown as it was

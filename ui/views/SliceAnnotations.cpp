@@ -191,8 +191,8 @@ void SliceView::paintAnnotations(QPainter& painter, const ViewContext& shown)
     }
     // Lines pass behind texts, which they would cross out.
     painter.save();
-    painter.setClipRegion(QRegion(rect()) - cornersRegion(rect(), texts)
-        - edgeLettersRegion(rect(), slice.rightLps, slice.downLps));
+    painter.setClipRegion(QRegion(rect()) - cornersRegion(textRect(), texts)
+        - edgeLettersRegion(textRect(), slice.rightLps, slice.downLps));
     if (!early())
         paintPlaneLine(painter, shown, workspace().plane());
     if (options.referenceLines && !early())
@@ -202,9 +202,9 @@ void SliceView::paintAnnotations(QPainter& painter, const ViewContext& shown)
     painter.restore();
     if (penOverPicture() && !early())
         paintHandles(painter, shown);
-    paintEdgeLetters(painter, rect(), slice.rightLps, slice.downLps);
+    paintEdgeLetters(painter, textRect(), slice.rightLps, slice.downLps);
     paintColours(painter, slice);
-    paintCorners(painter, rect(), texts);
+    paintCorners(painter, textRect(), texts);
     paintScaleBar(painter, rect(), height() - 34, slice.mmPerPixel);
     if (m_box) {
         for (const QPen& pen :

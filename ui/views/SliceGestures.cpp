@@ -259,7 +259,7 @@ void SliceView::wheelTurned(double steps, const QPointF& at, Qt::KeyboardModifie
         return;
     }
     // Touchpads turn in fractions of a step.
-    m_wheelRest += -steps * ((modifiers & Qt::ShiftModifier) ? 5.0 : 1.0);
+    m_wheelRest += steps * ((modifiers & Qt::ShiftModifier) ? 5.0 : 1.0);
     const int whole = int(m_wheelRest);
     m_wheelRest -= whole;
     if (whole != 0)
@@ -291,14 +291,15 @@ void SliceView::keyPressEvent(QKeyEvent* event)
         if (!m_awaitsBox || m_box)
             return ImageView::keyPressEvent(event);
         return Q_EMIT boxAbandoned();
+    // As in the peers, up is towards the head: numbers count from the feet.
     case Qt::Key_Up:
-        return goToSlice(sliceNumber() - 1);
-    case Qt::Key_Down:
         return goToSlice(sliceNumber() + 1);
+    case Qt::Key_Down:
+        return goToSlice(sliceNumber() - 1);
     case Qt::Key_PageUp:
-        return goToSlice(sliceNumber() - 10);
-    case Qt::Key_PageDown:
         return goToSlice(sliceNumber() + 10);
+    case Qt::Key_PageDown:
+        return goToSlice(sliceNumber() - 10);
     case Qt::Key_Home:
         return goToSlice(0);
     case Qt::Key_End:

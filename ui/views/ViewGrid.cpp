@@ -195,7 +195,39 @@ bool ViewGrid::eventFilter(QObject* watched, QEvent* event)
         setPenApart(false);
         return true;
     }
+    switch (event->type()) {
+    case QEvent::Show:
+    case QEvent::Hide:
+    case QEvent::Resize:
+    case QEvent::Move:
+        placeTexts(); // of a view, or of what lies over them
+        break;
+    default:
+        break;
+    }
     return QWidget::eventFilter(watched, event);
+}
+
+void ViewGrid::keepClearOf(QWidget& over)
+{
+    m_over = &over;
+    over.installEventFilter(this);
+    for (ImageView* view : views())
+        view->installEventFilter(this);
+    placeTexts();
+}
+
+void ViewGrid::placeTexts()
+{
+    const bool covers = m_over && m_over->isVisible();
+    const QRect over = covers ? QRect(m_over->mapToGlobal(QPoint()), m_over->size()) : QRect();
+    for (ImageView* view : views()) {
+        const QRect place(view->mapToGlobal(QPoint()), view->size());
+        view->setCoveredTop(
+            view->isVisible() && view->window() == window() && over.intersects(place)
+                ? std::clamp(over.bottom() + 1 - place.top(), 0, place.height() / 2)
+                : 0);
+    }
 }
 
 void ViewGrid::resetViews()

@@ -7,6 +7,7 @@
 #include "ui/views/SliceView.h"
 #include "ui/views/VolumeView.h"
 
+#include <QPointer>
 #include <QWidget>
 
 #include <array>
@@ -48,6 +49,8 @@ public:
     /// Moves the pen view to a window of its own, or back to the grid.
     void setPenApart(bool apart);
     [[nodiscard]] bool isPenApart() const { return m_penWindow != nullptr; }
+    /// Texts of the views keep below a widget that lies over them, while it is shown.
+    void keepClearOf(QWidget& over);
     void resetViews();
     /// Adds a function that appends entries to the end of the context menus of all views.
     void addToMenus(const std::function<void(QMenu&)>& more);
@@ -87,6 +90,7 @@ private:
     void leadBy(const SliceView& leader);
     void centreOn(const glm::dvec3& placeLps);
     void place();
+    void placeTexts();
 
     Workspace& m_workspace;
 
@@ -99,6 +103,7 @@ private:
     SliceView* m_sagittal;
     SliceView* m_coronal;
     PlaneView* m_plane;
+    QPointer<QWidget> m_over; ///< what texts keep clear of
     QWidget* m_penWindow = nullptr; ///< the window of the pen view; null: it is in the grid
     ImageView* m_current;
     ImageView* m_maximised = nullptr;

@@ -340,7 +340,7 @@ void VolumeView::paintAnnotations(QPainter& painter, const ViewContext& shown)
         paintBox(painter, shown, *box, volume.geometry, theme::good);
     paintPieceBadges(painter, shown, workspace());
     paintMeasurements(painter, shown, workspace());
-    paintEdgeLetters(painter, rect(), camera.right(), -camera.up);
+    paintEdgeLetters(painter, textRect(), camera.right(), -camera.up);
 
     CornerTexts texts;
     texts.title = title();
@@ -350,7 +350,7 @@ void VolumeView::paintAnnotations(QPainter& painter, const ViewContext& shown)
     texts.topRight = {
         qualityText(), studyText(volume.identity), seriesText(volume.identity), timeText(volume)};
     texts.bottomLeft = bottomTexts();
-    paintCorners(painter, rect(), texts);
+    paintCorners(painter, textRect(), texts);
     cube(camera).paint(painter);
 }
 

@@ -244,6 +244,7 @@ void MainWindow::buildCentre()
     m_pages->addWidget(m_startPage);
     m_pages->addWidget(m_views);
     placeMessages();
+    m_views->keepClearOf(*m_messages);
     setCentralWidget(centre);
 
     m_tools->addTool(m_actions[QStringLiteral("tool.navigate")], tr("Navigate"));

@@ -159,6 +159,28 @@ private Q_SLOTS:
         QVERIFY(red > 50);
     }
 
+    /// A step that was left out does not lead back.
+    void whoBeginsWithMending()
+    {
+        const glm::dvec3 middle = test::pointsInBrain().front();
+        edit(brainMask(middle.x - 5.0));
+        QVERIFY(strip().next() == Step::Look);
+        click("mendingMend");
+        QVERIFY(strip().next() == Step::Mend);
+        workspace().setActiveTool(nullptr);
+        edit(test::paintAt(1, {middle - glm::dvec3(7.0, 0.0, 0.0)}, 3.0));
+        QTRY_VERIFY(strip().next() == Step::Compare);
+        QVERIFY(!strip().isDone(Step::Look));
+        click("mendingCompare");
+        QTRY_VERIFY_WITH_TIMEOUT(strip().next() == Step::Export, patience);
+        click("mendingExport");
+        auto* dialog = window().findChild<ui::ExportDialog*>();
+        QVERIFY(dialog);
+        Q_EMIT dialog->exported(QStringLiteral("brain.dcm"));
+        static_cast<QDialog*>(dialog)->reject();
+        QVERIFY(strip().next() == Step::Look);
+    }
+
     /// Ticked places need no mending.
     void placesThatAreRight()
     {

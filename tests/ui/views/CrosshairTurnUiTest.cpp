@@ -272,7 +272,7 @@ void CrosshairTurnUiTest::theWheelWalksAcrossAnObliqueSlice()
     const glm::dvec3 before = fixture.workspace.crosshairLps();
     const int number = coronal.sliceNumber();
     const QPointF at(coronal.width() / 2.0, coronal.height() / 2.0);
-    QWheelEvent wheel(at, coronal.mapToGlobal(at), QPoint(), QPoint(0, -360), Qt::NoButton, {},
+    QWheelEvent wheel(at, coronal.mapToGlobal(at), QPoint(), QPoint(0, 360), Qt::NoButton, {},
         Qt::NoScrollPhase, false);
     QApplication::sendEvent(&coronal, &wheel);
     QCOMPARE(coronal.sliceNumber(), number + 3);

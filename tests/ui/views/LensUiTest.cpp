@@ -162,7 +162,7 @@ void LensUiTest::followsPointerAndSlices()
     QVERIFY(agrees(at));
 
     const int number = axial.sliceNumber();
-    QTest::keyClick(&axial, Qt::Key_Down);
+    QTest::keyClick(&axial, Qt::Key_Up);
     QCOMPARE(axial.sliceNumber(), number + 1);
     QVERIFY(agrees(at));
     fixture.workspace.setWindowLevel({111.0, 222.0});

@@ -247,12 +247,13 @@ void ViewsUiTest::wheelWalksThroughSlices()
     QCOMPARE(axial.sliceCount(), 40);
     QCOMPARE(axial.sliceNumber(), 20);
     const double before = fixture.workspace.crosshairLps().z;
-    wheel(axial, -1);
+    // Up is towards the head, as in the peers.
+    wheel(axial, 1);
     QCOMPARE(axial.sliceNumber(), 21);
     QCOMPARE(fixture.workspace.crosshairLps().z, before + 3.0); // the volume's own spacing
-    wheel(axial, 1, Qt::ShiftModifier);
+    wheel(axial, -1, Qt::ShiftModifier);
     QCOMPARE(axial.sliceNumber(), 16);
-    wheel(axial, 100);
+    wheel(axial, -100);
     QCOMPARE(axial.sliceNumber(), 0);
     QCOMPARE(fixture.window.views().sagittal().sliceNumber(), 31);
 }
@@ -335,10 +336,10 @@ void ViewsUiTest::keysWalkThroughSlices()
     coronal.setFocus();
     QTest::keyClick(&coronal, Qt::Key_Home);
     QCOMPARE(coronal.sliceNumber(), 0);
-    QTest::keyClick(&coronal, Qt::Key_PageDown);
-    QTest::keyClick(&coronal, Qt::Key_Down);
-    QCOMPARE(coronal.sliceNumber(), 11);
+    QTest::keyClick(&coronal, Qt::Key_PageUp);
     QTest::keyClick(&coronal, Qt::Key_Up);
+    QCOMPARE(coronal.sliceNumber(), 11);
+    QTest::keyClick(&coronal, Qt::Key_Down);
     QCOMPARE(coronal.sliceNumber(), 10);
     QTest::keyClick(&coronal, Qt::Key_End);
     QCOMPARE(coronal.sliceNumber(), 47);
@@ -493,14 +494,14 @@ void ViewsUiTest::wheelWithModifiersServesTheTool()
     QCOMPARE(tool.radius, 1);
     QCOMPARE(axial.sliceNumber(), slice);
     // Alt means nothing: the slice walks, as by the wheel alone, and the radius is the radius.
-    wheel(axial, -1, Qt::AltModifier);
+    wheel(axial, 1, Qt::AltModifier);
     QCOMPARE(tool.depth, 0);
     QCOMPARE(axial.sliceNumber(), slice + 1);
     wheel(axial, 1, Qt::AltModifier | Qt::ShiftModifier);
     QCOMPARE(tool.radius, 2);
     QCOMPARE(tool.turned, 0);
     QCOMPARE(axial.sliceNumber(), slice + 1);
-    wheel(axial, 1, Qt::AltModifier);
+    wheel(axial, -1, Qt::AltModifier);
     QCOMPARE(axial.sliceNumber(), slice);
     fixture.workspace.setActiveTool(nullptr);
     const double before = sliceScene(fixture, axial).mmPerPixel;

@@ -40,9 +40,6 @@ private Q_SLOTS:
     void narrowRangesHaveTheirDecimals();
     void cautionStaysUntilAccepted();
     void theDoctorsAnswerClosesIt();
-    void messagesLieOverThePictures();
-    void onTheStartPageTheyHideNothing();
-    void noticesGoByThemselves();
     void undoSaysWhatItUndoes();
     void undoKeepsItsWidth();
     void layoutsAreInAButton();
@@ -211,76 +208,6 @@ void MainWindowUiTest::theDoctorsAnswerClosesIt()
     QCOMPARE(bar.sentence(), caution);
     fixture.workspace.acceptCaution();
     QVERIFY(!bar.isVisible());
-}
-
-void MainWindowUiTest::messagesLieOverThePictures()
-{
-    test::WindowFixture fixture(test::headFirstSupine());
-    ui::MessageBar& bar = fixture.window.messages();
-    bar.dismiss();
-    QCoreApplication::sendPostedEvents(); // layouts are posted events
-    const auto placeOf = [&fixture](const QWidget& widget) {
-        return QRect(widget.mapTo(&fixture.window, QPoint(0, 0)), widget.size());
-    };
-    const auto pictures = [&fixture, &placeOf] {
-        QList<QRect> places;
-        for (const ui::ImageView* view : fixture.window.views().views())
-            places += placeOf(*view);
-        return places;
-    };
-    const QList<QRect> before = pictures();
-    bar.show(ui::MessageBar::Kind::Error, QStringLiteral("The disk is full."),
-        QStringLiteral("Try again"), [] {});
-    QCoreApplication::sendPostedEvents();
-    QTRY_VERIFY(bar.isVisible() && bar.height() > 20);
-    QCOMPARE(pictures(), before);
-    const QRect all = placeOf(fixture.window.views());
-    const QRect shown = placeOf(bar);
-    QVERIFY(all.contains(shown));
-    QCOMPARE(shown.top(), all.top());
-    QVERIFY(shown.height() < all.height() / 4);
-    // It lies on top, and takes what is clicked there.
-    const QWidget* there = fixture.window.childAt(shown.center());
-    QVERIFY(there && (there == &bar || bar.isAncestorOf(there)));
-    QTest::mouseClick(bar.findChild<QToolButton*>(QStringLiteral("closeMessage")), Qt::LeftButton);
-    QVERIFY(!bar.isVisible());
-    QCoreApplication::sendPostedEvents();
-    QCOMPARE(pictures(), before);
-}
-
-void MainWindowUiTest::onTheStartPageTheyHideNothing()
-{
-    test::WindowFixture fixture(test::headFirstSupine());
-    fixture.window.closeStudy();
-    ui::MessageBar& bar = fixture.window.messages();
-    bar.show(ui::MessageBar::Kind::Error, QStringLiteral("There is no such folder."));
-    const auto* start = fixture.window.findChild<ui::StartPage*>();
-    QVERIFY(start && start->isVisible());
-    QTRY_VERIFY(bar.isVisible() && bar.height() > 20);
-    QTRY_VERIFY(bar.mapTo(&fixture.window, QPoint(0, bar.height())).y()
-        <= start->mapTo(&fixture.window, QPoint(0, 0)).y());
-}
-
-/// What asks for nothing goes by itself; all else waits for the user.
-void MainWindowUiTest::noticesGoByThemselves()
-{
-    test::WindowFixture fixture(test::headFirstSupine());
-    ui::MessageBar& bar = fixture.window.messages();
-    bar.setNoticeTime(40);
-    for (const auto kind : {ui::MessageBar::Kind::Caution, ui::MessageBar::Kind::Error}) {
-        bar.show(ui::MessageBar::Kind::Notice, QStringLiteral("Saved."));
-        bar.show(kind, QStringLiteral("Not saved."));
-        QTest::qWait(120);
-        QVERIFY(bar.isVisible());
-        QCOMPARE(bar.sentence(), QStringLiteral("Not saved."));
-    }
-    bar.show(
-        ui::MessageBar::Kind::Notice, QStringLiteral("Imported."), QStringLiteral("Undo"), [] {});
-    QTest::qWait(120);
-    QVERIFY(bar.isVisible());
-    bar.show(ui::MessageBar::Kind::Notice, QStringLiteral("Saved."));
-    QVERIFY(bar.isVisible());
-    QTRY_VERIFY(!bar.isVisible());
 }
 
 /// The tool and its options stay where they are, whatever the next step is called.

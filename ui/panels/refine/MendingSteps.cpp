@@ -49,8 +49,13 @@ MendingSteps::MendingSteps(Workspace& workspace, ComparePanel& panel, MendingStr
         // Also while a growth or a peeling stands open: whoever presses it is not drawing.
         m_strip.hide();
     });
+    connect(&strip, &MendingStrip::stepRequested, this, [this](Step step) {
+        m_begun = step;
+        update();
+    });
     connect(&workspace, &Workspace::sessionChanged, this, [this] {
         m_exported = false;
+        m_begun.reset();
         update();
     });
     connect(&workspace, &Workspace::activeSegmentChanged, this, &MendingSteps::update);
@@ -69,11 +74,14 @@ MendingSteps::MendingSteps(Workspace& workspace, ComparePanel& panel, MendingStr
 
 std::optional<MendingSteps::Step> MendingSteps::next() const
 {
-    for (std::size_t i = 0; i < m_done.size(); ++i) {
-        if (!m_done[i])
-            return Step(i);
-    }
-    return std::nullopt;
+    if (m_begun && !m_done[std::size_t(*m_begun)])
+        return m_begun;
+    // Who has left a step out goes on behind what is done; what was left out comes last.
+    const auto furthest = std::find(m_done.rbegin(), m_done.rend(), true);
+    const auto behind = std::find(furthest.base(), m_done.end(), false);
+    const auto open =
+        behind != m_done.end() ? behind : std::find(m_done.begin(), m_done.end(), false);
+    return open != m_done.end() ? std::optional(Step(open - m_done.begin())) : std::nullopt;
 }
 
 void MendingSteps::setWanted(bool wanted)

@@ -30,7 +30,8 @@ public:
     MendingSteps(Workspace& workspace, ComparePanel& panel, MendingStrip& strip);
 
     [[nodiscard]] bool isDone(Step step) const { return m_done[std::size_t(step)]; }
-    /// The first step that is not done; none: all are done.
+    /// The step that was begun in the strip, until it is done; then the first that is not done
+    /// behind all that are, and at last those that were left out. None: all are done.
     [[nodiscard]] std::optional<Step> next() const;
     /// Whether the user wants the strip; it is then shown whenever there is an imported mask.
     [[nodiscard]] bool isWanted() const { return m_wanted; }
@@ -51,6 +52,7 @@ private:
     ComparePanel& m_panel;
     MendingStrip& m_strip;
     std::array<bool, MendingStrip::steps> m_done{};
+    std::optional<Step> m_begun; ///< the step that was last asked for in the strip
     bool m_wanted = true;
     bool m_hasMask = false;
     bool m_exported = false;
