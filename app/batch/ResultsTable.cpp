@@ -92,10 +92,12 @@ QByteArray resultsTable(const std::vector<StudyTask>& tasks)
         };
         text += cell(tasks[i].study.name) + ',' + cell(tasks[i].study.path) + ','
             + (record.isEmpty() ? QByteArray("waiting") : word("state")) + ',' + word("stateHash");
-        for (const char* number : {"seconds", "attempts"}) {
-            const QJsonValue value = record.value(QLatin1String(number));
+        // A record of before has only those of its last start.
+        const QJsonValue attempts = record.value(QStringLiteral("attempts"));
+        const QJsonValue inAll = record.value(QStringLiteral("attemptsInAll"));
+        for (const QJsonValue& value :
+            {record.value(QStringLiteral("seconds")), inAll.isDouble() ? inAll : attempts})
             text += ',' + (value.isDouble() ? QByteArray::number(value.toDouble()) : QByteArray());
-        }
         text += ',' + word("failure");
         // A number is written as it stands, minus sign and all.
         for (auto column = columns.constBegin(); column != columns.constEnd(); ++column)

@@ -47,6 +47,8 @@ public:
     /// will get.
     [[nodiscard]] QString told(QString text) const;
 
+    /// Whether the child process has written a session and could not close it.
+    [[nodiscard]] bool isSessionLeftOpen() const;
     /// Closes the session if its disk failed when the child process closed it.
     /// @return false: it is still open, and no result
     [[nodiscard]] bool closeSession() const;
@@ -63,7 +65,6 @@ public:
 private:
     [[nodiscard]] QString hidden(const QString& place) const;
     [[nodiscard]] QString staged(const QString& place) const;
-    [[nodiscard]] bool isSessionLeftOpen() const;
     [[nodiscard]] QStringList entries(const QString& place) const;
     [[nodiscard]] QString nameOf(const QString& file) const;
     [[nodiscard]] bool isOurs(const QString& target) const;

@@ -2,6 +2,7 @@
 #include "app/batch/StudyJob.h"
 
 #include "app/Version.h"
+#include "app/steps/Arguments.h"
 #include "ui/base/ErrorText.h"
 
 #include <QCoreApplication>
@@ -93,6 +94,10 @@ StudyJob::StudyJob(StudyTask task, StudyResults results)
 Result<void> StudyJob::begin()
 {
     const QJsonObject earlier = StudyResults::record(m_task.folder);
+    const bool wasDone = earlier.value(QStringLiteral("state")).toString() == QLatin1String("done");
+    const int starts = earlier.value(QStringLiteral("starts")).toInt();
+    // A record of before does not tell how often one start had tried.
+    m_attemptsBefore = wasDone ? 0 : earlier.value(QStringLiteral("attemptsInAll")).toInt(starts);
     m_record = {
         {QStringLiteral("name"), m_task.study.name},
         {QStringLiteral("study"), m_task.study.path},
@@ -108,14 +113,15 @@ Result<void> StudyJob::begin()
         {QStringLiteral("session"), m_task.study.session},
         {QStringLiteral("begun"), now()},
         // How often it was begun in all, also by processes that were killed.
-        {QStringLiteral("starts"), earlier.value(QStringLiteral("starts")).toInt() + 1},
+        {QStringLiteral("starts"), starts + 1},
+        {QStringLiteral("attemptsInAll"), m_attemptsBefore},
     };
     if (const Result<void> removed = m_attempt.removeLeft(); !removed)
         return removed;
     m_attempt.noteIn(m_record);
     if (const Result<void> fits = m_attempt.check(); !fits) {
         // The record of what is finished stays with it.
-        if (earlier.value(QStringLiteral("state")).toString() != QLatin1String("done")) {
+        if (!wasDone) {
             m_record.remove(QStringLiteral("attempt"));
             m_record[QStringLiteral("state")] = QStringLiteral("failed");
             m_record[QStringLiteral("failure")] = ui::errorText(fits.error());
@@ -123,6 +129,8 @@ Result<void> StudyJob::begin()
         }
         return fits;
     }
+    // One that is killed has tried, too.
+    m_record[QStringLiteral("attemptsInAll")] = m_attemptsBefore + 1;
     if (const Result<void> written = writeRecord(); !written)
         return written;
     if (const Result<void> written =
@@ -137,6 +145,7 @@ Result<void> StudyJob::begin()
 void StudyJob::start()
 {
     ++m_attempts;
+    m_record[QStringLiteral("attemptsInAll")] = m_attemptsBefore + m_attempts;
     m_mayBeTransient = false;
     m_failure.clear();
     for (const char* each :
@@ -144,6 +153,7 @@ void StudyJob::start()
         m_record.remove(QLatin1String(each));
     if (const Result<void> begun = m_attempt.begin(); !begun) {
         m_failure = ui::errorText(begun.error());
+        m_mayBeTransient = mayPass(begun.error());
         return;
     }
     m_process = std::make_unique<QProcess>();
@@ -178,6 +188,7 @@ bool StudyJob::isOver()
     conclude();
     if (!m_succeeded && m_mayBeTransient && !m_stopped && m_attempts <= m_task.retries) {
         start();
+        static_cast<void>(writeRecord());
         return false;
     }
     takeResults();
@@ -271,6 +282,8 @@ void StudyJob::conclude()
                 ? QStringLiteral("burin run ended with status %1").arg(m_process->exitCode())
                 : said.last();
     }
+    // The disk, or whoever ended it, was at fault, not the recipe.
+    m_mayBeTransient |= !m_failure.isEmpty() && m_attempt.isSessionLeftOpen();
     if (m_failure.isEmpty() && !m_attempt.closeSession()) {
         m_failure = QStringLiteral("its session could not be closed as one file");
         m_mayBeTransient = true;

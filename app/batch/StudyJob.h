@@ -31,8 +31,8 @@ struct StudyTask {
 [[nodiscard]] QString whyOther(const StudyTask& task, const QJsonObject& record);
 
 /// Works on one study in a child process (`burin run`), so a crash costs this study only. The child
-/// also ends when this process ends in any way. The record is written at the beginning and at the
-/// end.
+/// also ends when this process ends in any way. The record is written at the beginning of each
+/// attempt and at the end.
 class StudyJob {
 public:
     /// @pre @p results holds the lock of the study's folder (Turn::Mine)
@@ -67,6 +67,7 @@ private:
     QJsonObject m_record;
     QElapsedTimer m_clock;
     int m_attempts = 0;
+    int m_attemptsBefore = 0; ///< of earlier jobs, since the study was last done
     bool m_stopped = false;
     bool m_mayBeTransient = false;
     bool m_succeeded = false;

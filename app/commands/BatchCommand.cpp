@@ -260,8 +260,8 @@ const Command batchCommand{.name = "batch",
         {"into", "FOLDER", "where the results go"},
         {"jobs", "N", "how many studies are worked on at once; 1 by default"},
         {"retries", "N",
-            "how often a study is tried again after a failure that may pass, such as a crash or "
-            "too little memory; 0 by default"},
+            "how often a study is tried again after a failure that may pass, such as a crash, too "
+            "little memory, a full disk or a session that could not be closed; 0 by default"},
         {"only", "NAME", "carries out this study of the list alone, and writes no table"},
         {"list", nullptr, "lists the studies, and does nothing"},
         {"table", nullptr, "writes results.csv from what is finished, and does nothing else"},

@@ -28,6 +28,7 @@
 #include "core/study/SourceFiles.h"
 #include "core/study/StudyLoader.h"
 #include "gpu/engine/GpuEngine.h"
+#include "ui/base/ErrorText.h"
 #include "ui/texts/MaskTexts.h"
 
 #include <QFile>
@@ -189,6 +190,24 @@ Result<void> checkExportsBeside(const core::Recipe& recipe, const QString& sessi
     return {};
 }
 
+/// Where steps were undone, or somebody went back to an earlier one, new rows do not follow the
+/// last.
+void reportWhereItGoesOn(const core::EditSession& session)
+{
+    const core::History& history = session.history();
+    const auto last = core::RowId(history.rows().size());
+    if (history.position() == last)
+        return;
+    const auto named = [&history](core::RowId row) {
+        return QStringLiteral("row %1 '%2'").arg(QString::number(row), history.row(row).name);
+    };
+    const QString place = history.position() == 0
+        ? QStringLiteral("at the beginning")
+        : QStringLiteral("after ") + named(history.position());
+    std::fprintf(stderr, "%s: goes on %s, not after the last one, %s\n",
+        qUtf8Printable(session.file()), qUtf8Printable(place), qUtf8Printable(named(last)));
+}
+
 void closeSessions()
 {
     core::closeSessionFiles({core::ErrorCode::Cancelled, {}});
@@ -268,8 +287,16 @@ int run(core::Recipe recipe, const Arguments& arguments, CommandTermination& ter
         return other ? std::move(other) : std::move(study);
     };
     QString openFile = place; ///< of the session, closed or open
-    const auto setOrigin = [author = arguments.value("author")](core::EditSession& session) {
+    const auto follow = [author = arguments.value("author"), &openFile](
+                            core::EditSession& session) {
         session.setOrigin([author] { return core::presentOrigin(author); });
+        // What the disk does not take is said by the step that waits for it.
+        session.setErrorListener([&openFile](const core::Error& error) {
+            if (error.code != core::ErrorCode::SessionMoved)
+                return;
+            openFile = error.arguments.value(0);
+            std::fprintf(stderr, "burin: %s\n", qUtf8Printable(ui::errorText(error)));
+        });
     };
     bool isFirst = true;
     const auto first = [&](gpu::GpuEngine& engine) -> Result<SteadySession::Session> {
@@ -296,7 +323,7 @@ int run(core::Recipe recipe, const Arguments& arguments, CommandTermination& ter
         engine.setVolumeGeometry(study->volume.geometry, study->volume.encoding);
         auto opened = core::EditSession::open(engine.edits(), *std::move(study), openFile);
         if (opened)
-            setOrigin(**opened);
+            follow(**opened);
         return opened;
     };
     if (const Result<void> opened = steady.open(first, again); !opened)
@@ -308,7 +335,7 @@ int run(core::Recipe recipe, const Arguments& arguments, CommandTermination& ter
             keepUnfinished(place, file);
     });
     const auto leaving = qScopeGuard([&termination] { termination.setClosing({}); });
-    setOrigin(steady.session());
+    follow(steady.session());
     if (arguments.has("facts"))
         printJsonLine({{QStringLiteral("source"), source.toJson()},
             {QStringLiteral("renderer"), steady.engine().rendererName()},
@@ -319,6 +346,8 @@ int run(core::Recipe recipe, const Arguments& arguments, CommandTermination& ter
     if (done) {
         if (plan.damage)
             reportFailure(*plan.damage);
+        if (goesOn)
+            reportWhereItGoesOn(steady.session());
         done = core::guarded([&] {
             RunKeyframes keyframes(steady);
             return elsewhere
@@ -366,6 +395,8 @@ int run(core::Recipe recipe, const Arguments& arguments, CommandTermination& ter
     if (!exported)
         return reportFailure(exported.error());
     termination.setClosing({});
+    if (steady.isOpen())
+        steady.session().storage().finishWriting();
     steady.close();
     if (const QString why = whyNotOneFile(openFile); !why.isEmpty())
         return reportFailure({core::ErrorCode::FileUnwritable, {openFile, why}});

@@ -2,6 +2,7 @@
 #include "app/steps/Arguments.h"
 
 #include "app/steps/JsonLine.h"
+#include "core/base/files/SystemFile.h"
 #include "core/repair/SeriesRepair.h"
 #include "ui/base/ErrorText.h"
 #include "ui/texts/ProblemTexts.h"
@@ -9,6 +10,8 @@
 #include <QCommandLineParser>
 #include <QRegularExpression>
 
+#include <algorithm>
+#include <cerrno>
 #include <cstdio>
 
 namespace app {
@@ -32,13 +35,14 @@ QString problemOf(const QCommandLineParser& parser, const QStringList& words)
 
 bool failuresAreFacts = false; ///< told as lines of JSON too; set before any thread is started
 
-/// Whether the machine was at fault, not what it was asked for.
-bool mayPass(core::ErrorCode code)
+/// In the words of the system, or of SQLite.
+bool tellsOfFullDisk(const core::Error& error)
 {
-    using core::ErrorCode;
-    return code == ErrorCode::OutOfMemory || code == ErrorCode::GraphicsUnavailable
-        || code == ErrorCode::ContextLost || code == ErrorCode::EngineLost
-        || code == ErrorCode::SessionUnwritten;
+    const QString reason = error.arguments.mid(1).join(u' ');
+    const QStringList words{core::systemReason(ENOSPC), core::systemReason(EDQUOT),
+        QStringLiteral("database or disk is full")};
+    return std::any_of(words.begin(), words.end(),
+        [&reason](const QString& each) { return reason.contains(each); });
 }
 
 /// Qt's, but for its first line, which would have options before the verb.
@@ -144,13 +148,22 @@ QString repairWords(const QString& repair, const QString& spacing)
     return words.join(u',');
 }
 
+bool mayPass(const core::Error& error)
+{
+    using core::ErrorCode;
+    return error.code == ErrorCode::OutOfMemory || error.code == ErrorCode::GraphicsUnavailable
+        || error.code == ErrorCode::ContextLost || error.code == ErrorCode::EngineLost
+        || error.code == ErrorCode::SessionUnwritten
+        || (error.code == ErrorCode::FileUnwritable && tellsOfFullDisk(error));
+}
+
 int reportFailure(const core::Error& error, const QString& about)
 {
     const QString prefix = about.isEmpty() ? QString() : about + QStringLiteral(": ");
     std::fprintf(stderr, "burin: %s\n", qUtf8Printable(prefix + ui::errorText(error)));
     if (failuresAreFacts)
         printJsonLine({{QStringLiteral("failure"), prefix + ui::errorText(error)},
-            {QStringLiteral("mayBeTransient"), mayPass(error.code)}});
+            {QStringLiteral("mayBeTransient"), mayPass(error)}});
     return 1;
 }
 

@@ -53,8 +53,11 @@ private:
 /// Reports a failure in one line on stderr.
 /// @return the exit status of a command that failed
 int reportFailure(const core::Error& error, const QString& about = {});
-/// From here on failures are also told as lines of JSON on stdout: which kind, and whether it may
-/// pass when the same is tried again.
+/// Whether the machine was at fault (no memory, no room on the disk, a graphics driver), not what
+/// it was asked for: when the same is tried again, the failure may have passed.
+[[nodiscard]] bool mayPass(const core::Error& error);
+/// From here on failures are also told as lines of JSON on stdout: which kind, and whether it
+/// mayPass().
 void tellFailuresAsFacts();
 /// Reports on stderr if the study's images were read from a session file.
 /// @param why LoadedVolume::notFromStudy

@@ -89,6 +89,11 @@ void SessionStorage::retryWriting()
         file->retry();
 }
 
+void SessionStorage::finishWriting()
+{
+    m_queue.finishWriting();
+}
+
 void SessionStorage::setStepMemory(std::size_t bytes)
 {
     m_queue.state().recent.setMostBytes(bytes);

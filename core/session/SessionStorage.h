@@ -16,8 +16,8 @@ class OperationQueue;
 struct AuditReport;
 
 /// Where a session is kept: its file, other places to which it can move or be copied, and problems
-/// with the disk. Only rename() blocks. @p done or @p take is called once, on another thread (on
-/// this one if there is no file). Part of EditSession.
+/// with the disk. Only rename() and finishWriting() block. @p done or @p take is called once, on
+/// another thread (on this one if there is no file). Part of EditSession.
 class SessionStorage {
 public:
     explicit SessionStorage(OperationQueue& queue);
@@ -48,6 +48,9 @@ public:
     [[nodiscard]] std::optional<Error> trouble() const;
     /// Tries to write them now; every further step does so too.
     void retryWriting();
+    /// The same, and waits until it is known what came of it: trouble() is up to date afterwards,
+    /// and if the file has another name now, that was reported (SessionMoved).
+    void finishWriting();
 
     /// Sets how many bytes of memory the bricks of recently used steps may take; undo and redo over
     /// them need no disk. The default is RecentSteps::usualBytes.

@@ -351,6 +351,15 @@ Result<void> OperationQueue::waitUntilSettled()
     return onDisk;
 }
 
+void OperationQueue::finishWriting()
+{
+    // Whatever fails is noticed as trouble.
+    if (m_state.file)
+        static_cast<void>(guarded([this] { return m_state.file->flush(); }));
+    noticeTrouble();
+    notifyListeners();
+}
+
 Result<void> OperationQueue::check(const Edit& edit) const
 {
     if (idle())

@@ -46,6 +46,9 @@ public:
     /// Blocks until nothing is left to do. @return the first failure since the last call
     Result<void> settle();
 
+    /// Blocks until the file holds what it was told so far, or something waits, and tells so.
+    void finishWriting();
+
     /// Whether nothing is running or waiting.
     [[nodiscard]] bool idle() const { return m_operations.empty(); }
     /// Checks whether an edit can be carried out after everything that is waiting; what cannot be

@@ -33,6 +33,9 @@ QString walOf(const QString& file)
     return QFileInfo(file).canonicalFilePath() + QLatin1String("-wal");
 }
 
+/// How often a disk is asked that fails as a file is closed.
+constexpr int closingTries = 3;
+
 const auto notForWriting = QStringLiteral("unable to open database file for writing");
 
 } // namespace
@@ -53,15 +56,11 @@ SessionDatabase::~SessionDatabase()
 /// closing alone would write back what is there, and leave the file to say that more is missing.
 void SessionDatabase::leaveWal()
 {
-    constexpr int tries = 3;
     // SQLite leaves WAL by the name that it knows, which may belong to another session by now.
-    if (!m_followed.isAt(m_file) && !m_hasLeftName) {
-        if (gather())
-            leaveName();
-        return;
-    }
+    if (!m_followed.isAt(m_file) && !m_hasLeftName)
+        return leaveWalOfLostName();
     bool left = m_readOnly || m_hasLeftName || !m_connection.wasOpened();
-    for (int i = 0; !left && i < tries; ++i) {
+    for (int i = 0; !left && i < closingTries; ++i) {
         // The last thing that leaving writes is the mode: it is entered again to be left again.
         if (i > 0)
             run(QStringLiteral("PRAGMA journal_mode=WAL"));
@@ -76,6 +75,23 @@ void SessionDatabase::leaveWal()
     // It says still that its last writes are in the file beside it, which has gone meanwhile.
     if (!left && run(QStringLiteral("PRAGMA journal_mode=WAL")))
         static_cast<void>(m_connection.number("user_version"));
+}
+
+/// Where the disk does not let the last writes be put into the file itself, they lie beside it,
+/// under the name that it has now: it would be opened without them. Beside another file that has
+/// the name of before they would be taken for that one's.
+void SessionDatabase::leaveWalOfLostName()
+{
+    bool isWhole = false;
+    for (int i = 0; !isWhole && i < closingTries; ++i)
+        static_cast<void>(guarded([&] { isWhole = gather(); }));
+    const QString file = m_followed.path();
+    if (isWhole)
+        leaveName();
+    else if (!file.isEmpty())
+        moveSessionPart(m_wal, file + QLatin1String("-wal"));
+    else if (QFileInfo::exists(m_file))
+        moveSessionPart(m_wal, m_wal.path() + QLatin1String(".left"));
 }
 
 Result<std::unique_ptr<SessionDatabase>> SessionDatabase::create(

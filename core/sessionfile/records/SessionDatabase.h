@@ -80,6 +80,7 @@ public:
 private:
     explicit SessionDatabase(QString path);
     void leaveWal();
+    void leaveWalOfLostName();
     [[nodiscard]] Result<QString> copyPrivately();
     [[nodiscard]] Result<void> connect(const QString& name, const QString& options);
     [[nodiscard]] Result<void> checkFormat();

@@ -11,6 +11,7 @@
 #include <array>
 #include <cerrno>
 #include <cstdint>
+#include <cstdio>
 #include <map>
 #include <mutex>
 #include <optional>
@@ -250,6 +251,21 @@ void removeSessionPart(const FollowedFile& followed)
 {
     if (const QString now = followed.path(); !now.isEmpty())
         QFile::remove(now);
+}
+
+bool moveSessionPart(const FollowedFile& followed, const QString& to)
+{
+    const QString now = followed.path();
+    if (now.isEmpty() || now == to)
+        return !now.isEmpty();
+    const QByteArray from = QFile::encodeName(now);
+    const QByteArray target = QFile::encodeName(to);
+    if (::renameat2(AT_FDCWD, from.constData(), AT_FDCWD, target.constData(), RENAME_NOREPLACE)
+        == 0)
+        return true;
+    // Not every file system knows the flag; there the look just before must do.
+    return (errno == EINVAL || errno == ENOSYS) && !QFileInfo::exists(to)
+        && std::rename(from.constData(), target.constData()) == 0;
 }
 
 bool removeSession(const QString& path)

@@ -67,6 +67,9 @@ void removeSessionParts(const QString& path);
 /// Removes a file that SQLite keeps beside a session, wherever it is now.
 void removeSessionPart(const FollowedFile& followed);
 
+/// Gives such a file the path @p to, if that is free. @return whether it is there now
+bool moveSessionPart(const FollowedFile& followed, const QString& to);
+
 /// Removes a session with the files beside it. @return whether it is gone
 bool removeSession(const QString& path);
 

@@ -38,6 +38,7 @@ private Q_SLOTS:
     void whatIsOfAnotherBatchHasNone_data();
     void whatIsOfAnotherBatchHasNone();
     void segmentsOfOneNameHaveColumnsOfTheirOwn();
+    void attemptsOfEarlierBatchesCount();
 };
 
 StudyTask ResultsTableTest::task() const
@@ -161,6 +162,28 @@ void ResultsTableTest::segmentsOfOneNameHaveColumnsOfTheirOwn()
     QCOMPARE(row[QStringLiteral("Metastasis (2) volumeMl")], QStringLiteral("1.25"));
     QCOMPARE(row[QStringLiteral("Liver volumeMl")], QStringLiteral("1500"));
     QVERIFY(!row.contains(QStringLiteral("Metastasis volumeMl")));
+}
+
+void ResultsTableTest::attemptsOfEarlierBatchesCount()
+{
+    writeDone(task(), "");
+    const QString path = QDir(task().folder).filePath(QStringLiteral("record.json"));
+    const auto told = [&](const char* key, int number) {
+        QFile file(path);
+        if (!file.open(QIODevice::ReadOnly))
+            qFatal("cannot read %s", qPrintable(path));
+        QJsonObject record = QJsonDocument::fromJson(file.readAll()).object();
+        file.close();
+        record[QLatin1String(key)] = number;
+        if (!file.open(QIODevice::WriteOnly))
+            qFatal("cannot write %s", qPrintable(path));
+        file.write(QJsonDocument(record).toJson());
+        file.close();
+        return rowOf(task())[QStringLiteral("attempts")];
+    };
+    QCOMPARE(rowOf(task())[QStringLiteral("attempts")], QString());
+    QCOMPARE(told("attempts", 2), QStringLiteral("2"));
+    QCOMPARE(told("attemptsInAll", 5), QStringLiteral("5"));
 }
 
 BURIN_TEST(ResultsTableTest)

@@ -89,6 +89,20 @@ private Q_SLOTS:
         QCOMPARE(session().history().rows().size(), rows + 2);
     }
 
+    /// Renamed just before it is closed.
+    void whereItWasClosedIsFoundAgain()
+    {
+        const QString file = path("case/s.burin");
+        const QString renamed = path("case/mine.burin");
+        writeSession(file, path("case/ct"));
+        open(file);
+        QVERIFY(QFile::rename(file, renamed));
+        window().closeStudy();
+        QVERIFY(!workspace().session());
+        QCOMPARE(ui::RecentStudies::paths().value(0), renamed);
+        QCOMPARE(filesIn(path("case")), QStringList{QStringLiteral("mine.burin")});
+    }
+
     void aDamagedSessionGoesOnBesideIt()
     {
         const QString file = path("case/s.burin");

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/session/EditSession.h"
 #include "core/session/SessionStorage.h"
+#include "core/sessionfile/SessionSalvage.h"
+#include "core/sessionfile/records/SessionUse.h"
 #include "tests/reference/ReferenceEngine.h"
+#include "tests/support/faults/FileSizeLimit.h"
 #include "tests/support/program/FileBytes.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/SmallStudy.h"
@@ -202,6 +205,56 @@ private Q_SLOTS:
         QVERIFY2(opened, qPrintable(opened ? QString() : opened.error().arguments.join(u' ')));
         QCOMPARE((*opened)->history().rows().size(), std::size_t(anotherStep ? 3 : 1));
         QCOMPARE((*opened)->stateHash(), hash);
+    }
+
+    /// Closed on a disk that takes nothing, with steps that are not in the file itself.
+    void whatLiesBesideItGoesWithIt_data()
+    {
+        QTest::addColumn<QString>("now"); ///< the session's file
+        QTest::newRow("renamed") << QStringLiteral("in/b.burin");
+        QTest::newRow("moved") << QStringLiteral("out/a.burin");
+        QTest::newRow("renamed and replaced") << QStringLiteral("in/b.burin");
+        QTest::newRow("folder renamed") << QStringLiteral("out/a.burin");
+    }
+    void whatLiesBesideItGoesWithIt()
+    {
+        QFETCH(QString, now);
+        const QString event = QLatin1String(QTest::currentDataTag());
+        const QByteArray hash = m_session->stateHash();
+        happens(event);
+        {
+            const test::FileSizeLimit limit(1);
+            m_session.reset();
+        }
+        QStringList expected{QStringLiteral("other.burin"), now, now + QStringLiteral("-wal")};
+        if (event.contains(QLatin1String("replaced")))
+            expected += QStringLiteral("in/a.burin");
+        expected.sort();
+        QCOMPARE(files(), expected);
+        {
+            reference::ReferenceEngine engine;
+            const auto opened = EditSession::open(engine, test::smallStudy(), path(now));
+            QVERIFY2(opened, qPrintable(opened ? QString() : opened.error().arguments.join(u' ')));
+            QCOMPARE((*opened)->history().rows().size(), std::size_t(1));
+            QCOMPARE((*opened)->stateHash(), hash);
+        }
+        expected.removeOne(now + QStringLiteral("-wal"));
+        QCOMPARE(files(), expected);
+    }
+
+    /// What lies beside a session that nobody finds any more is not taken for another one's.
+    void whatHasItsNameNowStaysWhole()
+    {
+        happens(QStringLiteral("replaced"));
+        {
+            const test::FileSizeLimit limit(1);
+            m_session.reset();
+        }
+        QCOMPARE(strayPartOf(original()), QString());
+        QVERIFY(QFile::exists(original() + QStringLiteral("-wal.left")));
+        const auto contents = checkSession(original());
+        QVERIFY(contents && contents->isWhole() && contents->leftOpen.isEmpty());
+        QCOMPARE(test::bytesOf(original()), test::bytesOf(path(QStringLiteral("other.burin"))));
     }
 
     /// Without a place it waits in memory, and is written when there is one.

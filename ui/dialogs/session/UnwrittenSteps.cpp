@@ -64,6 +64,9 @@ bool mayLoseUnwrittenSteps(Workspace& workspace, QWidget& window, SessionSaver& 
 {
     if (!mayEndSaving(window, saver))
         return false;
+    // What would be noticed only as the session is closed would be told to nobody.
+    if (core::EditSession* session = workspace.session())
+        session->storage().finishWriting();
     while (true) {
         core::EditSession* session = workspace.session();
         const std::optional<core::Error> trouble =

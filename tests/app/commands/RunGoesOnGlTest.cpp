@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/sessionfile/SessionSalvage.h"
+#include "core/sessionfile/records/SessionUse.h"
+#include "tests/support/faults/FailingLog.h"
+#include "tests/support/fixtures/CommandFixture.h"
+#include "tests/support/program/Sanitizer.h"
+#include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/PlainEdits.h"
+#include "tests/support/scenes/SmallStudy.h"
+#include "tests/support/servers/ProcessTable.h"
+
+#include <QDir>
+#include <QFile>
+#include <QProcess>
+#include <QTest>
+
+#include <csignal>
+
+namespace runGoesOnGlTest {
+
+using test::burin;
+using test::key;
+using test::Outcome;
+using test::toJson;
+
+/// Where `burin run` goes on: after which row of a session, and in which file.
+class RunGoesOnGlTest : public QObject, protected test::CommandFixture {
+    Q_OBJECT
+
+    static constexpr int patienceMs = 60'000 * test::slowness;
+
+    [[nodiscard]] Outcome append(const QJsonArray& steps) const
+    {
+        return burin({key("run"), recipe("more.json", {{key("edits"), steps}}), key("--session"),
+            path("a.burin"), key("--append")});
+    }
+    [[nodiscard]] QString row(int seq) const
+    {
+        const QJsonArray rows = history("a.burin")[key("commands")].toArray();
+        return QStringLiteral("row %1 '%2'")
+            .arg(QString::number(seq), rows[seq - 1].toObject()[key("name")].toString());
+    }
+
+private Q_SLOTS:
+    void initTestCase() { QVERIFY(prepareStudy()); }
+    void init()
+    {
+        test::failOnUnexpectedMessages();
+        makeFolder();
+    }
+
+    void theRowIsTold()
+    {
+        QJsonArray steps = toJson({test::addSegment("A"), test::addSegment("B")});
+        QCOMPARE(run(recipe("r.json", {{key("edits"), steps}}), "a.burin").status, 0);
+        // After the last one nothing is to be told.
+        const Outcome last = append(toJson({test::addSegment("C")}));
+        QVERIFY2(last.status == 0, qPrintable(last.complaint));
+        QVERIFY2(!last.complaint.contains(key("goes on")), qPrintable(last.complaint));
+
+        QCOMPARE(append(QJsonArray{test::goTo(2)}).status, 0);
+        QString told = path("a.burin")
+            + QStringLiteral(": goes on after %1, not after the last one, %2\n")
+                  .arg(row(2), row(3));
+        const Outcome behind = append(toJson({test::addSegment("D")}));
+        QVERIFY2(behind.status == 0, qPrintable(behind.complaint));
+        QVERIFY2(behind.complaint.contains(told), qPrintable(behind.complaint));
+        QCOMPARE(behind.lines.last()[key("row")].toInt(), 4);
+        const QJsonArray rows = history("a.burin")[key("commands")].toArray();
+        QCOMPARE(rows[3].toObject()[key("parent")].toInt(), 2);
+
+        // The end of a branch is the last row, too; and the beginning has no name.
+        const Outcome end = append(QJsonArray{test::goTo(0)});
+        QVERIFY2(end.status == 0, qPrintable(end.complaint));
+        QVERIFY2(!end.complaint.contains(key("goes on")), qPrintable(end.complaint));
+        told = path("a.burin")
+            + QStringLiteral(": goes on at the beginning, not after the last one, %1\n")
+                  .arg(row(4));
+        // It is told before anything is done.
+        const Outcome refused = append(QJsonArray{test::goTo(99)});
+        QCOMPARE(refused.status, 1);
+        QVERIFY2(refused.complaint.startsWith(told), qPrintable(refused.complaint));
+    }
+
+    void theFileIsTold()
+    {
+        std::vector<core::Edit> edits{test::addSegment("A")};
+        for (int i = 0; i < 400; ++i)
+            edits.push_back(test::renameSegment(1, QStringLiteral("A%1").arg(i)));
+        const QStringList words{key("run"), recipe("many.json", {{key("edits"), toJson(edits)}}),
+            key("--study"), study(), key("--session"), path("a.burin")};
+        QProcess process;
+        QByteArray output;
+        bool isHeld = false;
+        for (int tries = 0; tries < 5 && !isHeld; ++tries) {
+            QVERIFY(core::removeSession(path("a.burin")));
+            output.clear();
+            process.start(QStringLiteral(BURIN_PROGRAM), words);
+            while (!output.contains('\n') && process.waitForReadyRead(patienceMs))
+                output += process.readAllStandardOutput();
+            isHeld = test::holdProcess(process.processId());
+            if (!isHeld)
+                QVERIFY(process.waitForFinished(patienceMs));
+        }
+        QVERIFY(isHeld);
+        QVERIFY(QFile::rename(path("a.burin"), path("b.burin")));
+        QCOMPARE(::kill(pid_t(process.processId()), SIGCONT), 0);
+        QVERIFY(process.waitForFinished(patienceMs));
+        const QString complaint = QString::fromUtf8(process.readAllStandardError());
+        QVERIFY2(process.exitStatus() == QProcess::NormalExit && process.exitCode() == 0,
+            qPrintable(complaint));
+        output += process.readAllStandardOutput();
+        QCOMPARE(std::size_t(output.count('\n')), edits.size());
+        QVERIFY2(complaint.contains(path("b.burin")
+                     + QStringLiteral(": another program renamed or moved 'a.burin'")),
+            qPrintable(complaint));
+        QCOMPARE(
+            QDir(path("")).entryList({key("*.burin*")}, QDir::Files), QStringList{key("b.burin")});
+        const auto contents = core::checkSession(path("b.burin"));
+        QVERIFY(contents && contents->isWhole() && contents->leftOpen.isEmpty());
+        QCOMPARE(contents->rows.size(), edits.size());
+    }
+};
+
+BURIN_TEST(RunGoesOnGlTest)
+
+} // namespace runGoesOnGlTest
+
+#include "RunGoesOnGlTest.moc"
