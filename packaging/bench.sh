@@ -13,7 +13,8 @@
 #   packaging/bench.sh --memory    what a session with 20 segments takes
 #   packaging/bench.sh --moving    pictures while the camera moves, and after letting go
 #   packaging/bench.sh --plane     a cutting plane with a contour only, against VTK's filters
-#   packaging/bench.sh --reactions from a step of the hand to its picture: drilling, growing, undo, chunks
+#   packaging/bench.sh --reactions from a step of the hand to its picture: drilling, growing, undo, chunks,
+#                                  margins and smoothing of large segments
 #   packaging/bench.sh --refine    the surface of a segment while it is repaired, and chunks
 #   packaging/bench.sh --sculpt    masks and strokes of the sculpting tools only
 #   packaging/bench.sh --segments  what works on a whole segment, on three real series, against ITK's filters

@@ -6,6 +6,7 @@
 #include "tests/benchmarks/itk/LoadBenchmark.h"
 #include "tests/benchmarks/itk/RefineBenchmark.h"
 #include "tests/benchmarks/itk/SegmentBenchmark.h"
+#include "tests/benchmarks/itk/ShapeBenchmark.h"
 #include "tests/benchmarks/own/DecodeBenchmark.h"
 #include "tests/benchmarks/own/HistoryBenchmark.h"
 #include "tests/benchmarks/own/MemoryBenchmark.h"
@@ -53,7 +54,7 @@ const std::vector<Group>& groups()
     // Memory first: what others have freed would hide what is taken.
     static const std::vector<Group> all{{"--memory", {bench::measureMemory}},
         {"--frames", {measurePeers}}, {"--moving", {bench::measureMoving}},
-        {"--reactions", {bench::measureReactions}},
+        {"--reactions", {bench::measureReactions, bench::measureShapes}},
         {"--grow", {bench::measureGrowth, bench::measureSteering}},
         {"--load", {bench::measureLoading}}, {"--decode", {bench::measureDecoding}},
         {"--segments", {bench::measureSegments}}, {"--sculpt", {bench::measureSculpting}},

@@ -1,10 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/peers/ItkDistances.h"
 
+#include "tests/peers/ItkImages.h"
+
+#include <itkBinaryDilateImageFilter.h>
+#include <itkFlatStructuringElement.h>
 #include <itkImportImageFilter.h>
+#include <itkMaskImageFilter.h>
+#include <itkMinimumMaximumImageCalculator.h>
 #include <itkSignedMaurerDistanceMapImageFilter.h>
 
+#include <algorithm>
 #include <chrono>
+#include <cmath>
+#include <limits>
 
 namespace peer {
 
@@ -39,6 +48,41 @@ ItkDistances itkDistances(
 
     const float* first = filter->GetOutput()->GetBufferPointer();
     return {std::vector<float>(first, first + mask.size()), spent.count()};
+}
+
+ItkGap itkGap(const GridMask& mask, const GridMask& other)
+{
+    using Distances = itk::Image<float, 3>;
+    using Kernel = itk::FlatStructuringElement<3>;
+    Kernel kernel;
+    kernel.SetDecomposable(false);
+    kernel.SetRadius(1);
+    for (unsigned at = 0; at < kernel.Size(); ++at)
+        kernel[at] = true;
+    const auto dilate = itk::BinaryDilateImageFilter<MaskImage, MaskImage, Kernel>::New();
+    dilate->SetInput(imageOn(mask));
+    dilate->SetKernel(kernel);
+    dilate->SetForegroundValue(1);
+    const auto distances = itk::SignedMaurerDistanceMapImageFilter<MaskImage, Distances>::New();
+    distances->SetInput(dilate->GetOutput());
+    distances->SetBackgroundValue(0);
+    distances->SetInsideIsPositive(false);
+    distances->SetSquaredDistance(true);
+    distances->SetUseImageSpacing(true);
+    const auto within = itk::MaskImageFilter<Distances, MaskImage>::New();
+    const MaskImage::Pointer others = imageOn(other);
+    within->SetInput(distances->GetOutput());
+    within->SetMaskImage(others);
+    within->SetOutsideValue(std::numeric_limits<float>::max());
+    const auto least = itk::MinimumMaximumImageCalculator<Distances>::New();
+
+    const auto start = std::chrono::steady_clock::now();
+    within->Update();
+    least->SetImage(within->GetOutput());
+    least->ComputeMinimum();
+    const std::chrono::duration<double, std::milli> spent =
+        std::chrono::steady_clock::now() - start;
+    return {std::sqrt(std::max(0.0, double(least->GetMinimum()))), spent.count()};
 }
 
 } // namespace peer

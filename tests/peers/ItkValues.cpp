@@ -8,8 +8,11 @@
 #include <itkBinaryThresholdImageFilter.h>
 #include <itkFlipImageFilter.h>
 #include <itkHistogram.h>
+#include <itkMaskImageFilter.h>
+#include <itkNearestNeighborInterpolateImageFunction.h>
 #include <itkOrImageFilter.h>
 #include <itkOtsuMultipleThresholdsCalculator.h>
+#include <itkResampleImageFilter.h>
 
 namespace peer {
 
@@ -92,6 +95,50 @@ ItkMask itkFlipped(const GridMask& mask, int axis)
     axes[static_cast<unsigned>(axis)] = true;
     filter->SetFlipAxes(axes);
     return maskFrom(*filter);
+}
+
+ItkMask itkWithMirrorImage(const GridMask& mask, int axis, int voxel)
+{
+    const auto along = static_cast<unsigned>(axis);
+    const MaskImage::Pointer image = imageOn(mask);
+    MaskImage::PointType origin;
+    origin.Fill(0.0);
+    origin[along] = -voxel * mask.spacingMm[axis]; // the plane goes through the origin
+    image->SetOrigin(origin);
+    const auto flip = itk::FlipImageFilter<MaskImage>::New();
+    flip->SetInput(image);
+    itk::FlipImageFilter<MaskImage>::FlipAxesArrayType axes(false);
+    axes[along] = true;
+    flip->SetFlipAxes(axes);
+    flip->FlipAboutOriginOn();
+    const auto resample = itk::ResampleImageFilter<MaskImage, MaskImage>::New();
+    resample->SetInput(flip->GetOutput());
+    resample->SetInterpolator(
+        itk::NearestNeighborInterpolateImageFunction<MaskImage, double>::New());
+    resample->SetReferenceImage(image);
+    resample->UseReferenceImageOn();
+    resample->SetDefaultPixelValue(0);
+    const auto both = itk::OrImageFilter<MaskImage>::New();
+    both->SetInput1(image);
+    both->SetInput2(resample->GetOutput());
+    both->InPlaceOff(); // the voxels are the caller's
+    return maskFrom(*both);
+}
+
+ItkValues itkMasked(std::span<const float> values, const GridMask& mask, float outside)
+{
+    using Values = itk::Image<float, 3>;
+    const auto filter = itk::MaskImageFilter<Values, MaskImage>::New();
+    const MaskImage::Pointer masking = imageOn(mask);
+    filter->SetInput(imageOn(mask.size, mask.spacingMm, values));
+    filter->InPlaceOff();
+    filter->SetMaskImage(masking);
+    filter->SetOutsideValue(outside);
+    ItkValues masked;
+    masked.milliseconds = timeOf(*filter);
+    const float* first = filter->GetOutput()->GetBufferPointer();
+    masked.values.assign(first, first + values.size());
+    return masked;
 }
 
 } // namespace peer

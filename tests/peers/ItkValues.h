@@ -31,5 +31,19 @@ enum class ItkSetOperation {
     const GridMask& mask, const GridMask& other, ItkSetOperation operation);
 /// itk::FlipImageFilter across one axis.
 [[nodiscard]] ItkMask itkFlipped(const GridMask& mask, int axis);
+/// A mask and its mirror image about the plane across an axis that goes through the centres of
+/// these voxels: itk::FlipImageFilter about the origin, itk::ResampleImageFilter by the nearest
+/// voxel onto the grid of the mask, and itk::OrImageFilter.
+[[nodiscard]] ItkMask itkWithMirrorImage(const GridMask& mask, int axis, int voxel);
+
+/// What filters made of values.
+struct ItkValues {
+    std::vector<float> values;
+    double milliseconds = 0.0; ///< of the filters alone
+};
+/// itk::MaskImageFilter: the values of a mask, and another one outside of it.
+/// @param values of the grid of the mask, x fastest
+[[nodiscard]] ItkValues itkMasked(
+    std::span<const float> values, const GridMask& mask, float outside);
 
 } // namespace peer

@@ -76,15 +76,17 @@ double valueAt(const glm::dvec3& p)
 
 } // namespace
 
-core::LoadedVolume TorsoVolume::make()
+core::LoadedVolume TorsoVolume::make(int slices)
 {
+    const int first = (size.z - slices) / 2;
     core::LoadedVolume loaded;
     core::Volume& volume = loaded.volume;
-    volume.geometry.size = size;
+    volume.geometry.size = {size.x, size.y, slices};
     for (int axis = 0; axis < 3; ++axis) {
         volume.geometry.indexToWorld[axis][axis] = spacing[axis];
         volume.geometry.indexToWorld[3][axis] = origin[axis];
     }
+    volume.geometry.indexToWorld[3][2] += first * spacing.z;
     volume.encoding.rescaleIntercept = -codeOfZero;
     volume.unit = QStringLiteral("HU");
     volume.minimum = -1024.0;
@@ -94,13 +96,17 @@ core::LoadedVolume TorsoVolume::make()
     volume.sourcePath = QStringLiteral("/made/by/formulas");
     volume.voxelsSha256 = QByteArray(64, '0');
     loaded.codes.resize(volume.geometry.voxelCount());
-    core::parallelFor(size.z, [&](int k) {
+    core::parallelFor(slices, [&](int slice) {
+        const int k = first + slice; // of the whole
         for (int j = 0; j < size.y; ++j) {
             for (int i = 0; i < size.x; ++i) {
                 const std::size_t voxel = std::size_t(i)
                     + std::size_t(size.x) * (std::size_t(j) + std::size_t(size.y) * std::size_t(k));
                 const double value = valueAt(origin + spacing * glm::dvec3(i, j, k)) + noise(voxel);
-                loaded.codes[voxel] = std::uint16_t(std::max(std::lround(value + codeOfZero), 0L));
+                const std::size_t before =
+                    std::size_t(first) * std::size_t(size.x) * std::size_t(size.y);
+                loaded.codes[voxel - before] =
+                    std::uint16_t(std::max(std::lround(value + codeOfZero), 0L));
             }
         }
     });

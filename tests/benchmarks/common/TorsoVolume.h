@@ -17,7 +17,8 @@ struct TorsoVolume {
     static constexpr double lowerHu = liverHu - 2.5 * noiseHu;
     static constexpr double upperHu = liverHu + 2.5 * noiseHu;
 
-    [[nodiscard]] static core::LoadedVolume make();
+    /// @param slices so many around the middle
+    [[nodiscard]] static core::LoadedVolume make(int slices = size.z);
     [[nodiscard]] static glm::dvec3 liverLps();
     /// Half-axes of the body, an ellipse around the z axis.
     static constexpr glm::dvec2 bodyMm{175.0, 120.0};

@@ -4,7 +4,7 @@
 #include "core/dicom/write/CtSeriesWriter.h"
 #include "core/study/StudyLoader.h"
 #include "tests/benchmarks/common/TorsoVolume.h"
-#include "tests/peers/ItkSeries.h"
+#include "tests/peers/readers/ItkSeries.h"
 #include "tests/support/program/FileBytes.h"
 #include "tests/support/program/TraceEvents.h"
 #include "ui/base/ErrorText.h"

@@ -4,6 +4,7 @@
 #include "gpu/engine/GpuEngine.h"
 #include "tests/benchmarks/common/PeerReport.h"
 #include "tests/peers/cases/ComparedSegments.h"
+#include "tests/peers/cases/SegmentReadings.h"
 #include "tests/peers/cases/WholeSegments.h"
 #include "ui/base/ErrorText.h"
 
@@ -59,6 +60,47 @@ QString measureOperation(PeerReport& report, const QString& id, peer::RealSegmen
     return {};
 }
 
+constexpr std::size_t readingRounds = 3;
+
+QString measureMaskedVolume(PeerReport& report, const QString& id, peer::RealSegment& segment)
+{
+    std::vector<double> step;
+    std::vector<double> exported;
+    std::vector<double> theirs;
+    while (theirs.size() < readingRounds) {
+        const core::Result<peer::ComparedVolume> compared = peer::compareMaskedVolume(segment);
+        if (!compared)
+            return QStringLiteral("%1: %2").arg(id, ui::errorText(compared.error()));
+        if (compared->differing > 0 || compared->masked == 0)
+            return QStringLiteral("%1: not what ITK finds").arg(id);
+        step.push_back(compared->stepMilliseconds);
+        exported.push_back(compared->exportMilliseconds);
+        theirs.push_back(compared->theirMilliseconds);
+    }
+    const std::string name = id.toStdString();
+    report.add({name + ".kept", "Ms", middle(step), peer::ComparedVolume::peer, middle(theirs)});
+    report.add({name + ".export", "Ms", middle(exported)});
+    return {};
+}
+
+QString measureDistances(PeerReport& report, const QString& id, const peer::RealSegment& segment)
+{
+    std::vector<double> ours;
+    std::vector<double> theirs;
+    while (theirs.size() < readingRounds) {
+        const core::Result<peer::ComparedDistances> compared = peer::compareDistances(segment);
+        if (!compared)
+            return QStringLiteral("%1: %2").arg(id, ui::errorText(compared.error()));
+        if (compared->differing > 0 || compared->pairs == 0)
+            return QStringLiteral("%1: not what ITK finds").arg(id);
+        ours.push_back(compared->ourMilliseconds);
+        theirs.push_back(compared->theirMilliseconds);
+    }
+    report.add(
+        {id.toStdString(), "Ms", middle(ours), peer::ComparedDistances::peer, middle(theirs)});
+    return {};
+}
+
 } // namespace
 
 QString measureSegments(PeerReport& report)
@@ -83,6 +125,15 @@ QString measureSegments(PeerReport& report)
                 !why.isEmpty())
                 return why;
         }
+        const QString prefix = QStringLiteral("segment.%1.").arg(QLatin1String(series.name));
+        if (const QString why =
+                measureMaskedVolume(report, prefix + QStringLiteral("mask.volume"), **segment);
+            !why.isEmpty())
+            return why;
+        if (const QString why =
+                measureDistances(report, prefix + QStringLiteral("distance"), **segment);
+            !why.isEmpty())
+            return why;
     }
     return {};
 }

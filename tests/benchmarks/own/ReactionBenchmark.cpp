@@ -8,7 +8,7 @@
 #include "core/session/SessionChunks.h"
 #include "tests/benchmarks/common/PeerReport.h"
 #include "tests/benchmarks/itk/GrowBenchmark.h"
-#include "tests/benchmarks/own/WatchedViews.h"
+#include "tests/benchmarks/own/Desk.h"
 #include "tests/support/scenes/CutEdits.h"
 #include "tests/support/scenes/PlainEdits.h"
 #include "tests/support/scenes/TestVolumes.h"
@@ -16,15 +16,13 @@
 #include <QThread>
 
 #include <algorithm>
-#include <memory>
-#include <utility>
 
 namespace bench {
 
 namespace {
 
-constexpr gpu::ViewId stage = 1; ///< the 3D view
-constexpr gpu::ViewId firstSlice = 2;
+constexpr gpu::ViewId stage = Desk::stage;
+constexpr gpu::ViewId firstSlice = Desk::firstSlice;
 constexpr int ticks = 24;
 constexpr int rounds = 5;
 
@@ -33,111 +31,6 @@ double median(std::vector<double> values)
     std::sort(values.begin(), values.end());
     return values[values.size() / 2];
 }
-
-/// What there is, and what of it is seen.
-struct Seen {
-    QByteArray hash;
-    std::vector<std::uint8_t> stage;
-    bool operator==(const Seen&) const = default;
-};
-
-/// A session with the views of a window.
-class Desk {
-public:
-    /// @param crossing through which the slices go. Null: there is no engine, or no room.
-    static std::unique_ptr<Desk> open(
-        const core::LoadedVolume& study, const gpu::VolumeScene& scene, const glm::dvec3& crossing)
-    {
-        auto engine = gpu::GpuEngine::create();
-        if (!engine)
-            return nullptr;
-        std::unique_ptr<Desk> desk(new Desk(*std::move(engine), scene));
-        auto session = core::EditSession::create(desk->m_engine->edits(), study,
-            {.file = {}, .wakeUp = [views = &desk->m_views] { views->wake(); }});
-        if (!session)
-            return nullptr;
-        desk->m_session = *std::move(session);
-        desk->m_engine->setVolumeGeometry(study.volume.geometry, study.volume.encoding);
-        desk->m_views.setPoll([raw = desk.get()] { raw->m_session->poll(); });
-        desk->showSlices(crossing);
-        desk->move(false);
-        return desk;
-    }
-    [[nodiscard]] core::EditSession& session() { return *m_session; }
-    [[nodiscard]] WatchedViews& views() { return m_views; }
-    [[nodiscard]] gpu::GpuEngine& engine() { return *m_engine; }
-
-    /// Whether something moves, so that the 3D view asks for moving pictures.
-    void move(bool moving)
-    {
-        m_views.show({.view = stage,
-            .sizePixels = {1230, 870},
-            .scene = m_scene,
-            .segments = segments(),
-            .interacting = moving});
-    }
-    /// Waits until it is carried out.
-    /// @return whether it was
-    bool apply(const core::Edit& edit)
-    {
-        return bool(m_session->apply(edit)) && bool(m_session->settle());
-    }
-    bool end()
-    {
-        m_session->end(core::Ending::Commit);
-        return bool(m_session->settle());
-    }
-    bool undo() { return bool(m_session->undo()) && bool(m_session->settle()); }
-    [[nodiscard]] core::Edit lastEdit() const { return m_session->history().rows().back().edit; }
-    /// At rest, not moving.
-    [[nodiscard]] Seen seen()
-    {
-        move(false);
-        Seen now;
-        if (m_session->settle())
-            now.hash = m_session->stateHash();
-        // After much has changed the textures of the picture follow only after a while.
-        m_views.rest(std::chrono::seconds(3));
-        if (const gpu::Frame frame = m_views.latest(stage); frame.rgba)
-            now.stage = *frame.rgba;
-        return now;
-    }
-
-private:
-    Desk(std::unique_ptr<gpu::GpuEngine> engine, gpu::VolumeScene scene)
-        : m_engine(std::move(engine))
-        , m_views(*m_engine)
-        , m_scene(std::move(scene))
-    {
-    }
-    [[nodiscard]] static gpu::SegmentDisplay segments()
-    {
-        gpu::SegmentDisplay display;
-        display.visible[1] = true;
-        display.rgb[1] = 0x59C07A;
-        return display;
-    }
-    void showSlices(const glm::dvec3& crossing)
-    {
-        for (int axis = 0; axis < 3; ++axis) {
-            gpu::SliceScene scene;
-            scene.centreLps = crossing;
-            scene.rightLps = axis == 0 ? glm::dvec3(0.0, 1.0, 0.0) : glm::dvec3(1.0, 0.0, 0.0);
-            scene.downLps = axis == 2 ? glm::dvec3(0.0, 1.0, 0.0) : glm::dvec3(0.0, 0.0, -1.0);
-            scene.mmPerPixel = m_scene.heightMm / 400.0;
-            scene.window = {.centre = 1000.0, .width = 2000.0};
-            m_views.show({.view = firstSlice + axis,
-                .sizePixels = {400, 400},
-                .scene = scene,
-                .segments = segments()});
-        }
-    }
-
-    std::unique_ptr<gpu::GpuEngine> m_engine;
-    WatchedViews m_views;
-    gpu::VolumeScene m_scene;
-    std::unique_ptr<core::EditSession> m_session;
-};
 
 /// Tells an edit in pieces, which leaves a row, and measures each. What the pieces show is compared
 /// with the whole of it first, and then taken back.

@@ -62,19 +62,21 @@ core::Result<Compared> compare(RealSegment& segment, const WholeSegment& operati
         if (const core::Result<void> settled = session.settle(); !settled)
             return tl::unexpected(settled.error());
     }
-    const core::Result<std::vector<std::uint8_t>> before = session.questions().labels(0);
+    const core::Result<std::vector<std::uint8_t>> before =
+        session.questions().labels(operation.plane);
     if (!before)
         return tl::unexpected(before.error());
     Compared compared;
+    const core::Edit edit = operation.edit(segment);
     QElapsedTimer timer;
     timer.start();
-    const core::Edit edit = operation.edit(segment);
     if (const core::Result<void> applied = session.apply(edit); !applied)
         return tl::unexpected(applied.error());
     if (const core::Result<void> settled = session.settle(); !settled)
         return tl::unexpected(settled.error());
     compared.stepMilliseconds = double(timer.nsecsElapsed()) / 1e6;
-    const core::Result<std::vector<std::uint8_t>> ours = session.questions().labels(0);
+    const core::Result<std::vector<std::uint8_t>> ours =
+        session.questions().labels(operation.plane);
     if (!ours)
         return tl::unexpected(ours.error());
     const auto worked = timeToWorkOut(edit, segment, operation.before);

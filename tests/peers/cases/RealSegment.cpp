@@ -92,6 +92,7 @@ core::Result<std::unique_ptr<RealSegment>> RealSegment::open(
     opened->m_values.resize(study.codes.size());
     std::transform(study.codes.begin(), study.codes.end(), opened->m_values.begin(),
         [&study](int code) { return float(study.volume.encoding.value(code)); });
+    opened->m_codes = study.codes;
     core::Result<std::unique_ptr<core::EditSession>> session =
         core::EditSession::create(engine, std::move(study), {});
     if (!session)

@@ -61,6 +61,8 @@ public:
     [[nodiscard]] const core::VolumeGeometry& geometry() const;
     /// Modality values, x fastest.
     [[nodiscard]] const std::vector<float>& values() const { return m_values; }
+    /// The codes of these values.
+    [[nodiscard]] const std::vector<std::uint16_t>& codes() const { return m_codes; }
     [[nodiscard]] const RealSeries& series() const { return m_series; }
 
 private:
@@ -70,6 +72,7 @@ private:
 
     RealSeries m_series;
     std::vector<float> m_values;
+    std::vector<std::uint16_t> m_codes;
     std::unique_ptr<core::EditSession> m_session;
     std::array<core::RowId, 3> m_rows{};
     std::array<std::vector<std::uint8_t>, 3> m_labels;

@@ -4,8 +4,11 @@
 #include "core/edits/kinds/segments/AddSegment.h"
 #include "core/edits/kinds/segments/CombineSegments.h"
 #include "core/edits/kinds/segments/ReshapeSegment.h"
+#include "core/edits/kinds/splitting/CopySegment.h"
 #include "core/edits/kinds/splitting/SplitIslands.h"
+#include "core/edits/kinds/splitting/SplitSegment.h"
 #include "core/volume/VolumeGeometry.h"
+#include "tests/peers/ItkLabels.h"
 #include "tests/peers/ItkParts.h"
 #include "tests/peers/ItkSums.h"
 #include "tests/peers/ItkValues.h"
@@ -14,6 +17,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 namespace peer {
 
@@ -51,6 +56,21 @@ GridMask onGrid(const RealSegment& segment, const ItkMask& mask)
     return made;
 }
 
+PeerMask exactly(ItkMask mask)
+{
+    return {.voxels = std::move(mask.voxels), .milliseconds = mask.milliseconds};
+}
+
+/// Makes the other segment.
+/// @param plane none: that of the first
+std::vector<core::Edit> otherSegment(
+    const RealSegment& segment, double within, std::optional<int> plane)
+{
+    const OtherValues values = valuesBelow(segment, within);
+    return {core::AddSegment{.name = QStringLiteral("B"), .plane = plane},
+        test::thresholdOf(other, double(values.lower), double(values.upper))};
+}
+
 // --- Set operations ------------------------------------------------------------------------------
 
 WholeSegment combined(
@@ -67,31 +87,135 @@ WholeSegment combined(
         .theirs =
             [operation](const RealSegment& segment) {
                 const ItkMask beside = maskOf(segment, valuesBelow(segment, within));
-                ItkMask made = itkCombined(
-                    segment.mask(State::Thresholded), onGrid(segment, beside), operation);
-                return PeerMask{
-                    .voxels = std::move(made.voxels), .milliseconds = made.milliseconds};
+                return exactly(itkCombined(
+                    segment.mask(State::Thresholded), onGrid(segment, beside), operation));
+            },
+        .first = [](const RealSegment& segment) { return otherSegment(segment, within, 1); }};
+}
+
+// --- Merging, swapping, copying ------------------------------------------------------------------
+
+/// Of two segments of one plane.
+WholeSegment exchanged(
+    const char* name, CombineSegments::How how, const std::vector<ChangedLabel>& changes)
+{
+    return {.name = name,
+        .peer = "ITK ChangeLabel",
+        .before = State::Thresholded,
+        .edit =
+            [how](const RealSegment&) {
+                return CombineSegments{.segment = label, .with = other, .how = how};
+            },
+        .theirs =
+            [changes](const RealSegment& segment) {
+                const ItkMask beside = maskOf(segment, valuesBelow(segment, 0.0));
+                ItkMask labels{.voxels = segment.labels(State::Thresholded)};
+                for (std::size_t voxel = 0; voxel < labels.voxels.size(); ++voxel) {
+                    if (beside.voxels[voxel] == 1)
+                        labels.voxels[voxel] = other;
+                }
+                return exactly(itkRelabelled(onGrid(segment, labels), changes));
             },
         .first =
+            [](const RealSegment& segment) { return otherSegment(segment, 0.0, std::nullopt); }};
+}
+
+/// Into a plane in which another segment keeps its voxels.
+WholeSegment copied()
+{
+    constexpr double within = 40.0;
+    constexpr int copy = 3;
+    return {.name = "copy",
+        .peer = "ITK MaskNegated",
+        .before = State::Thresholded,
+        .edit =
+            [](const RealSegment&) {
+                return core::CopySegment{.segment = label, .name = QStringLiteral("C"), .plane = 1};
+            },
+        .theirs =
             [](const RealSegment& segment) {
-                const OtherValues values = valuesBelow(segment, within);
-                return std::vector<core::Edit>{
-                    core::AddSegment{.name = QStringLiteral("B"), .plane = 1},
-                    test::thresholdOf(other, double(values.lower), double(values.upper))};
-            }};
+                const ItkMask beside = maskOf(segment, valuesBelow(segment, within));
+                ItkMask labels{.voxels = segment.labels(State::Thresholded)};
+                std::replace(labels.voxels.begin(), labels.voxels.end(), std::uint8_t(label),
+                    std::uint8_t(copy));
+                return exactly(
+                    itkOutsideOf(onGrid(segment, labels), onGrid(segment, beside), other));
+            },
+        .first = [](const RealSegment& segment) { return otherSegment(segment, within, 1); },
+        .plane = 1};
+}
+
+// --- Splitting by a plane ------------------------------------------------------------------------
+
+/// Oblique, in numbers that edits hold as they are.
+const glm::dvec3 splitNormalLps(1.0, 0.5, -0.75);
+
+/// The middle of the segment, likewise.
+glm::dvec3 splitPointLps(const RealSegment& segment)
+{
+    constexpr double perMillimetre = 1024.0;
+    const glm::ivec3 size = segment.geometry().size;
+    const std::vector<std::uint8_t>& labels = segment.labels(State::Thresholded);
+    glm::dvec3 sum(0.0);
+    double count = 0.0;
+    std::size_t voxel = 0;
+    for (int z = 0; z < size.z; ++z) {
+        for (int y = 0; y < size.y; ++y) {
+            for (int x = 0; x < size.x; ++x, ++voxel) {
+                if (labels[voxel] != label)
+                    continue;
+                sum += glm::dvec3(x, y, z);
+                count += 1.0;
+            }
+        }
+    }
+    const glm::dvec3 middle = segment.geometry().toWorld(sum / std::max(count, 1.0));
+    return glm::round(middle * perMillimetre) / perMillimetre;
+}
+
+PeerMask splitByPlane(const RealSegment& segment)
+{
+    const core::VolumeGeometry& geometry = segment.geometry();
+    const glm::dvec3 point = splitPointLps(segment);
+    PeerMask made = exactly(itkSplitByPlane(segment.mask(State::Thresholded),
+        {.originLps = geometry.originLps(), .direction = geometry.direction()}, point,
+        splitNormalLps, other));
+    // Burin rounds what a step along an axis of the grid contributes to 20 bits of the greatest.
+    const glm::dvec3 perStep =
+        glm::abs(glm::transpose(glm::dmat3(geometry.indexToWorld)) * splitNormalLps);
+    const double roundedTo = 0.5 * std::max({perStep.x, perStep.y, perStep.z}) / 1048576.0;
+    const glm::ivec3 size = geometry.size;
+    const double doubt = roundedTo * (size.x + size.y + size.z + 1);
+    made.either.reserve(made.voxels.size());
+    for (int z = 0; z < size.z; ++z) {
+        for (int y = 0; y < size.y; ++y) {
+            for (int x = 0; x < size.x; ++x) {
+                const glm::dvec3 place = geometry.toWorld(glm::dvec3(x, y, z));
+                const double depth = glm::dot(splitNormalLps, place - point);
+                made.either.push_back(std::abs(depth) <= doubt ? 1 : 0);
+            }
+        }
+    }
+    return made;
+}
+
+WholeSegment planeSplit()
+{
+    return {.name = "split.plane",
+        .peer = "ITK TransformIndexToPhysicalPoint",
+        .before = State::Thresholded,
+        .edit =
+            [](const RealSegment& segment) {
+                return core::SplitSegment{.segment = label,
+                    .placeLps = splitPointLps(segment),
+                    .normalLps = splitNormalLps,
+                    .into = {.name = QStringLiteral("B")}};
+            },
+        .theirs = splitByPlane,
+        .whyEither = "its centre lies in the plane, as exactly as Burin holds the plane's slope"};
 }
 
 // --- Islands -------------------------------------------------------------------------------------
-
-/// Of an island that becomes a segment, so that there are labels for all of them.
-int leastVoxels(const RealSegment& segment)
-{
-    constexpr int mostIslands = 200;
-    int least = 1;
-    while (itkPartCount(segment.mask(State::Thresholded), least) > mostIslands)
-        least *= 2;
-    return least;
-}
 
 WholeSegment islands()
 {
@@ -102,14 +226,13 @@ WholeSegment islands()
         .edit =
             [](const RealSegment& segment) {
                 return core::SplitIslands{.segment = label,
-                    .mm3 = (leastVoxels(segment) - half) * segment.geometry().voxelVolumeMm3()};
+                    .mm3 =
+                        (leastIslandVoxels(segment) - half) * segment.geometry().voxelVolumeMm3()};
             },
         .theirs =
             [](const RealSegment& segment) {
-                ItkMask made =
-                    itkNumberedParts(segment.mask(State::Thresholded), leastVoxels(segment));
-                return PeerMask{
-                    .voxels = std::move(made.voxels), .milliseconds = made.milliseconds};
+                return exactly(
+                    itkNumberedParts(segment.mask(State::Thresholded), leastIslandVoxels(segment)));
             }};
 }
 
@@ -163,22 +286,29 @@ WholeSegment together()
         .theirs = smoothedTogether,
         .whyEither = "two of its values differ by no more than Burin rounds to",
         .first =
-            [](const RealSegment& segment) {
-                const OtherValues values = valuesBelow(segment, 0.0);
-                return std::vector<core::Edit>{test::newSegment(QStringLiteral("B")),
-                    test::thresholdOf(other, double(values.lower), double(values.upper))};
-            }};
+            [](const RealSegment& segment) { return otherSegment(segment, 0.0, std::nullopt); }};
 }
 
 } // namespace
+
+int leastIslandVoxels(const RealSegment& segment)
+{
+    constexpr int mostIslands = 200;
+    int least = 1;
+    while (itkPartCount(segment.mask(RealSegment::State::Thresholded), least) > mostIslands)
+        least *= 2;
+    return least;
+}
 
 std::vector<WholeSegment> severalSegments()
 {
     using How = CombineSegments::How;
     return {combined("union", "ITK Or", How::Union, ItkSetOperation::Union),
         combined("subtract", "ITK BinaryNot, And", How::Subtract, ItkSetOperation::Subtract),
-        combined("intersect", "ITK And", How::Intersect, ItkSetOperation::Intersect), islands(),
-        together()};
+        combined("intersect", "ITK And", How::Intersect, ItkSetOperation::Intersect),
+        exchanged("merge", How::Merge, {{.from = other, .to = label}}),
+        exchanged("swap", How::Swap, {{.from = label, .to = other}, {.from = other, .to = label}}),
+        copied(), planeSplit(), islands(), together()};
 }
 
 } // namespace peer

@@ -316,6 +316,32 @@ WholeSegment mirror()
             }};
 }
 
+/// The segment and its image from front to back, about a plane off the middle of the volume.
+WholeSegment mirrorBeside()
+{
+    const auto axis = [](const RealSegment& segment) {
+        return core::axesOfPatient(segment.geometry())
+            .at(std::size_t(core::MirroredSides::AnteriorPosterior));
+    };
+    const auto edit = [axis](const RealSegment& segment) -> core::Edit {
+        glm::dvec3 place(0.0);
+        place[axis(segment)] = segment.geometry().size[axis(segment)] / 3;
+        return core::MirrorSegment{.segment = RealSegment::label,
+            .sides = core::MirroredSides::AnteriorPosterior,
+            .placeLps = segment.geometry().toWorld(place),
+            .keep = true};
+    };
+    const auto theirs = [axis](const RealSegment& segment) {
+        return exactly(itkWithMirrorImage(segment.mask(State::Thresholded), axis(segment),
+            segment.geometry().size[axis(segment)] / 3));
+    };
+    return {.name = "mirror.beside",
+        .peer = "ITK Flip, Resample, Or",
+        .before = State::Thresholded,
+        .edit = edit,
+        .theirs = theirs};
+}
+
 /// Towards no side but up, front and right, half as far to the front.
 WholeSegment sidedMargin()
 {
@@ -442,7 +468,7 @@ const std::vector<WholeSegment>& wholeSegments()
             shell("hollow.inside", ShellPlace::Inside),
             shell("hollow.centred", ShellPlace::Centred),
             shell("hollow.outside", ShellPlace::Outside), sidedMargin(), flood(), majority(),
-            invert(), mirror(), between()};
+            invert(), mirror(), mirrorBeside(), between()};
         made.insert(made.end(), more.begin(), more.end());
         const std::vector<WholeSegment> blurred = gaussians();
         made.insert(made.end(), blurred.begin(), blurred.end());

@@ -5,6 +5,7 @@
 #include "tests/peers/cases/PeerMask.h"
 #include "tests/peers/cases/RealSegment.h"
 
+#include <cstdint>
 #include <functional>
 #include <vector>
 
@@ -21,6 +22,7 @@ struct WholeSegment {
     const char* whyEither = nullptr;
     /// What is done first, after which segment 1 is still as it was.
     std::function<std::vector<core::Edit>(const RealSegment&)> first{};
+    std::uint8_t plane = 0; ///< the label plane that is compared
 };
 /// Every operation that ITK has filters for.
 [[nodiscard]] const std::vector<WholeSegment>& wholeSegments();

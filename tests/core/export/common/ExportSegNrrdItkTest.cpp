@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/export/common/ExportMask.h"
-#include "tests/peers/ItkNrrd.h"
+#include "tests/peers/readers/ItkNrrd.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/series/Affine.h"
 #include "tests/support/series/LabelledSeries.h"

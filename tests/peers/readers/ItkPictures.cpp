@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tests/peers/ItkPictures.h"
+#include "tests/peers/readers/ItkPictures.h"
 
 #include <itkImageFileReader.h>
 #include <itkImageSeriesReader.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tests/peers/ItkNrrd.h"
+#include "tests/peers/readers/ItkNrrd.h"
 
 #include <itkImageFileReader.h>
 #include <itkMetaDataObject.h>
