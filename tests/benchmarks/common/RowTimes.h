@@ -28,7 +28,7 @@ public:
     static void took(const std::string& id, Clock::time_point begin, double milliseconds);
     /// It has just ended.
     static void ended(const std::string& id, double milliseconds);
-    /// What a turn has to read and write if nothing is read or written twice.
+    /// What a turn reads and writes, by estimate: its input once and its output once.
     static void moves(const std::string& id, double bytes, const char* what);
     /// What was noted since begin(); then nothing is noted any more.
     [[nodiscard]] static std::map<std::string, Row> take();
