@@ -11,7 +11,7 @@ namespace bench {
 namespace {
 
 const QSize size(1200, 520);
-const QRectF field(70.0, 40.0, 1110.0, 400.0);
+const QRectF field(70.0, 40.0, 1070.0, 400.0);
 constexpr double leastMs = 5.0;
 constexpr double goalMs = 1000.0 / 15.0;
 constexpr double stallMs = 50.0;
@@ -113,8 +113,8 @@ void drawLine(QPainter& painter, const Axes& axes, double milliseconds, const QC
     painter.setPen(QPen(colour, 1.5, Qt::DashLine));
     const double y = axes.y(milliseconds);
     painter.drawLine(QPointF(field.left(), y), QPointF(field.right(), y));
-    painter.drawText(QRectF(field.right() - 80.0, y - 19.0, 76.0, 18.0),
-        Qt::AlignRight | Qt::AlignVCenter, QStringLiteral("%1 ms").arg(milliseconds, 0, 'f', 0));
+    painter.drawText(QRectF(field.right() + 6.0, y - 9.0, 54.0, 18.0),
+        Qt::AlignLeft | Qt::AlignVCenter, QStringLiteral("%1 ms").arg(milliseconds, 0, 'f', 0));
 }
 
 } // namespace

@@ -29,13 +29,16 @@ std::vector<PacingRecord::Wait> PacingRecord::waits(const Phase& phase) const
 {
     std::vector<Wait> found;
     double last = phase.begin;
+    double longest = 0.0;
     for (const Picture& picture : pictures) {
         if (picture.view != phase.view || picture.at < phase.begin || picture.at >= phase.end)
             continue;
         found.push_back({.at = picture.at, .lasted = picture.at - last});
+        longest = std::max(longest, picture.at - last);
         last = picture.at;
     }
-    found.push_back({.at = phase.end, .lasted = phase.end - last});
+    if (found.empty() || phase.end - last > longest)
+        found.push_back({.at = phase.end, .lasted = phase.end - last});
     return found;
 }
 

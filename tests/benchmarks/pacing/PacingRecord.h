@@ -41,7 +41,8 @@ struct PacingRecord {
     std::vector<Picture> pictures; ///< in the order of time
     std::vector<Gap> gaps;
 
-    /// Of a phase, the first since it began; what is left behind its last picture is one as well.
+    /// Of a phase, the first since it began. What is left behind its last picture is one as well if
+    /// it is longer than all others: then nothing came any more.
     [[nodiscard]] std::vector<Wait> waits(const Phase& phase) const;
     [[nodiscard]] Gap longestGap() const;
     [[nodiscard]] QString phaseAt(double at) const; ///< its id; empty: none
