@@ -21,13 +21,20 @@ class PerformancePageTest : public QObject {
             qFatal("cannot write %s", name);
         return file.fileName();
     }
-    [[nodiscard]] test::ScriptOutput page(const QByteArray& figures) const
+    [[nodiscard]] test::ScriptOutput page(
+        const QByteArray& figures, const QStringList& more = {}) const
     {
         return test::runProgram(QStringLiteral("/usr/bin/python3"),
-            {QStringLiteral(BURIN_SOURCE_DIR "/packaging/performance.py"),
+            QStringList{QStringLiteral(BURIN_SOURCE_DIR "/packaging/performance.py"),
                 written("figures.json", figures),
                 written("graphics.txt",
-                    "GL_RENDERER  llvmpipe (LLVM 15)\nGL_VERSION   4.5 Mesa 22.3.6\n")});
+                    "GL_RENDERER  llvmpipe (LLVM 15)\nGL_VERSION   4.5 Mesa 22.3.6\n")}
+                + more);
+    }
+    static void expectLines(const QByteArray& page, std::initializer_list<const char*> lines)
+    {
+        for (const char* line : lines)
+            QVERIFY2(page.contains(line), (line + ("\n" + page)).constData());
     }
 
 private Q_SLOTS:
@@ -55,6 +62,58 @@ private Q_SLOTS:
             QVERIFY2(made.output.contains(line), (line + ("\n" + made.output)).constData());
         // What is there is not said to be missing.
         QVERIFY(!made.output.contains("- an event of the interval slider"));
+    }
+
+    void missedRowsTellWhereTheirTimeGoes()
+    {
+        const QString profile = written("profile.json",
+            R"({"triadBytesPerSecond":1.0e10,"copyBytesPerSecond":8.0e9,"rows":[
+              {"id":"frame.mip","turns":4,"milliseconds":100.0,"bytes":3.0e8,"moved":"each voxel read",
+               "passes":[{"kind":"gpu","name":"raycast.comp","milliseconds":60.0},
+                         {"kind":"task","name":"reading","milliseconds":5.0},
+                         {"kind":"gpu","name":"tiny","milliseconds":0.9}]},
+              {"id":"frame.surface","turns":4,"milliseconds":5.0,"bytes":0,"moved":"","passes":[]}]})");
+        const QString tried =
+            written("tried.json", R"({"grow.*":["a queue"],"frame.mip":["from the top down"]})");
+        const test::ScriptOutput made = page(
+            R"([{"id":"frame.mip","oursMs":100.0,"peer":"VTK GPU mapper","peerMs":270.0,"ratio":2.7},
+             {"id":"frame.surface","oursMs":5.0,"peer":"VTK GPU mapper","peerMs":270.0,"ratio":54.0},
+             {"id":"grow.ball","oursMs":9.0,"peer":"ITK ConnectedThreshold","peerMs":9.0,"ratio":1.0},
+             {"id":"grow.cube","oursMs":9.0,"peer":"ITK ConnectedThreshold","peerMs":9.0,"ratio":1.0}])",
+            {QStringLiteral("--profile"), profile, QStringLiteral("--tried"), tried});
+        QVERIFY2(made.exitCode == 0, made.output.constData());
+        expectLines(made.output,
+            {"Memory moved 10.0 GB a second",
+                "### `frame.mip`\n\n100 ms (VTK GPU mapper: 270 ms, 2.70), goal: at least 6 times "
+                "as fast.\n",
+                "| kernel or draw `raycast.comp` | 60.0 | 60 % |\n",
+                "| task beside it `reading` | 5.00 | 5 % |\n",
+                "| other kernels and draws | 0.90 | 1 % |\n", "waits | 39.1 | 39 % |\n",
+                "It moves about 300 MB (each voxel read): 3.00 GB a second, 30.0 % of what memory "
+                "moves, so memory bounds it in part.\n",
+                "- tried: from the top down\n", "- tried: a queue\n", "- tried: see `grow.ball`\n",
+                "Not profiled.\n"});
+        // What meets its goal needs no excuse.
+        QVERIFY(!made.output.contains("### `frame.surface`"));
+    }
+
+    void aMinuteInTheWindowIsShown()
+    {
+        const QString pacing = written("pacing.json",
+            R"({"figures":[{"id":"pacing.orbit","oursMs":40.0},{"id":"pacing.orbit.worst","oursMs":90.0},
+                           {"id":"pacing.longestStall","oursMs":61.0}],
+                "longest":{"ms":61.0,"phase":"drill","event":"ui::VolumeView, Paint","eventMs":44.0}})");
+        const test::ScriptOutput made = page("[]", {QStringLiteral("--pacing"), pacing});
+        QVERIFY2(made.exitCode == 0, made.output.constData());
+        expectLines(made.output,
+            {"| `pacing.orbit` | 40.0 ms |  |  | at most 66.67 ms | yes |\n",
+                "| `pacing.longestStall` | 61.0 ms |  |  | at most 50 ms | no |\n",
+                "| `pacing.orbit.worst` | 90.0 ms |  |  |\n",
+                "Longest stall of the window: 61.0 ms, in the part *drill* (*ui::VolumeView, "
+                "Paint*, "
+                "44.0 ms).\n",
+                "](frame-pacing.png)\n"});
+        QVERIFY(!page("[]").output.contains("frame-pacing.png"));
     }
 
     void withoutFiguresAllIsMissing()

@@ -2,6 +2,7 @@
 #include "core/demo/DemoStudy.h"
 #include "gpu/engine/GpuEngine.h"
 #include "tests/benchmarks/common/PeerReport.h"
+#include "tests/benchmarks/common/Profile.h"
 #include "tests/benchmarks/itk/GrowBenchmark.h"
 #include "tests/benchmarks/itk/LoadBenchmark.h"
 #include "tests/benchmarks/itk/RefineBenchmark.h"
@@ -47,19 +48,20 @@ QString measurePeers(bench::PeerReport& report)
 struct Group {
     const char* option;
     std::vector<QString (*)(bench::PeerReport&)> measure;
+    bool isProfiled = false; ///< it notes when its times are taken (common/RowTimes.h)
 };
 
 const std::vector<Group>& groups()
 {
     // Memory first: what others have freed would hide what is taken.
     static const std::vector<Group> all{{"--memory", {bench::measureMemory}},
-        {"--frames", {measurePeers}}, {"--moving", {bench::measureMoving}},
-        {"--reactions", {bench::measureReactions, bench::measureShapes}},
-        {"--grow", {bench::measureGrowth, bench::measureSteering}},
-        {"--load", {bench::measureLoading}}, {"--decode", {bench::measureDecoding}},
-        {"--segments", {bench::measureSegments}}, {"--sculpt", {bench::measureSculpting}},
-        {"--history", {bench::measureHistory}}, {"--plane", {bench::measurePlanes}},
-        {"--refine", {bench::measureRefining}}};
+        {"--frames", {measurePeers}, true}, {"--moving", {bench::measureMoving}},
+        {"--reactions", {bench::measureReactions, bench::measureShapes}, true},
+        {"--grow", {bench::measureGrowth, bench::measureSteering}, true},
+        {"--load", {bench::measureLoading}, true}, {"--decode", {bench::measureDecoding}},
+        {"--segments", {bench::measureSegments}}, {"--sculpt", {bench::measureSculpting}, true},
+        {"--history", {bench::measureHistory}}, {"--plane", {bench::measurePlanes}, true},
+        {"--refine", {bench::measureRefining}, true}};
     return all;
 }
 
@@ -72,8 +74,15 @@ int main(int argc, char** argv)
     const QCoreApplication application(argc, argv);
     QStringList arguments = QCoreApplication::arguments().mid(1);
     const bool json = arguments.removeAll(QStringLiteral("--json")) > 0;
+    QString profileFile;
+    if (const qsizetype option = arguments.indexOf(QStringLiteral("--profile"));
+        option >= 0 && option + 1 < arguments.size()) {
+        profileFile = arguments.takeAt(option + 1);
+        arguments.removeAt(option);
+    }
+    const bool profiles = !profileFile.isEmpty();
     std::vector<Group> wanted;
-    QString usage = QStringLiteral("usage: burin_bench [--json]");
+    QString usage = QStringLiteral("usage: burin_bench [--json] [--profile FILE]");
     for (const Group& group : groups()) {
         usage += QStringLiteral(" [%1]").arg(QLatin1String(group.option));
         if (arguments.removeAll(QLatin1String(group.option)) > 0)
@@ -85,6 +94,9 @@ int main(int argc, char** argv)
     }
     std::array<char, 12> program{"burin_bench"};
     std::array<char, 32> repetitions{"--benchmark_repetitions=5"};
+    // Stamps cost time, so that the figures of a profile are none.
+    if (profiles)
+        repetitions = {"--benchmark_repetitions=2"};
     std::array<char, 48> interleaved{"--benchmark_enable_random_interleaving=true"};
     std::array<char*, 3> options{program.data(), repetitions.data(), interleaved.data()};
     int count = int(options.size());
@@ -92,7 +104,12 @@ int main(int argc, char** argv)
 
     bench::PeerReport report;
     bool isRight = true;
+    bench::Profile profile;
     for (const Group& group : wanted.empty() ? groups() : wanted) {
+        if (profiles && !group.isProfiled)
+            continue;
+        if (profiles)
+            profile.begin();
         for (const auto measure : group.measure) {
             const QString why = measure(report);
             if (why.isEmpty())
@@ -103,7 +120,15 @@ int main(int argc, char** argv)
             // What was registered uses what is gone.
             benchmark::ClearRegisteredBenchmarks();
         }
+        if (profiles)
+            profile.end();
     }
+    if (profiles && !profile.write(profileFile)) {
+        std::fprintf(stderr, "%s cannot be written\n", qPrintable(profileFile));
+        return 1;
+    }
+    if (profiles)
+        return isRight ? 0 : 1;
     if (json)
         report.printJson();
     else

@@ -3,6 +3,7 @@
 
 #include "core/dicom/write/CtSeriesWriter.h"
 #include "core/study/StudyLoader.h"
+#include "tests/benchmarks/common/RowTimes.h"
 #include "tests/benchmarks/common/TorsoVolume.h"
 #include "tests/peers/readers/ItkSeries.h"
 #include "tests/support/program/FileBytes.h"
@@ -200,6 +201,7 @@ QString measureFolder(
             for (const Reader& reader : readers) {
                 if (cold)
                     forget(folder);
+                const RowTimes::Clock::time_point begin = RowTimes::Clock::now();
                 const Read read = reader.read(folder);
                 if (!read.why.isEmpty())
                     return QStringLiteral("%1: %2").arg(QLatin1String(reader.name), read.why);
@@ -209,11 +211,17 @@ QString measureFolder(
                         .arg(id, QLatin1String(reader.name));
                 if (i > 0)
                     times[reader.name].push_back(read.milliseconds);
+                if (i > 0 && !cold && reader.read == readByBurin)
+                    RowTimes::took(
+                        (id + QStringLiteral(".warm")).toStdString(), begin, read.milliseconds);
                 if (i > 0 && read.firstSliceMilliseconds > 0.0)
                     firstSlices.push_back(read.firstSliceMilliseconds);
             }
         }
         const std::string name = (id + QLatin1String(cold ? ".cold" : ".warm")).toStdString();
+        if (!cold)
+            RowTimes::moves((id + QStringLiteral(".warm")).toStdString(),
+                4.0 * double(expected.size()), "each value read and written, were it not coded");
         const double ours = median(times[readers[0].name]);
         for (std::size_t peer = 1; peer < readers.size(); ++peer)
             report.add({name, "Ms", ours, readers[peer].name, median(times[readers[peer].name])});

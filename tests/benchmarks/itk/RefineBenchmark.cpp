@@ -10,6 +10,7 @@
 #include "gpu/gl/context/EglContext.h"
 #include "gpu/render/parts/SurfaceBuffers.h"
 #include "tests/benchmarks/common/PeerReport.h"
+#include "tests/benchmarks/common/RowTimes.h"
 #include "tests/peers/ItkSimplexDeformation.h"
 #include "tests/support/scenes/ShapedMask.h"
 #include "tests/support/scenes/SimplexShapes.h"
@@ -115,6 +116,10 @@ QString measureSteps(PeerReport& report, const Ring& ring, const char* id, int a
             for (int i = 0; i < iterations; ++i)
                 deformation.step(edit, forces);
         }) / iterations);
+        RowTimes::ended(id, iterations * ours.back());
+        RowTimes::moves(id, 84.0 * iterations * double(mesh.vertexCount()),
+            "in each of 40 steps, each vertex' place, the one before and its neighbours' names "
+            "read, its place written");
         if (deformation.active().size() != mesh.vertexCount())
             return QStringLiteral("%1: vertices came to rest").arg(QLatin1String(id));
         edit.commit();

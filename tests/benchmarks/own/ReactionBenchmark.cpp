@@ -7,6 +7,7 @@
 #include "core/session/EditSession.h"
 #include "core/session/SessionChunks.h"
 #include "tests/benchmarks/common/PeerReport.h"
+#include "tests/benchmarks/common/RowTimes.h"
 #include "tests/benchmarks/itk/GrowBenchmark.h"
 #include "tests/benchmarks/own/Desk.h"
 #include "tests/support/scenes/CutEdits.h"
@@ -50,10 +51,13 @@ QString measurePieces(PeerReport& report, Desk& desk, const char* id,
             return false;
         desk.views().rest();
         for (int number = 0; number < ticks; ++number) {
+            const RowTimes::Clock::time_point begin = RowTimes::Clock::now();
             const std::optional<double> time =
                 desk.views().untilSeen([&] { piece(number); }, {stage}, std::chrono::seconds(2));
-            if (time)
+            if (time) {
+                RowTimes::took(id, begin, *time);
                 times.push_back(*time);
+            }
             desk.views().rest();
         }
         return desk.end();
@@ -111,10 +115,13 @@ QString measureDrill(PeerReport& report, Desk& desk)
     for (int round = 0; round < rounds; ++round) {
         for (const bool back : {true, false}) {
             core::Result<void> asked;
+            const RowTimes::Clock::time_point begin = RowTimes::Clock::now();
             const std::optional<double> time = desk.views().untilSeen(
                 [&] { asked = back ? session.undo() : session.redo(); }, {stage});
             if (!asked || !time || !session.settle())
                 return QStringLiteral("history.drill.undo.picture: no picture");
+            RowTimes::took(
+                back ? "history.drill.undo.picture" : "history.drill.redo.picture", begin, *time);
             (back ? undoMs : redoMs).push_back(*time);
             desk.views().rest();
         }
@@ -225,11 +232,13 @@ QString measureChunkClick(PeerReport& report)
     std::vector<double> times;
     for (int round = 0; round < 2 * rounds; ++round) {
         core::Result<void> asked;
+        const RowTimes::Clock::time_point begin = RowTimes::Clock::now();
         const std::optional<double> time =
             desk->views().untilSeen([&] { asked = session.apply(click); },
                 {stage, firstSlice, firstSlice + 1, firstSlice + 2});
         if (!asked || !time || !session.settle())
             return QStringLiteral("refine.chunks.click.picture: no picture");
+        RowTimes::took("refine.chunks.click.picture", begin, *time);
         times.push_back(*time);
         desk->views().rest();
     }

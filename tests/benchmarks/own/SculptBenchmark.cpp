@@ -16,6 +16,7 @@
 #include "gpu/gl/context/EglContext.h"
 #include "gpu/shaders/ShaderLibrary.h"
 #include "tests/benchmarks/common/PeerReport.h"
+#include "tests/benchmarks/common/RowTimes.h"
 #include "tests/support/scenes/SculptStage.h"
 
 #include <QImage>
@@ -405,10 +406,16 @@ QString measurePictures(PeerReport& report)
     gpu::VolumeScene mip = surface;
     mip.mode = gpu::RenderMode::Mip;
     mip.mipWindow = {.centre = 700.0, .width = 1800.0};
-    const auto time = [&stage](const gpu::VolumeScene& scene) {
+    const auto time = [&](const gpu::VolumeScene& scene, const char* id = nullptr) {
         std::vector<double> times;
-        for (int round = 0; round < rounds; ++round)
+        for (int round = 0; round < rounds; ++round) {
             times.push_back(stage.fullFrameMs(scene, {1230, 870}));
+            if (id)
+                RowTimes::ended(id, times.back());
+        }
+        if (id)
+            RowTimes::moves(id, 3.0 * double(demo->geometry.voxelCount()) + 8.0 * 1230 * 870,
+                "each voxel's value and coverage read, each pixel written and fetched");
         return median(times);
     };
     const double surfaceBefore = time(surface);
@@ -431,9 +438,12 @@ QString measurePictures(PeerReport& report)
         if (const QString why = stage.apply(peel); !why.isEmpty())
             return QStringLiteral("frame: the skull was not peeled: ") + why;
     }
-    report.add({"frame.surface.opened", "Ms", time(surface), "before the cut", surfaceBefore});
-    report.add({"frame.dvr.opened", "Ms", time(dvr), "before the cut", dvrBefore});
-    report.add({"frame.mip.opened", "Ms", time(mip), "before the cut", mipBefore});
+    report.add({"frame.surface.opened", "Ms", time(surface, "frame.surface.opened"),
+        "before the cut", surfaceBefore});
+    report.add(
+        {"frame.dvr.opened", "Ms", time(dvr, "frame.dvr.opened"), "before the cut", dvrBefore});
+    report.add(
+        {"frame.mip.opened", "Ms", time(mip, "frame.mip.opened"), "before the cut", mipBefore});
     const double surfaceOpened = time(surface);
     const double dvrOpened = time(dvr);
     const double mipOpened = time(mip);
@@ -454,9 +464,10 @@ QString measurePictures(PeerReport& report)
         dvr.pieces.push_back(shown);
         mip.pieces.push_back(shown);
     }
-    report.add({"frame.surface.pieces", "Ms", time(surface), "no pieces", surfaceOpened});
-    report.add({"frame.dvr.pieces", "Ms", time(dvr), "no pieces", dvrOpened});
-    report.add({"frame.mip.pieces", "Ms", time(mip), "no pieces", mipOpened});
+    report.add({"frame.surface.pieces", "Ms", time(surface, "frame.surface.pieces"), "no pieces",
+        surfaceOpened});
+    report.add({"frame.dvr.pieces", "Ms", time(dvr, "frame.dvr.pieces"), "no pieces", dvrOpened});
+    report.add({"frame.mip.pieces", "Ms", time(mip, "frame.mip.pieces"), "no pieces", mipOpened});
     return {};
 }
 

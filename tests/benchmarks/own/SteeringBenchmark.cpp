@@ -4,6 +4,7 @@
 #include "core/engine/EngineCommands.h"
 #include "gpu/engine/GpuEngine.h"
 #include "tests/benchmarks/common/PeerReport.h"
+#include "tests/benchmarks/common/RowTimes.h"
 #include "tests/benchmarks/own/WatchedViews.h"
 
 #include <algorithm>
@@ -193,6 +194,7 @@ QString measureSlider(PeerReport& report, Ball& ball)
             edits.submit(core::ExtendEdit{core::GrowAdvance{}});
             edits.finish();
         }));
+        RowTimes::ended("steer.slider", times.back());
         if (!edits.growthProgress().atClosure)
             return QStringLiteral("steer.slider: no closure");
     }
@@ -228,6 +230,7 @@ QString measureRecovery(PeerReport& report, Ball& ball)
                     .generation = ball.grown().generation},
                 {core::GrowAdvance{}}));
         }));
+        RowTimes::ended("steer.recovery", times.back());
         if (result.error || result.statistics.voxelsChanged != shell)
             return QStringLiteral("steer.recovery: %1 voxels came back, not %2")
                 .arg(qlonglong(result.statistics.voxelsChanged))
@@ -275,8 +278,10 @@ QString measureSketch(PeerReport& report, Ball& ball)
             .samples = 2 * side});
     std::vector<double> times;
     core::EngineResult result;
-    for (int round = 0; round < rounds; ++round)
+    for (int round = 0; round < rounds; ++round) {
         times.push_back(milliseconds([&] { result = ball.ended(ball.edits().submit(pick)); }));
+        RowTimes::ended("steer.sketch", times.back());
+    }
     for (std::size_t i = 0; i < pick.rays.size(); ++i) {
         const double aside = (pick.rays[i].origin.x >> 16) - side / 2;
         const double half = std::sqrt(std::max(0.0, radius * double(radius) - aside * aside));
@@ -341,10 +346,12 @@ QString measureSliderPicture(PeerReport& report, Ball& ball)
     views.rest();
     std::vector<double> times;
     for (int round = 0; round < rounds; ++round) {
+        const RowTimes::Clock::time_point begin = RowTimes::Clock::now();
         const std::optional<double> time =
             views.untilSeen([&] { go(radius + (round % 2 == 0 ? -2 : 2)); }, {view});
         if (!time)
             return QStringLiteral("steer.slider.picture: no picture");
+        RowTimes::took("steer.slider.picture", begin, *time);
         times.push_back(*time);
         edits.finish();
         views.rest();

@@ -3,6 +3,7 @@
 
 #include "tests/benchmarks/common/PeerReport.h"
 #include "tests/benchmarks/common/Picture.h"
+#include "tests/benchmarks/common/RowTimes.h"
 #include "tests/benchmarks/itk/GrowBenchmark.h"
 #include "tests/benchmarks/vtk/VtkVolumeView.h"
 
@@ -32,6 +33,7 @@ public:
     struct Timed {
         gpu::Frame frame;
         double milliseconds = 0.0; ///< from the request, or from the coarse frame before it
+        Clock::time_point start;
     };
     Timed draw(const gpu::VolumeScene& scene)
     {
@@ -41,7 +43,7 @@ public:
         m_frames.request({.view = 1, .sizePixels = frameSize, .scene = scene, .segments = {}});
         m_changed.wait(lock, [this] { return m_full.has_value(); });
         const std::chrono::duration<double, std::milli> spent = m_end - m_start;
-        return {*m_full, spent.count()};
+        return {*m_full, spent.count(), m_start};
     }
     /// Draws nothing more: neither the refinement of the last frame nor what a growth changes is to
     /// run beside what is timed next.
@@ -130,13 +132,19 @@ void registerPeer(const Work& work, const char* peer, std::shared_ptr<VtkVolumeV
         ->Iterations(1);
 }
 
-void registerBurin(const Work& work, std::shared_ptr<FrameClock> clock)
+/// @param voxels of the volume
+void registerBurin(const Work& work, std::shared_ptr<FrameClock> clock, std::size_t voxels)
 {
+    RowTimes::moves(work.id, 2.0 * double(voxels) + 8.0 * frameSize.x * frameSize.y,
+        "each voxel's value read, each pixel written and fetched");
     benchmark::RegisterBenchmark((std::string(work.id) + '/' + PeerReport::ours).c_str(),
-        [clock = std::move(clock), scene = work.scene](benchmark::State& state) {
+        [clock = std::move(clock), scene = work.scene, id = work.id](benchmark::State& state) {
             (void)clock->draw(nudged(scene)); // another mode was shown before
-            for (auto _ : state)
-                state.SetIterationTime(clock->draw(nudged(scene)).milliseconds / 1000.0);
+            for (auto _ : state) {
+                const FrameClock::Timed timed = clock->draw(nudged(scene));
+                RowTimes::took(id, timed.start, timed.milliseconds);
+                state.SetIterationTime(timed.milliseconds / 1000.0);
+            }
             clock->rest();
         })
         ->UseManualTime()
@@ -181,7 +189,7 @@ QString registerFrames(gpu::GpuEngine& engine, const core::DemoStudy& study)
                     stderr, "%s draws on another GPU: %s\n", peer, view->rendererName().c_str());
             registerPeer(work, peer, std::move(view));
         }
-        registerBurin(work, clock);
+        registerBurin(work, clock, study.geometry.voxelCount());
     }
     return {};
 }

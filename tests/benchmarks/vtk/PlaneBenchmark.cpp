@@ -4,6 +4,7 @@
 #include "core/demo/DemoStudy.h"
 #include "core/refine/mesh/SurfaceUpdate.h"
 #include "gpu/engine/GpuEngine.h"
+#include "tests/benchmarks/common/RowTimes.h"
 #include "tests/benchmarks/itk/GrowBenchmark.h"
 #include "tests/benchmarks/vtk/VtkPlaneView.h"
 #include "tests/support/fixtures/frames/DemoHeadScene.h"
@@ -284,6 +285,12 @@ QString measurePlanes(PeerReport& report)
     for (int turn = 1; turn <= turns; ++turn) {
         const gpu::SliceScene next = oblique(turn);
         const PlaneClock::Timed slice = clock.draw(next);
+        RowTimes::ended("plane.cubic", slice.cubicMs);
+        RowTimes::took("plane.linear",
+            Clock::now()
+                - std::chrono::microseconds(
+                    std::int64_t(1000.0 * (slice.cubicMs + slice.linearMs))),
+            slice.linearMs);
         const PlaneClock::Timed view = clock.draw(viewOf(next));
         spent[0].push_back(slice.linearMs);
         spent[1].push_back(slice.cubicMs);
@@ -297,6 +304,9 @@ QString measurePlanes(PeerReport& report)
             spent[cubic ? 4 : 3].push_back(since(start));
         }
     }
+    for (const char* id : {"plane.linear", "plane.cubic"})
+        RowTimes::moves(id, 10.0 * frameSize.x * frameSize.y,
+            "a value read for each pixel, each pixel written and fetched");
     const char* peer = "vtkImageReslice + vtkCutter";
     report.add({"plane.linear", "Ms", median(spent[0]), peer, median(spent[3])});
     report.add({"plane.cubic", "Ms", median(spent[1]), peer, median(spent[4])});
