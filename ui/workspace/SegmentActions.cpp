@@ -120,25 +120,6 @@ double smallIslandMm3(const Workspace& workspace, const core::Segment& segment)
     return std::min(100.0, 0.01 * double(segment.voxels) * spacing.x * spacing.y * spacing.z);
 }
 
-void invertSegment(Workspace& workspace, int label)
-{
-    takeInverse(workspace, {.segment = label, .editable = workspace.editableRange()});
-}
-
-void takeInverse(Workspace& workspace, const core::InvertSegment& edit, bool isOpen)
-{
-    core::EditSession* session = workspace.session();
-    if (!session)
-        return;
-    if (isOpen)
-        session->end(core::Ending::Commit);
-    else if (const auto inverted = session->apply(edit); !inverted)
-        return workspace.fail(inverted.error());
-    const core::Document expected = session->foreseenDocument();
-    if (const core::Segment* segment = expected.segment(edit.segment))
-        workspace.say(QObject::tr("Inverted '%1'; Ctrl+Z takes it back").arg(segment->name));
-}
-
 namespace {
 
 /// The name of a segment; its number if there is none.
@@ -304,6 +285,21 @@ void mirrorSegment(Workspace& workspace, const core::MirrorSegment& edit, bool i
         edit.keep ? QObject::tr("'%1' has its mirror image already").arg(name)
                   : QObject::tr("'%1' is its own mirror image").arg(name),
         {.isOpen = isOpen});
+}
+
+void takeInverse(Workspace& workspace, const core::InvertSegment& edit, bool isOpen)
+{
+    const QString name = nameOfSegment(workspace, edit.segment);
+    const auto words = [name](const Workspace&, const core::HistoryRow&) {
+        return QObject::tr("Inverted '%1'").arg(name);
+    };
+    carryOut(workspace, edit, QObject::tr("'%1' stays as it is").arg(name),
+        {.isOpen = isOpen, .words = words});
+}
+
+void invertSegment(Workspace& workspace, int label)
+{
+    takeInverse(workspace, {.segment = label});
 }
 
 std::optional<core::SplitSegment> splitOfPlane(const Workspace& workspace, int label)

@@ -66,15 +66,27 @@ private Q_SLOTS:
     }
 
     /// So is what the engine itself carries out.
+    void whatTheEngineGoesThroughIsAbandoned_data()
+    {
+        QTest::addColumn<bool>("byKey");
+        QTest::newRow("Abort") << false;
+        QTest::newRow("Esc") << true;
+    }
     void whatTheEngineGoesThroughIsAbandoned()
     {
+        QFETCH(const bool, byKey);
         Fixture fixture;
+        fixture.window.activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(&fixture.window));
         const std::size_t rows = fixture.session().history().rows().size();
         QVERIFY(fixture.session().apply(core::InvertSegment{.segment = 1}));
         QVERIFY(fixture.session().segmentWork().percent());
         QTRY_VERIFY(fixture.bar->isVisible());
         QSignalSpy failed(&fixture.workspace, &ui::Workspace::failed);
-        QTest::mouseClick(fixture.bar->findChild<QPushButton*>(), Qt::LeftButton);
+        if (byKey)
+            QTest::keyClick(&fixture.window, Qt::Key_Escape);
+        else
+            QTest::mouseClick(fixture.bar->findChild<QPushButton*>(), Qt::LeftButton);
         QVERIFY(!fixture.session().segmentWork().percent());
         static_cast<void>(fixture.session().settle());
         QTRY_VERIFY(!fixture.bar->isVisible());
