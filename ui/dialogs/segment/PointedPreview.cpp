@@ -8,6 +8,7 @@
 #include <QFocusEvent>
 #include <QKeyEvent>
 #include <QKeySequence>
+#include <QLineEdit>
 #include <QWidget>
 
 #include <utility>
@@ -59,7 +60,7 @@ void PointedPreview::setFocused(QWidget* widget)
 
 bool PointedPreview::eventFilter(QObject* watched, QEvent* event)
 {
-    if (takesBack(*event))
+    if (takesBack(*watched, *event))
         return true;
     if (m_watched.contains(watched))
         look(*static_cast<QWidget*>(watched), *event);
@@ -108,10 +109,14 @@ bool PointedPreview::isPenElsewhere(QObject& receiver, const QEvent& event) cons
 }
 
 /// Before it is pressed, such a key is asked for, lest it be a shortcut, which would undo a step.
-bool PointedPreview::takesBack(QEvent& event)
+/// A field first takes back what was typed into it; what it leaves goes on to those around it.
+bool PointedPreview::takesBack(QObject& receiver, QEvent& event)
 {
     const bool isAsked = event.type() == QEvent::ShortcutOverride;
     if ((!isAsked && event.type() != QEvent::KeyPress) || !m_row.isPreviewing())
+        return false;
+    if (!receiver.isWidgetType() || qobject_cast<const QAbstractSpinBox*>(&receiver)
+        || qobject_cast<const QLineEdit*>(&receiver))
         return false;
     const auto& key = static_cast<const QKeyEvent&>(event);
     if (key.key() != Qt::Key_Escape && !key.matches(QKeySequence::Undo))
