@@ -97,9 +97,8 @@ std::vector<OpenCase> openCases()
         {ResumeGrowth(), takes<GrowAdvance, PauseGrowth>(), kept},
         {ChangeInterval(), takes<ToInterval, GrowAdvance, PauseGrowth>(), kept},
         {ShrinkSteps(), takes<ToSteps>(), kept}, {ShrinkAt{.steps = 1}, takes<ToSteps>(), kept},
-        {GrowFromSeeds(), takes<ForgetPreview>(), spread},
-        {ThresholdSegment(), takes<>(), preview}, {InvertSegment(), takes<>(), preview},
-        {CombineSegments(), takes<>(), preview}};
+        {GrowFromSeeds(), takes<ForgetPreview>(), spread}, {ThresholdSegment(), takes<>(), preview},
+        {InvertSegment(), takes<>(), preview}, {CombineSegments(), takes<>(), preview}};
 }
 
 template <class... Es> std::size_t openKinds(EditKinds<Es...>)
