@@ -50,6 +50,12 @@ public:
     /// Blocks until all submitted commands are done; a paced growth runs to its end at full speed.
     virtual void finish() = 0;
 
+    /// Gives up an edit whose end was submitted: if work on it is left, that ends soon, and a
+    /// commit becomes a rollback. Does not wait. If it comes too late, or if an engine does not do
+    /// so, the result lists what changed, and the caller takes it back.
+    /// @param ended the ticket of the EndEdit
+    virtual void giveUp(Ticket ended) { static_cast<void>(ended); }
+
     /// @param wakeUp called on a thread of the engine when collect() has results; to be set before
     /// the first submit()
     virtual void setWakeUp(std::function<void()> wakeUp) = 0;

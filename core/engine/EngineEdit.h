@@ -38,11 +38,11 @@ using GrowthEdits = TypeList<SeedPlacement, GrowBurst, ShrinkGrowth, CutGrowth, 
 using StrokeEdits =
     TypeList<DrillCut, LaserCut, ShellPeel, OutlineCut, CapsuleCut, PaintLabel, PaintBarrier>;
 /// Edits of whole labels and layers, of listed voxels, by values (sculpt/labels/LabelThreshold.h),
-/// and of what lies under a curve (sculpt/labels/LabelScissors.h). CoverLabel and FoldLayer are in
-/// sculpt/labels/LayerWrites.h, and so is LabelWrites, a list of edits that give labels to voxels
-/// (LabelOutlined.h belongs to it, too).
-using WholeEdits =
-    TypeList<EraseLabel, CoverLabel, FoldLayer, BarrierListed, LabelThreshold, LabelScissors>;
+/// and of what lies under a curve (sculpt/labels/LabelScissors.h). CoverLabel, FoldLayer and
+/// MapLabels are in sculpt/labels/LayerWrites.h, and so is LabelWrites, a list of edits that give
+/// labels to voxels (LabelOutlined.h belongs to it, too).
+using WholeEdits = TypeList<EraseLabel, CoverLabel, FoldLayer, BarrierListed, LabelThreshold,
+    LabelScissors, MapLabels>;
 
 using EngineEditVariant =
     JoinedTypes<GrowthEdits, StrokeEdits, WholeEdits, LabelWrites>::List::Variant;
@@ -60,6 +60,10 @@ struct EngineEdit : EngineEditVariant {
 
 /// Checks whether an edit may begin in a volume of this grid. Errors: InvalidField.
 [[nodiscard]] Result<void> checkEdit(const EngineEdit& edit, const BrickGrid& grid);
+
+/// Whether an engine may go on with it for long after it has begun, because it works through much
+/// of the volume. While it does, the edit can be given up (EditEngine::giveUp()).
+[[nodiscard]] bool mayTakeLong(const EngineEdit& edit);
 
 /// What an open edit can be told while it runs.
 using EngineExtensionVariant = std::variant<DrillPath, GrowAdvance, GrowPause, CapsulePath,

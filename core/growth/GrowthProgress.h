@@ -41,8 +41,10 @@ struct GrowthProgress {
     /// voxels added by each generation, that of the opening first
     std::vector<std::uint32_t> frontSizes;
     std::optional<LeakAlarm> alarm{};
-    /// Only for such a cut; all other members are about a growth.
+    /// Only for such a cut; all members above are about a growth.
     std::optional<BackwardProgress> backwards{};
+    /// How much is done of other work that is `running`; less than 0: nobody knows.
+    int percent = -1;
 };
 
 } // namespace core

@@ -17,7 +17,7 @@ std::optional<int> SegmentWork::percent() const
     const AbortableWork* operation = m_queue.runningAbortable();
     if (!operation || !operation->isAbortable())
         return std::nullopt;
-    return std::max(0, operation->percent());
+    return std::max(0, operation->percent(m_queue.state()));
 }
 
 bool SegmentWork::isPreview() const
@@ -30,7 +30,7 @@ bool SegmentWork::isPreview() const
 void SegmentWork::abort()
 {
     if (AbortableWork* operation = m_queue.runningAbortable())
-        operation->abort();
+        m_queue.guard([&] { operation->abort(m_queue.state()); });
 }
 
 } // namespace core

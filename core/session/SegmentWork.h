@@ -9,14 +9,16 @@ class OperationQueue;
 
 /// The edit of a segment that is being computed at present, also for its preview (CleanSegment,
 /// ReshapeSegment, FillBetweenSlices, FloodFill, MirrorSegment, EvolveContour, SplitIslands,
-/// SplitSegment, CopySegment, SplitByCurve, ImportMask), or the RevertRows that looks at what
-/// imports of masks hold. Part of EditSession.
+/// SplitSegment, CopySegment, SplitByCurve, ImportMask); or the RevertRows that looks at what
+/// imports of masks hold; or with which the engine goes through the volume, once it is to be a step
+/// (InvertSegment, CombineSegments, ThresholdSegment, SegmentScissors, GrowFromSeeds). Part of
+/// EditSession.
 class SegmentWork {
 public:
     explicit SegmentWork(OperationQueue& queue);
 
-    /// The percentage of it that is done; none: no such edit is running, or its voxels are already
-    /// being written.
+    /// The percentage of it that is done; none: no such edit is running, or what was computed is
+    /// already being written.
     [[nodiscard]] std::optional<int> percent() const;
     /// Whether it is for a preview that stands open, which is its dialog's. One that waits in line
     /// behind other work is not.

@@ -64,6 +64,20 @@ void CommandQueue::finish()
     m_hurry = false;
 }
 
+/// A rollback waits for no steps (takeNext()): it follows the slice that is under way.
+void CommandQueue::giveUp(core::Ticket ended)
+{
+    {
+        const std::lock_guard lock(m_mutex);
+        for (Waiting& each : m_waiting) {
+            auto* end = std::get_if<core::EndEdit>(&each.command);
+            if (end && each.ticket == ended)
+                end->ending = core::Ending::Rollback;
+        }
+    }
+    m_thread.wake();
+}
+
 void CommandQueue::setWakeUp(std::function<void()> wakeUp)
 {
     const std::lock_guard lock(m_mutex);

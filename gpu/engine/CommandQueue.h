@@ -23,6 +23,7 @@ public:
     core::Ticket submit(core::EngineCommand command) final;
     [[nodiscard]] std::vector<core::EngineResult> collect() final;
     void finish() final;
+    void giveUp(core::Ticket ended) final;
     void setWakeUp(std::function<void()> wakeUp) final;
     [[nodiscard]] core::GrowthProgress growthProgress() const final;
 

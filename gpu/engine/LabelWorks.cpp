@@ -25,14 +25,8 @@ private:
 
 /// Goes through its bricks in slices, so that pictures are drawn in between, and that it can be
 /// rolled back on the way.
-class ThresholdWork final : public EditWork {
+class WorkOnBricks : public EditWork {
 public:
-    ThresholdWork(const core::LabelThreshold& edit, const WorkContext& context)
-        : m_edit(edit)
-        , m_context(context)
-        , m_bricks(bricksConcerned(context.fields, edit))
-    {
-    }
     bool hasStepsLeft() const override { return m_done < m_bricks.size(); }
     void advance(int rings) override
     {
@@ -41,57 +35,104 @@ public:
             std::min(m_done + bricksPerRing * std::size_t(rings), m_bricks.size());
         const std::vector<std::uint32_t> next(
             m_bricks.begin() + std::ptrdiff_t(m_done), m_bricks.begin() + std::ptrdiff_t(end));
-        const std::vector<core::BrickKey> changed = writeThreshold(
-            m_context.programs.label, m_context.fields, m_context.before, m_edit, next);
+        const std::vector<core::BrickKey> changed = write(next);
         m_keys.insert(m_keys.end(), changed.begin(), changed.end());
         m_done = end;
     }
     std::vector<core::BrickKey> touchedKeys() const override { return m_keys; }
-    core::GrowthProgress progress() const override { return {.running = hasStepsLeft()}; }
+    core::GrowthProgress progress() const override
+    {
+        constexpr std::size_t percents = 100;
+        core::GrowthProgress progress{.running = hasStepsLeft()};
+        if (progress.running)
+            progress.percent = int(percents * m_done / m_bricks.size());
+        return progress;
+    }
+
+protected:
+    /// @param bricks all that may change
+    WorkOnBricks(const WorkContext& context, std::vector<std::uint32_t> bricks)
+        : m_context(context)
+        , m_bricks(std::move(bricks))
+    {
+    }
+    /// Carries the edit out in some of them. @return the keys of what has changed
+    virtual std::vector<core::BrickKey> write(const std::vector<std::uint32_t>& bricks) = 0;
+    [[nodiscard]] const WorkContext& context() const { return m_context; }
 
 private:
-    core::LabelThreshold m_edit;
     WorkContext m_context;
-    std::vector<std::uint32_t> m_bricks; ///< all that may change
+    std::vector<std::uint32_t> m_bricks;
     std::size_t m_done = 0; ///< of these
     std::vector<core::BrickKey> m_keys;
 };
 
-/// The same for scissors, which first look how far they reach.
-class ScissorsWork final : public EditWork {
+class ThresholdWork final : public WorkOnBricks {
 public:
-    ScissorsWork(const core::LabelScissors& edit, const WorkContext& context)
-        : m_edit(edit)
-        , m_context(context)
-        , m_reach(context.programs.label, context.fields, m_edit)
-        , m_bricks(bricksConcerned(context.fields, edit))
+    ThresholdWork(const core::LabelThreshold& edit, const WorkContext& context)
+        : WorkOnBricks(context, bricksConcerned(context.fields, edit))
+        , m_edit(edit)
     {
     }
-    bool hasStepsLeft() const override { return m_done < m_bricks.size(); }
+
+protected:
+    std::vector<core::BrickKey> write(const std::vector<std::uint32_t>& bricks) override
+    {
+        return writeThreshold(
+            context().programs.label, context().fields, context().before, m_edit, bricks);
+    }
+
+private:
+    core::LabelThreshold m_edit;
+};
+
+/// What is inverted may be all of the volume.
+class MappedWork final : public WorkOnBricks {
+public:
+    MappedWork(const core::MapLabels& edit, const WorkContext& context)
+        : WorkOnBricks(context, bricksConcerned(context.programs.label, context.fields, edit))
+        , m_edit(edit)
+    {
+    }
+
+protected:
+    std::vector<core::BrickKey> write(const std::vector<std::uint32_t>& bricks) override
+    {
+        return writeMapped(
+            context().programs.label, context().fields, context().before, m_edit, bricks);
+    }
+
+private:
+    core::MapLabels m_edit;
+};
+
+/// Scissors first look how far they reach.
+class ScissorsWork final : public WorkOnBricks {
+public:
+    ScissorsWork(const core::LabelScissors& edit, const WorkContext& context)
+        : WorkOnBricks(context, bricksConcerned(context.fields, edit))
+        , m_edit(edit)
+        , m_reach(context.programs.label, context.fields, m_edit)
+    {
+    }
     void advance(int rings) override
     {
         constexpr std::size_t elementsPerRing = 2048;
-        constexpr std::size_t bricksPerRing = 64;
         if (!m_reach.isKnown())
             return m_reach.advance(elementsPerRing * std::size_t(rings));
-        const std::size_t end =
-            std::min(m_done + bricksPerRing * std::size_t(rings), m_bricks.size());
-        const std::vector<std::uint32_t> next(
-            m_bricks.begin() + std::ptrdiff_t(m_done), m_bricks.begin() + std::ptrdiff_t(end));
-        const std::vector<core::BrickKey> changed = writeScissors(m_context.programs.label,
-            m_context.fields, m_context.before, m_edit, m_reach.buffer(), next);
-        m_keys.insert(m_keys.end(), changed.begin(), changed.end());
-        m_done = end;
+        WorkOnBricks::advance(rings);
     }
-    std::vector<core::BrickKey> touchedKeys() const override { return m_keys; }
+
+protected:
+    std::vector<core::BrickKey> write(const std::vector<std::uint32_t>& bricks) override
+    {
+        return writeScissors(context().programs.label, context().fields, context().before, m_edit,
+            m_reach.buffer(), bricks);
+    }
 
 private:
     core::LabelScissors m_edit;
-    WorkContext m_context;
     ScissorsReach m_reach;
-    std::vector<std::uint32_t> m_bricks; ///< all that may change
-    std::size_t m_done = 0; ///< of these
-    std::vector<core::BrickKey> m_keys;
 };
 
 BegunWork done(std::vector<core::BrickKey> keys)
@@ -122,6 +163,11 @@ BegunWork begun(const core::LabelThreshold& edit, const WorkContext& context)
 BegunWork begun(const core::LabelScissors& edit, const WorkContext& context)
 {
     return std::make_unique<ScissorsWork>(edit, context);
+}
+
+BegunWork begun(const core::MapLabels& edit, const WorkContext& context)
+{
+    return std::make_unique<MappedWork>(edit, context);
 }
 
 BegunWork begun(const core::FoldLayer& edit, const WorkContext& context)

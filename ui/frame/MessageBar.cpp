@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/frame/MessageBar.h"
 
+#include "core/session/EditSession.h"
 #include "ui/base/Icons.h"
 #include "ui/base/Theme.h"
+#include "ui/workspace/Workspace.h"
 
 #include <QHBoxLayout>
 #include <QLabel>
@@ -103,6 +105,24 @@ void MessageBar::setTips(const QString& button, const QString& close)
 {
     m_button->setToolTip(button);
     m_close->setToolTip(close);
+}
+
+void MessageBar::dismissAtNextStep(Workspace& workspace)
+{
+    const core::EditSession* session = workspace.session();
+    if (!session)
+        return;
+    auto* waiting = new QObject(this);
+    connect(&workspace, &Workspace::documentChanged, waiting,
+        [this, &workspace, waiting, said = sentence(), position = session->history().position()] {
+            if (sentence() == said) {
+                const core::EditSession* now = workspace.session();
+                if (now && now->history().position() == position)
+                    return;
+                dismiss();
+            }
+            waiting->deleteLater();
+        });
 }
 
 void MessageBar::dismiss()

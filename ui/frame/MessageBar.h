@@ -12,6 +12,8 @@ class QToolButton;
 
 namespace ui {
 
+class Workspace;
+
 /// Shows one sentence at the top of the views: what happened, to what, and what to do; with a
 /// button if the program can help. Hidden while there is no message. It lies over the pictures, so
 /// a notice that asks for nothing goes by itself; a caution, an error and what has a button stay
@@ -30,6 +32,9 @@ public:
     /// none of it.
     /// @param close in place of what the × tells otherwise
     void setTips(const QString& button, const QString& close);
+    /// The message that is shown speaks of the last step, which its button takes back: it is
+    /// dismissed as soon as another step is made, or that one is undone.
+    void dismissAtNextStep(Workspace& workspace);
     void dismiss();
     [[nodiscard]] QString sentence() const;
     /// How long a notice without a button stays, unless the pointer rests on it.

@@ -6,6 +6,8 @@
 #include "ui/frame/LoadingBar.h"
 #include "ui/workspace/Workspace.h"
 
+#include <QShortcut>
+
 #include <optional>
 
 namespace ui {
@@ -21,6 +23,7 @@ SegmentWorkWatch::SegmentWorkWatch(Workspace& workspace, LoadingBar& bar)
     : QObject(&bar)
     , m_workspace(workspace)
     , m_bar(bar)
+    , m_escape(new QShortcut(QKeySequence(Qt::Key_Escape), &bar))
 {
     bar.showAfter(showAfterMilliseconds);
     m_looks.setInterval(lookMilliseconds);
@@ -32,11 +35,15 @@ SegmentWorkWatch::SegmentWorkWatch(Workspace& workspace, LoadingBar& bar)
         else
             m_looks.stop();
     });
-    connect(&bar, &LoadingBar::aborted, this, [this] {
-        if (core::EditSession* session = m_workspace.session())
-            session->segmentWork().abort();
-        look();
-    });
+    connect(&bar, &LoadingBar::aborted, this, &SegmentWorkWatch::abort);
+    connect(m_escape, &QShortcut::activated, this, &SegmentWorkWatch::abort);
+}
+
+void SegmentWorkWatch::abort()
+{
+    if (core::EditSession* session = m_workspace.session())
+        session->segmentWork().abort();
+    look();
 }
 
 void SegmentWorkWatch::look()
@@ -50,6 +57,8 @@ void SegmentWorkWatch::look()
     if (!percent && m_works)
         m_bar.end();
     m_works = percent.has_value();
+    // Of a stroke, Esc takes that back.
+    m_escape->setEnabled(m_works && (!session->transactionOpen() || session->openIsPreview()));
     if (percent)
         m_bar.percent(*percent);
 }

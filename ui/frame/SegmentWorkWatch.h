@@ -4,15 +4,17 @@
 #include <QObject>
 #include <QTimer>
 
+class QShortcut;
+
 namespace ui {
 
 class LoadingBar;
 class Workspace;
 
-/// Shows in a bar how far an edit of a whole segment is that is being computed
+/// Shows in a bar how far an edit of a whole segment is that is being computed or carried out
 /// (core/session/SegmentWork.h), wherever it was asked for, and abandons it when the bar's Abort is
-/// pressed. What takes less than about half a second shows no bar, and previews show none: their
-/// dialogs do.
+/// pressed, or Esc while no stroke is open. What takes less than about half a second shows no bar,
+/// and previews show none: their dialogs do.
 class SegmentWorkWatch : public QObject {
     Q_OBJECT
 
@@ -22,9 +24,11 @@ public:
 
 private:
     void look();
+    void abort();
 
     Workspace& m_workspace;
     LoadingBar& m_bar;
+    QShortcut* m_escape; ///< works while the bar is visible
     QTimer m_looks; ///< runs while a session is open
     bool m_works = false;
 };

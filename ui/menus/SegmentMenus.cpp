@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/menus/SegmentMenus.h"
 
+#include "core/edits/kinds/segments/CombineSegments.h"
 #include "core/session/EditSession.h"
 #include "ui/base/MenuText.h"
 #include "ui/measure/DistanceOfSegments.h"
@@ -25,8 +26,9 @@ struct Combination {
     QMenu* menu = nullptr;
     QString text;
     QString named; ///< with the segment's name
-    void (*run)(Workspace& workspace, int label, int other) = nullptr;
+    std::function<void(int label, int other)> run{};
     OtherSegment kind = OtherSegment::Changed;
+    std::function<void(int label, int other)> pointedAt{}; ///< other 0: nothing can be done
 
     void list(Workspace& workspace, int label, bool isNamed) const
     {
@@ -41,9 +43,13 @@ struct Combination {
                 *menu, session->document(), label,
                 [&workspace, session, label, combine = run](int other) {
                     if (workspace.session() == session)
-                        combine(workspace, label, other);
+                        combine(label, other);
                 },
-                kind);
+                kind,
+                [label, pointed = pointedAt](int other) {
+                    if (pointed)
+                        pointed(label, other);
+                });
         if (kind == OtherSegment::Overlapping)
             menu->menuAction()->setVisible(session && session->document().labelPlanes().size() > 1);
         // Where one is locked, the list shows which.
@@ -104,7 +110,8 @@ QString whyUnchangeable(const core::Segment* segment)
 }
 
 QString listOtherSegments(QMenu& menu, const core::Document& document, int but,
-    const std::function<void(int)>& choose, OtherSegment kind)
+    const std::function<void(int)>& choose, OtherSegment kind,
+    const std::function<void(int)>& pointedAt)
 {
     menu.setToolTipsVisible(true);
     QString why = QObject::tr("there is no other segment");
@@ -128,6 +135,9 @@ QString listOtherSegments(QMenu& menu, const core::Document& document, int but,
                          .arg(each.name);
         entry->setEnabled(whyNot.isEmpty());
         entry->setToolTip(whyNot);
+        if (pointedAt)
+            QObject::connect(entry, &QAction::hovered, &menu,
+                [pointedAt, label = whyNot.isEmpty() ? int(each.label) : 0] { pointedAt(label); });
         possible = possible || whyNot.isEmpty();
         why = kind == OtherSegment::Overlapping
             ? QObject::tr("every other segment lies on the same label plane")
@@ -159,6 +169,70 @@ void addOverlaps(QMenu& menu, QAction* before, Workspace& workspace)
     listOverlaps(*sub, workspace);
 }
 
+namespace {
+
+/// The entries of "Combine", each with its submenu at the end of a menu.
+std::vector<Combination> combinationsIn(
+    QMenu& menu, Workspace& workspace, const CombineChoice& choice)
+{
+    using How = core::CombineSegments::How;
+    const auto add = [&](const char* name, How how, const QString& text, const QString& named) {
+        auto* sub = new QMenu(&menu);
+        sub->setObjectName(QLatin1String(name));
+        menu.addMenu(sub);
+        const auto edit = [&workspace, how](int label, int other) {
+            const bool isMerged = how == How::Merge; // the other one receives the voxels
+            return core::CombineSegments{.segment = isMerged ? other : label,
+                .with = isMerged ? label : other,
+                .how = how,
+                .editable = workspace.editableRange()};
+        };
+        Combination made{sub, text, named,
+            [edit, choose = choice.choose](int label, int other) { choose(edit(label, other)); }};
+        if (how != How::Merge && how != How::Swap)
+            made.kind = OtherSegment::Overlapping;
+        if (choice.pointedAt) {
+            made.pointedAt = [edit, pointed = choice.pointedAt](int label, int other) {
+                const core::CombineSegments meant = edit(label, other);
+                pointed(other == 0 ? nullptr : &meant);
+            };
+            QObject::connect(sub->menuAction(), &QAction::hovered, sub,
+                [pointed = choice.pointedAt] { pointed(nullptr); });
+        }
+        return made;
+    };
+    return {
+        add("mergeSegments", How::Merge, QObject::tr("Merge into"), QObject::tr("Merge '%1' into")),
+        add("swapSegments", How::Swap, QObject::tr("Swap with"), QObject::tr("Swap '%1' with")),
+        add("uniteSegments", How::Union, QObject::tr("Add voxels of"),
+            QObject::tr("Add to '%1' voxels of")),
+        add("subtractSegment", How::Subtract, QObject::tr("Subtract"),
+            QObject::tr("Subtract from '%1'")),
+        add("intersectSegments", How::Intersect, QObject::tr("Intersect with"),
+            QObject::tr("Intersect '%1' with"))};
+}
+
+/// Has them listed now, and whenever the menu opens.
+void listThem(QMenu& menu, Workspace& workspace, const std::vector<Combination>& all,
+    const std::function<int()>& label, bool named)
+{
+    const auto list = [&workspace, all, label, named] {
+        for (const Combination& each : all)
+            each.list(workspace, label(), named);
+    };
+    QObject::connect(&menu, &QMenu::aboutToShow, all.front().menu, list);
+    list();
+}
+
+} // namespace
+
+void addCombineEntries(QMenu& menu, Workspace& workspace, const std::function<int()>& label,
+    const CombineChoice& choice)
+{
+    menu.setToolTipsVisible(true);
+    listThem(menu, workspace, combinationsIn(menu, workspace, choice), label, false);
+}
+
 void addCombinations(QMenu& menu, QAction* before, Workspace& workspace,
     const std::function<int()>& label, bool named)
 {
@@ -169,32 +243,18 @@ void addCombinations(QMenu& menu, QAction* before, Workspace& workspace,
     combine->setObjectName(QStringLiteral("combineSegments"));
     combine->setToolTipsVisible(true);
     menu.insertMenu(before, combine);
-    const auto addTo = [](QMenu& parent, QAction* next, const char* name) {
-        auto* sub = new QMenu(&parent);
-        sub->setObjectName(QLatin1String(name));
-        parent.insertMenu(next, sub);
-        return sub;
-    };
-    const auto add = [&](const char* name) { return addTo(*combine, nullptr, name); };
-    const Combination merge{add("mergeSegments"), QObject::tr("Merge into"),
-        QObject::tr("Merge '%1' into"), &mergeSegments};
-    const Combination swap{add("swapSegments"), QObject::tr("Swap with"),
-        QObject::tr("Swap '%1' with"), &swapSegments};
-    const std::vector<Combination> all{merge, swap,
-        {add("uniteSegments"), QObject::tr("Add voxels of"), QObject::tr("Add to '%1' voxels of"),
-            &uniteSegments, OtherSegment::Overlapping},
-        {add("subtractSegment"), QObject::tr("Subtract"), QObject::tr("Subtract from '%1'"),
-            &subtractSegment, OtherSegment::Overlapping},
-        {add("intersectSegments"), QObject::tr("Intersect with"),
-            QObject::tr("Intersect '%1' with"), &intersectSegments, OtherSegment::Overlapping},
-        {addTo(menu, before, "distanceOfSegments"), QObject::tr("Measure distance to"),
-            QObject::tr("Measure distance from '%1' to"), &measureDistance, OtherSegment::Any}};
-    const auto list = [&workspace, all, label, named] {
-        for (const Combination& each : all)
-            each.list(workspace, label(), named);
-    };
-    QObject::connect(&menu, &QMenu::aboutToShow, merge.menu, list);
-    list();
+    std::vector<Combination> all = combinationsIn(
+        *combine, workspace, {.choose = [&workspace](const core::CombineSegments& edit) {
+            combineSegments(workspace, edit);
+        }});
+    auto* distance = new QMenu(&menu);
+    distance->setObjectName(QStringLiteral("distanceOfSegments"));
+    menu.insertMenu(before, distance);
+    all.push_back(
+        {distance, QObject::tr("Measure distance to"), QObject::tr("Measure distance from '%1' to"),
+            [&workspace](int one, int other) { measureDistance(workspace, one, other); },
+            OtherSegment::Any});
+    listThem(menu, workspace, all, label, named);
 }
 
 } // namespace ui

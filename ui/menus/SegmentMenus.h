@@ -9,6 +9,7 @@ class QAction;
 class QMenu;
 
 namespace core {
+struct CombineSegments;
 struct Document;
 struct Segment;
 } // namespace core
@@ -36,9 +37,12 @@ enum class OtherSegment {
 /// segments that are not of the kind are disabled.
 /// @param but the label of the segment that is left out
 /// @param choose is called with the label of the chosen segment
+/// @param pointedAt is called with the label of a segment whose entry is pointed at, or has the
+/// keyboard; 0: it is disabled
 /// @return why no segment can be chosen; empty if at least one can
 QString listOtherSegments(QMenu& menu, const core::Document& document, int but,
-    const std::function<void(int)>& choose, OtherSegment kind = OtherSegment::Changed);
+    const std::function<void(int)>& choose, OtherSegment kind = OtherSegment::Changed,
+    const std::function<void(int)>& pointedAt = {});
 
 /// Returns the menu to which the entry of an action is to be added: @p menu itself, or its submenu
 /// with the action's submenu title. A missing submenu is appended.
@@ -49,6 +53,17 @@ QString listOtherSegments(QMenu& menu, const core::Document& document, int but,
 /// It is filled anew whenever the menu opens.
 /// @param before the action before which it is inserted; null: at the end
 void addOverlaps(QMenu& menu, QAction* before, Workspace& workspace);
+
+/// What becomes of the entries of "Combine". Their edits keep to the editable range.
+struct CombineChoice {
+    std::function<void(const core::CombineSegments&)> choose;
+    /// An entry is pointed at, or has the keyboard; null: what is pointed at can do nothing.
+    std::function<void(const core::CombineSegments*)> pointedAt{};
+};
+
+/// Adds what addCombinations() has in its submenu "Combine" to a menu that has nothing else.
+void addCombineEntries(QMenu& menu, Workspace& workspace, const std::function<int()>& label,
+    const CombineChoice& choice);
 
 /// Adds the submenus "Combine" and "Measure distance to" to a menu. "Combine" has "Merge into" and
 /// "Swap with", and also "Add voxels of", "Subtract" and "Intersect with" while there are several

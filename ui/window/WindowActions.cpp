@@ -8,7 +8,6 @@
 #include "ui/dialogs/SegmentDialogs.h"
 #include "ui/dialogs/study/OpenDialogs.h"
 #include "ui/frame/MessageBar.h"
-#include "ui/frame/StepMessage.h"
 #include "ui/input/Tool.h"
 #include "ui/menus/SegmentEntries.h"
 #include "ui/menus/SegmentViews.h"
@@ -85,7 +84,7 @@ void addFileActions(MainWindow& window)
                 (QStringList{rowName + QLatin1Char('.')} + notes).join(QLatin1Char(' ')),
                 Actions::tr("Undo"), [&workspace, row] { undoIfLast(workspace, row); });
             if (kind == MessageBar::Kind::Notice)
-                dismissAtNextStep(window.messages(), workspace);
+                window.messages().dismissAtNextStep(workspace);
         });
     QObject::connect(
         &importer, &MaskImporter::nothingTaken, &window, [&window](const QString& path) {

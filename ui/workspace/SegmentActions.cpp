@@ -120,19 +120,6 @@ double smallIslandMm3(const Workspace& workspace, const core::Segment& segment)
     return std::min(100.0, 0.01 * double(segment.voxels) * spacing.x * spacing.y * spacing.z);
 }
 
-void invertSegment(Workspace& workspace, int label)
-{
-    core::EditSession* session = workspace.session();
-    if (!session)
-        return;
-    const core::InvertSegment edit{.segment = label, .editable = workspace.editableRange()};
-    if (const auto inverted = session->apply(edit); !inverted)
-        return workspace.fail(inverted.error());
-    const core::Document expected = session->foreseenDocument();
-    if (const core::Segment* segment = expected.segment(label))
-        workspace.say(QObject::tr("Inverted '%1'; Ctrl+Z takes it back").arg(segment->name));
-}
-
 namespace {
 
 /// The name of a segment; its number if there is none.
@@ -300,6 +287,21 @@ void mirrorSegment(Workspace& workspace, const core::MirrorSegment& edit, bool i
         {.isOpen = isOpen});
 }
 
+void takeInverse(Workspace& workspace, const core::InvertSegment& edit, bool isOpen)
+{
+    const QString name = nameOfSegment(workspace, edit.segment);
+    const auto words = [name](const Workspace&, const core::HistoryRow&) {
+        return QObject::tr("Inverted '%1'").arg(name);
+    };
+    carryOut(workspace, edit, QObject::tr("'%1' stays as it is").arg(name),
+        {.isOpen = isOpen, .words = words});
+}
+
+void invertSegment(Workspace& workspace, int label)
+{
+    takeInverse(workspace, {.segment = label});
+}
+
 std::optional<core::SplitSegment> splitOfPlane(const Workspace& workspace, int label)
 {
     const core::EditSession* session = workspace.session();
@@ -320,10 +322,15 @@ std::optional<core::SplitSegment> splitOfPlane(const Workspace& workspace, int l
 void splitByPlane(Workspace& workspace, int label)
 {
     if (const std::optional<core::SplitSegment> edit = splitOfPlane(workspace, label))
-        carryOut(workspace, *edit,
-            QObject::tr("all of '%1' lies on one side of the cutting plane")
-                .arg(nameOfSegment(workspace, label)),
-            {.words = wordsOfSplit(label)});
+        splitSegment(workspace, *edit);
+}
+
+void splitSegment(Workspace& workspace, const core::SplitSegment& edit, bool isOpen)
+{
+    carryOut(workspace, edit,
+        QObject::tr("all of '%1' lies on one side of the cutting plane")
+            .arg(nameOfSegment(workspace, edit.segment)),
+        {.isOpen = isOpen, .words = wordsOfSplit(edit.segment)});
 }
 
 void splitByCurve(Workspace& workspace, const core::SplitByCurve& edit)
@@ -448,46 +455,33 @@ void duplicateSegment(Workspace& workspace, int label)
                              : QObject::tr("no voxel of '%1' was copied").arg(segment->name));
 }
 
-void mergeSegments(Workspace& workspace, int from, int into)
+namespace {
+
+/// What is told if nothing came of it.
+QString nothingToCombine(const Workspace& workspace, const core::CombineSegments& edit)
 {
-    carryOut(workspace, core::CombineSegments{.segment = into, .with = from},
-        QObject::tr("'%1' has no voxels").arg(nameOfSegment(workspace, from)));
+    const QString name = nameOfSegment(workspace, edit.segment);
+    const QString other = nameOfSegment(workspace, edit.with);
+    switch (edit.how) {
+    case core::CombineSegments::How::Merge:
+        break;
+    case core::CombineSegments::How::Swap:
+        return QObject::tr("neither '%1' nor '%2' has voxels").arg(name, other);
+    case core::CombineSegments::How::Union:
+        return QObject::tr("no voxel of '%1' is free beside '%2'").arg(other, name);
+    case core::CombineSegments::How::Subtract:
+        return QObject::tr("'%1' and '%2' have no voxel in common").arg(name, other);
+    case core::CombineSegments::How::Intersect:
+        return QObject::tr("'%1' lies within '%2' as a whole").arg(name, other);
+    }
+    return QObject::tr("'%1' has no voxels").arg(other);
 }
 
-void swapSegments(Workspace& workspace, int one, int other)
-{
-    carryOut(workspace,
-        core::CombineSegments{
-            .segment = one, .with = other, .how = core::CombineSegments::How::Swap},
-        QObject::tr("neither '%1' nor '%2' has voxels")
-            .arg(nameOfSegment(workspace, one), nameOfSegment(workspace, other)));
-}
+} // namespace
 
-void uniteSegments(Workspace& workspace, int label, int with)
+void combineSegments(Workspace& workspace, const core::CombineSegments& edit, bool isOpen)
 {
-    carryOut(workspace,
-        core::CombineSegments{
-            .segment = label, .with = with, .how = core::CombineSegments::How::Union},
-        QObject::tr("no voxel of '%1' is free beside '%2'")
-            .arg(nameOfSegment(workspace, with), nameOfSegment(workspace, label)));
-}
-
-void subtractSegment(Workspace& workspace, int label, int with)
-{
-    carryOut(workspace,
-        core::CombineSegments{
-            .segment = label, .with = with, .how = core::CombineSegments::How::Subtract},
-        QObject::tr("'%1' and '%2' have no voxel in common")
-            .arg(nameOfSegment(workspace, label), nameOfSegment(workspace, with)));
-}
-
-void intersectSegments(Workspace& workspace, int label, int with)
-{
-    carryOut(workspace,
-        core::CombineSegments{
-            .segment = label, .with = with, .how = core::CombineSegments::How::Intersect},
-        QObject::tr("'%1' lies within '%2' as a whole")
-            .arg(nameOfSegment(workspace, label), nameOfSegment(workspace, with)));
+    carryOut(workspace, edit, nothingToCombine(workspace, edit), {.isOpen = isOpen});
 }
 
 } // namespace ui

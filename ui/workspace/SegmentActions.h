@@ -12,10 +12,12 @@
 
 namespace core {
 struct CleanSegment;
+struct CombineSegments;
 struct Document;
 struct EvolveContour;
 struct FillBetweenSlices;
 struct FloodFill;
+struct InvertSegment;
 struct MirrorSegment;
 struct ReshapeSegment;
 struct Segment;
@@ -51,16 +53,6 @@ void removeSegment(Workspace& workspace, int label);
 
 /// Each of the following functions carries out one edit as a step of its own and tells the user
 /// what it did, or that there was nothing to do. Failures are reported by the workspace.
-///
-/// mergeSegments() gives all voxels of a segment to another one; swapSegments() exchanges the
-/// voxels of two segments.
-void mergeSegments(Workspace& workspace, int from, int into);
-void swapSegments(Workspace& workspace, int one, int other);
-/// The following change a segment by one of another label plane, which stays as it is: they add its
-/// voxels, take those away that it has, and those that it has not.
-void uniteSegments(Workspace& workspace, int label, int with);
-void subtractSegment(Workspace& workspace, int label, int with);
-void intersectSegments(Workspace& workspace, int label, int with);
 
 /// Makes a new segment with the voxels of a segment, which may be locked, in another label plane.
 void duplicateSegment(Workspace& workspace, int label);
@@ -75,7 +67,7 @@ void removeSmallIslands(Workspace& workspace, int label);
 void invertSegment(Workspace& workspace, int label);
 
 /// Makes the part of a segment behind the cutting plane, as the plane's viewer sees it, a new
-/// segment. The volumes of both are told, here and by splitByCurve().
+/// segment.
 void splitByPlane(Workspace& workspace, int label);
 /// The edit that splitByPlane() would carry out, without an editable range; none if there is no
 /// such segment.
@@ -87,14 +79,17 @@ void splitByCurve(Workspace& workspace, const core::SplitByCurve& edit);
 [[nodiscard]] QString partsText(const Workspace& workspace, const QString& name,
     std::int64_t voxels, const QString& otherName, std::int64_t otherVoxels);
 
-/// The following six may be previewed before (EditTrial).
+/// The following nine may be previewed before (EditTrial).
 /// @param isOpen whether @p edit stands open in the session, for its preview; it is committed then,
 /// and nothing is computed again
 ///
 /// reshapeSegment() grows, shrinks, hollows out, smooths or wraps a segment; fillBetweenSlices()
 /// fills it between the slices on which it was drawn; takeThreshold() applies a threshold;
 /// cleanSegment() fills holes or takes islands away; mirrorSegment() replaces it by its mirror
-/// image, or adds that; splitIslands() makes islands of it segments of their own.
+/// image, or adds that; splitIslands() makes islands of it segments of their own; splitSegment()
+/// makes what lies beyond a plane a segment, and tells the volumes of both, as splitByCurve() does;
+/// takeInverse() replaces it by what belongs to no segment; combineSegments() gives a segment
+/// voxels of another one, or takes some away by it.
 void reshapeSegment(Workspace& workspace, const core::ReshapeSegment& edit, bool isOpen = false);
 void fillBetweenSlices(
     Workspace& workspace, const core::FillBetweenSlices& edit, bool isOpen = false);
@@ -102,6 +97,9 @@ void takeThreshold(Workspace& workspace, const core::ThresholdSegment& edit, boo
 void cleanSegment(Workspace& workspace, const core::CleanSegment& edit, bool isOpen = false);
 void mirrorSegment(Workspace& workspace, const core::MirrorSegment& edit, bool isOpen = false);
 void splitIslands(Workspace& workspace, const core::SplitIslands& edit, bool isOpen = false);
+void splitSegment(Workspace& workspace, const core::SplitSegment& edit, bool isOpen = false);
+void takeInverse(Workspace& workspace, const core::InvertSegment& edit, bool isOpen = false);
+void combineSegments(Workspace& workspace, const core::CombineSegments& edit, bool isOpen = false);
 
 /// Returns the size below which an island counts as small: 100 mm³, or a hundredth of its segment
 /// where that is less. Specks of a growth or of a network are smaller, and hardly anything that

@@ -3,6 +3,7 @@
 
 #include "core/edits/document/DocumentEdits.h"
 #include "core/edits/kinds/splitting/SplitIslands.h"
+#include "core/edits/kinds/splitting/SplitSegment.h"
 #include "core/session/SessionStorage.h"
 #include "ui/base/AuthorName.h"
 #include "ui/base/Theme.h"
@@ -239,7 +240,7 @@ namespace {
 core::Document documentSeen(const core::EditSession& session)
 {
     core::Document seen = session.document();
-    if (session.isOpen<core::SplitIslands>())
+    if (session.isOpen<core::SplitIslands>() || session.isOpen<core::SplitSegment>())
         static_cast<void>(core::applyToDocument(*session.openEdit(), seen));
     return seen;
 }

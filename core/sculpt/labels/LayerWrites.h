@@ -147,8 +147,8 @@ struct FoldLayer {
 
 struct LabelOutlined; ///< LabelOutlined.h
 
-/// Those that give or take labels.
-using LabelWrites = TypeList<LabelCarved, LabelSeen, LabelListed, LabelPlanes, RelabelListed,
-    LabelOutlined, MapLabels>;
+/// Those that give or take labels at once.
+using LabelWrites =
+    TypeList<LabelCarved, LabelSeen, LabelListed, LabelPlanes, RelabelListed, LabelOutlined>;
 
 } // namespace core

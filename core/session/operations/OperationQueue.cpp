@@ -63,8 +63,9 @@ OperationQueue::~OperationQueue()
     });
     // A smoothing with a large ball may have minutes to go, and nobody could abort it any more.
     for (const std::unique_ptr<Operation>& operation : m_operations) {
-        if (auto* work = dynamic_cast<AbortableWork*>(operation.get()))
-            work->abort();
+        auto* work = dynamic_cast<AbortableWork*>(operation.get());
+        if (work && !work->isAwaitedAtEnd())
+            work->abort(m_state);
     }
     static_cast<void>(settle());
     if (m_wakeUp)

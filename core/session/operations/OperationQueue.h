@@ -35,7 +35,7 @@ public:
     [[nodiscard]] OpenOperation* interactive() const;
     /// The edit of the surface that is running; null: another operation, or none.
     [[nodiscard]] SurfaceOperation* runningSurface() const;
-    /// The edit that is being worked out; null: another operation is running, or none.
+    /// What is running, if it can be aborted at any time of it; null: something else, or nothing.
     [[nodiscard]] AbortableWork* runningAbortable() const;
     void end(OpenOperation& stroke, Ending ending);
     /// Ends what stands open without a pen, as is usual for it (OpenManner).

@@ -70,6 +70,7 @@ void VoxelOperation::start(SessionState& state)
     if (m_ending)
         liftPen();
     askBefore(state, *edit);
+    m_mayTakeLong = mayTakeLong(*edit);
     m_begun = state.engine.submit(BeginEdit{*std::move(edit)});
     submitWaiting(state);
 }
@@ -172,6 +173,27 @@ bool VoxelOperation::abandon(SessionState& state, const Error& error)
         m_ended = state.engine.submit(EndEdit{Ending::Rollback});
     }
     return true; // an end that is under way is taken back when it comes
+}
+
+bool VoxelOperation::isAbortable() const
+{
+    return m_mayTakeLong && m_again == 0 && m_ended && m_ending == Ending::Commit && !m_failed
+        && !m_finished;
+}
+
+int VoxelOperation::percent(const SessionState& state) const
+{
+    return state.engine.growthProgress().percent;
+}
+
+/// What the engine has changed in spite of it is taken back with its result.
+void VoxelOperation::abort(SessionState& state)
+{
+    if (!isAbortable())
+        return;
+    m_failed = true;
+    state.fail({ErrorCode::Cancelled, {}});
+    state.engine.giveUp(*m_ended);
 }
 
 void VoxelOperation::finish(SessionState& state, EngineResult&& result)

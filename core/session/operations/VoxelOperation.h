@@ -14,8 +14,8 @@
 namespace core {
 
 /// An edit of voxels, which may also change the document: one engine transaction, and one row if it
-/// changed anything.
-class VoxelOperation final : public OpenOperation {
+/// changed anything. One that takes long (mayTakeLong()) can be aborted when it is to become a row.
+class VoxelOperation final : public OpenOperation, public AbortableWork {
 public:
     enum class Kind {
         Whole, ///< the edit is complete
@@ -40,6 +40,13 @@ public:
     [[nodiscard]] bool abandon(SessionState& state, const Error& error) override;
     [[nodiscard]] bool foresee(Document& document) const override;
 
+    /// From when it is to become a row until the engine's answer is taken in.
+    void abort(SessionState& state) override;
+    [[nodiscard]] bool isAbortable() const override;
+    [[nodiscard]] int percent(const SessionState& state) const override;
+    /// What the engine has begun is soon done.
+    [[nodiscard]] bool isAwaitedAtEnd() const override { return true; }
+
 private:
     [[nodiscard]] bool isWhole() const { return m_kind == Kind::Whole; }
     void askBefore(SessionState& state, const EngineEdit& edit);
@@ -60,6 +67,7 @@ private:
     std::optional<SketchedSeeds> m_sketched;
     std::optional<Ticket> m_begun;
     std::optional<Ticket> m_ended;
+    bool m_mayTakeLong = false; ///< the engine, once it has begun
     bool m_refused = false; ///< the engine never opened it
     bool m_failed = false; ///< something failed, so nothing of it may remain
     bool m_finished = false;

@@ -39,17 +39,19 @@ public:
     [[nodiscard]] virtual bool foresee(Document&) const { return true; }
 };
 
-/// What an operation is, too, that first works out on the side thread what is to be changed, or
-/// whether it may be, which may take long.
+/// What an operation is, too, whose work may take long: it first works out on the side thread what
+/// is to be changed, or whether it may be; or the engine goes through much of the volume.
 class AbortableWork {
 public:
     virtual ~AbortableWork() = default;
-    /// Until the engine begins to write: it ends with Cancelled and changes nothing.
-    virtual void abort() = 0;
+    /// As long as it is abortable: it ends with Cancelled and changes nothing.
+    virtual void abort(SessionState& state) = 0;
     [[nodiscard]] virtual bool isAbortable() const = 0;
-    /// How much of the work on the side thread is done; less than 0 before it has begun, or where
-    /// nobody knows.
-    [[nodiscard]] virtual int percent() const = 0;
+    /// How much of the work is done; less than 0 before it has begun, or where nobody knows.
+    [[nodiscard]] virtual int percent(const SessionState& state) const = 0;
+    /// Whether a session that ends waits for it; otherwise it aborts it, because minutes may be
+    /// left.
+    [[nodiscard]] virtual bool isAwaitedAtEnd() const { return false; }
 };
 
 /// An operation that the user continues until it is ended: an open stroke, a running growth, a

@@ -314,22 +314,6 @@ std::vector<core::BrickKey> write(LabelPrograms& programs, VoxelFields& fields,
         &editable);
 }
 
-std::vector<core::BrickKey> write(
-    LabelPrograms& programs, VoxelFields& fields, BeforeImages& before, const core::MapLabels& edit)
-{
-    const Buffer becomes = bufferOf(
-        "mapped labels", std::vector<std::uint32_t>(edit.becomes.begin(), edit.becomes.end()));
-    core::LabelTarget target{.plane = edit.plane};
-    target.overwritable.set(); // the table alone says who keeps a voxel
-    BindEditable editable(programs, fields, edit.editable);
-    return label(
-        programs.following("MAPPED", edit.editable.has_value()), fields, before, target,
-        edit.becomes[0] == 0 ? fields.labelledBricks() : allBricks(fields),
-        [&becomes](
-            const std::vector<std::uint32_t>&) { becomes.bindBase(GL_SHADER_STORAGE_BUFFER, 2); },
-        &editable);
-}
-
 } // namespace
 
 Program& LabelPrograms::following(const char* rule, bool editable)
@@ -402,6 +386,28 @@ std::vector<core::BrickKey> writeThreshold(LabelPrograms& programs, VoxelFields&
             fields.radiation().bindUnit(2);
             fields.codeRanges().bindUnit(3);
         },
+        &editable);
+}
+
+std::vector<std::uint32_t> bricksConcerned(
+    LabelPrograms& programs, VoxelFields& fields, const core::MapLabels& edit)
+{
+    return BindEditable(programs, fields, edit.editable)
+        .among(edit.becomes[0] == 0 ? fields.labelledBricks() : allBricks(fields));
+}
+
+std::vector<core::BrickKey> writeMapped(LabelPrograms& programs, VoxelFields& fields,
+    BeforeImages& before, const core::MapLabels& edit, const std::vector<std::uint32_t>& bricks)
+{
+    const Buffer becomes = bufferOf(
+        "mapped labels", std::vector<std::uint32_t>(edit.becomes.begin(), edit.becomes.end()));
+    core::LabelTarget target{.plane = edit.plane};
+    target.overwritable.set(); // the table alone says who keeps a voxel
+    BindEditable editable(programs, fields, edit.editable);
+    return label(
+        programs.following("MAPPED", edit.editable.has_value()), fields, before, target, bricks,
+        [&becomes](
+            const std::vector<std::uint32_t>&) { becomes.bindBase(GL_SHADER_STORAGE_BUFFER, 2); },
         &editable);
 }
 

@@ -51,8 +51,8 @@ private:
 
 /// Carries out one of LabelWrites (core/sculpt/labels/LayerWrites.h) and returns the keys of what
 /// has changed. Bricks in which something would change are found first; only those are captured and
-/// written. Cost: proportional to the bricks that are examined: those that a layer holds, those
-/// that are listed, or all of the volume. Engine thread only.
+/// written. Cost: proportional to the bricks that are examined: those that a layer holds, or those
+/// that are listed. Engine thread only.
 std::vector<core::BrickKey> writeLabels(LabelPrograms& programs, VoxelFields& fields,
     BeforeImages& before, core::LabelWrites::Pointer edit);
 
@@ -65,6 +65,14 @@ std::vector<core::BrickKey> writeLabels(LabelPrograms& programs, VoxelFields& fi
 std::vector<core::BrickKey> writeThreshold(LabelPrograms& programs, VoxelFields& fields,
     BeforeImages& before, const core::LabelThreshold& edit,
     const std::vector<std::uint32_t>& bricks);
+
+/// Returns the bricks in which a table of labels may change something, ascending: all of the volume
+/// if it gives what is free to somebody, else those that may hold labels. Engine thread only.
+[[nodiscard]] std::vector<std::uint32_t> bricksConcerned(
+    LabelPrograms& programs, VoxelFields& fields, const core::MapLabels& edit);
+/// Replaces labels in some bricks and returns the keys of what has changed.
+std::vector<core::BrickKey> writeMapped(LabelPrograms& programs, VoxelFields& fields,
+    BeforeImages& before, const core::MapLabels& edit, const std::vector<std::uint32_t>& bricks);
 
 /// Returns the bricks in which scissors may change something, ascending: those under the curve that
 /// may hold a value in the interval. Engine thread only.

@@ -163,6 +163,12 @@ bool tellInPieces(EditSession& session, const core::Edit& edit, core::Ending end
         session.poll();
         require(session.begin(edit), "begin once more");
         session.poll();
+    } else if (edit.is<core::InvertSegment>() || edit.is<core::CombineSegments>()) {
+        require(session.begin(edit), "begin");
+        session.closeOpen();
+        session.poll();
+        require(session.begin(edit), "begin again");
+        session.poll();
     } else if (core::taskOf(edit) == core::EditTask::Islands && core::canStandOpen(edit)) {
         // What is worked out is dropped on the way, and once it is seen.
         require(session.begin(edit), "begin");

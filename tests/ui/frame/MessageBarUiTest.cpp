@@ -6,7 +6,6 @@
 #include "tests/support/program/TestProgram.h"
 #include "ui/base/Theme.h"
 #include "ui/frame/StartPage.h"
-#include "ui/frame/StepMessage.h"
 #include "ui/views/ViewGrid.h"
 
 #include <QImage>
@@ -147,7 +146,7 @@ void MessageBarUiTest::whatSpeaksOfAStepGoesWithIt()
     const QString said = QStringLiteral("Imported.");
     const auto show = [&] {
         bar.show(ui::MessageBar::Kind::Notice, said, QStringLiteral("Undo"), [] {});
-        ui::dismissAtNextStep(bar, fixture.workspace);
+        bar.dismissAtNextStep(fixture.workspace);
     };
     fixture.apply(core::AddSegment{.name = QStringLiteral("one"), .rgb = 0x123456});
     show();

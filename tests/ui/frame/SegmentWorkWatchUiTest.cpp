@@ -2,6 +2,7 @@
 #include "ui/frame/SegmentWorkWatch.h"
 
 #include "core/edits/kinds/filling/MirrorSegment.h"
+#include "core/edits/kinds/segments/InvertSegment.h"
 #include "core/session/SegmentWork.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/fixtures/WindowFixture.h"
@@ -58,6 +59,35 @@ private Q_SLOTS:
         }));
         QSignalSpy failed(&fixture.workspace, &ui::Workspace::failed);
         QTest::mouseClick(fixture.bar->findChild<QPushButton*>(), Qt::LeftButton);
+        static_cast<void>(fixture.session().settle());
+        QTRY_VERIFY(!fixture.bar->isVisible());
+        QCOMPARE(fixture.session().history().rows().size(), rows);
+        QCOMPARE(fixture.session().stateHash(), fixture.before);
+    }
+
+    /// So is what the engine itself carries out.
+    void whatTheEngineGoesThroughIsAbandoned_data()
+    {
+        QTest::addColumn<bool>("byKey");
+        QTest::newRow("Abort") << false;
+        QTest::newRow("Esc") << true;
+    }
+    void whatTheEngineGoesThroughIsAbandoned()
+    {
+        QFETCH(const bool, byKey);
+        Fixture fixture;
+        fixture.window.activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(&fixture.window));
+        const std::size_t rows = fixture.session().history().rows().size();
+        QVERIFY(fixture.session().apply(core::InvertSegment{.segment = 1}));
+        QVERIFY(fixture.session().segmentWork().percent());
+        QTRY_VERIFY(fixture.bar->isVisible());
+        QSignalSpy failed(&fixture.workspace, &ui::Workspace::failed);
+        if (byKey)
+            QTest::keyClick(&fixture.window, Qt::Key_Escape);
+        else
+            QTest::mouseClick(fixture.bar->findChild<QPushButton*>(), Qt::LeftButton);
+        QVERIFY(!fixture.session().segmentWork().percent());
         static_cast<void>(fixture.session().settle());
         QTRY_VERIFY(!fixture.bar->isVisible());
         QCOMPARE(fixture.session().history().rows().size(), rows);

@@ -325,10 +325,13 @@ std::vector<Way> ways()
             act([](Workspace& all, Fixture&) { ui::invertSegment(all, ball); })},
         {"copy", editPlace<core::CopySegment>,
             act([](Workspace& all, Fixture&) { ui::duplicateSegment(all, ball); })},
-        {"merge", editPlace<core::CombineSegments>,
-            act([](Workspace& all, Fixture&) { ui::mergeSegments(all, ball, shell); })},
-        {"swap", editPlace<core::CombineSegments>,
-            act([](Workspace& all, Fixture&) { ui::swapSegments(all, ball, shell); })}};
+        {"merge", editPlace<core::CombineSegments>, act([](Workspace& all, Fixture&) {
+             ui::combineSegments(all, {.segment = shell, .with = ball});
+         })},
+        {"swap", editPlace<core::CombineSegments>, act([](Workspace& all, Fixture&) {
+             ui::combineSegments(
+                 all, {.segment = ball, .with = shell, .how = core::CombineSegments::How::Swap});
+         })}};
 }
 
 /// The kinds of edits that have an editable range, with their names for the compiler.

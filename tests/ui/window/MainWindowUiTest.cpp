@@ -148,7 +148,8 @@ void MainWindowUiTest::cautionStaysUntilAccepted()
     QVERIFY(!ui::cautionText(volume.volume).contains(QStringLiteral("Lossy")));
     // Every view carries the strip; its colour is in no picture of this fixture's grey volume.
     const auto stripIn = [](ui::ImageView* view) {
-        return view->grab().toImage().pixelColor(1, 90) == QColor(0xf0, 0xb0, 0x4a);
+        return view->grab().toImage().pixelColor(1, 90 + view->coveredTop())
+            == QColor(0xf0, 0xb0, 0x4a);
     };
     for (ui::ImageView* view : fixture.window.views().views())
         QVERIFY2(stripIn(view), qPrintable(view->title()));

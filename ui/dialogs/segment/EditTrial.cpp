@@ -26,7 +26,8 @@ constexpr int countMilliseconds = 150; ///< a handle that is dragged goes on soo
 /// Of this dialog or of another one.
 bool isTrial(const core::Edit& open)
 {
-    return open.is<core::ThresholdSegment>() || core::taskOf(open) == core::EditTask::Islands;
+    return open.is<core::ThresholdSegment>() || open.is<core::InvertSegment>()
+        || open.is<core::CombineSegments>() || core::taskOf(open) == core::EditTask::Islands;
 }
 
 } // namespace

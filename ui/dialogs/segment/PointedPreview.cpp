@@ -6,6 +6,9 @@
 #include <QAbstractSpinBox>
 #include <QApplication>
 #include <QFocusEvent>
+#include <QKeyEvent>
+#include <QKeySequence>
+#include <QLineEdit>
 #include <QWidget>
 
 #include <utility>
@@ -57,6 +60,8 @@ void PointedPreview::setFocused(QWidget* widget)
 
 bool PointedPreview::eventFilter(QObject* watched, QEvent* event)
 {
+    if (takesBack(*watched, *event))
+        return true;
     if (m_watched.contains(watched))
         look(*static_cast<QWidget*>(watched), *event);
     else if (m_pointedAt && isPenElsewhere(*watched, *event))
@@ -101,6 +106,25 @@ bool PointedPreview::isPenElsewhere(QObject& receiver, const QEvent& event) cons
     const bool isPen = event.type() == QEvent::TabletMove || event.type() == QEvent::TabletPress;
     const auto* widget = isPen ? qobject_cast<const QWidget*>(&receiver) : nullptr;
     return widget && !widget->isAncestorOf(m_pointedAt) && !m_pointedAt->isAncestorOf(widget);
+}
+
+/// Before it is pressed, such a key is asked for, lest it be a shortcut, which would undo a step.
+/// A field first takes back what was typed into it; what it leaves goes on to those around it.
+bool PointedPreview::takesBack(QObject& receiver, QEvent& event)
+{
+    const bool isAsked = event.type() == QEvent::ShortcutOverride;
+    if ((!isAsked && event.type() != QEvent::KeyPress) || !m_row.isPreviewing())
+        return false;
+    if (!receiver.isWidgetType() || qobject_cast<const QAbstractSpinBox*>(&receiver)
+        || qobject_cast<const QLineEdit*>(&receiver))
+        return false;
+    const auto& key = static_cast<const QKeyEvent&>(event);
+    if (key.key() != Qt::Key_Escape && !key.matches(QKeySequence::Undo))
+        return false;
+    event.accept();
+    if (!isAsked)
+        rest();
+    return true;
 }
 
 void PointedPreview::follow()

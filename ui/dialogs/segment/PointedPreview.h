@@ -17,7 +17,8 @@ class PreviewRow;
 
 /// Previews in a PreviewRow what a button would do, while the pointer rests on it or the keyboard
 /// has come to it; fields of a button count as that button. A click does it at once, whether its
-/// preview is there or not.
+/// preview is there or not. Esc and the keys of undo take back what is previewed, and no step,
+/// unless a field has them.
 class PointedPreview : public QObject {
     Q_OBJECT
 
@@ -45,6 +46,7 @@ private:
     void setFocused(QWidget* widget);
     void look(QWidget& widget, const QEvent& event);
     [[nodiscard]] bool isPenElsewhere(QObject& receiver, const QEvent& event) const;
+    [[nodiscard]] bool takesBack(QObject& receiver, QEvent& event);
 
     PreviewRow& m_row;
     std::map<QObject*, Asked> m_watched;

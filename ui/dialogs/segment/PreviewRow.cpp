@@ -65,6 +65,11 @@ void PreviewRow::preview(const std::optional<core::Edit>& edit)
         m_trial->drop();
 }
 
+bool PreviewRow::isPreviewing() const
+{
+    return m_trial->isShown();
+}
+
 bool PreviewRow::handOver(const core::Edit& edit)
 {
     return m_trial->handOver(edit);

@@ -40,6 +40,8 @@ public:
 
     /// Previews an edit, if the box is checked; none: nothing can be done, or nothing is known yet.
     void preview(const std::optional<core::Edit>& edit);
+    /// Whether a preview is seen, or on its way.
+    [[nodiscard]] bool isPreviewing() const;
     /// As EditTrial::handOver().
     [[nodiscard]] bool handOver(const core::Edit& edit);
     /// @param segment null: there is none

@@ -1,18 +1,27 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/edits/kinds/segments/CleanSegment.h"
+#include "core/edits/kinds/Edit.h"
+#include "core/islands/SegmentIslands.h"
 #include "ui/frame/Panel.h"
 #include "ui/tasks/trials/SplitTrial.h"
 
 #include <QTimer>
 
+#include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <vector>
 
 class QGridLayout;
+class QMenu;
 class QPushButton;
+
+namespace core {
+struct CombineSegments;
+struct Segment;
+} // namespace core
 
 namespace ui {
 
@@ -24,11 +33,12 @@ class Workspace;
 struct SegmentAction;
 
 /// Buttons that clean up the active segment as a whole: holes, islands, splitting, smoothing,
-/// margin. They do the same as entries of the menu Segments, and tell in the same words why they
-/// cannot. While the pointer rests on one that fills holes or takes islands away, all views preview
-/// what it would do, and a row below tells how many millilitres and voxels that is. Below it stands
-/// which voxels may change (the editable range). While the cutting plane is shown, a line tells the
-/// volumes of both parts into which it would split the segment. Hidden without a segment.
+/// margin, inverting, and a menu that combines it with another one. They do the same as entries of
+/// the menu Segments, and tell in the same words why they cannot. While the pointer rests on one
+/// that needs no dialog, or on an entry of that menu, all views preview what it would do, and a row
+/// below tells how many millilitres and voxels that is. Below it stands which voxels may change
+/// (the editable range). While the cutting plane is shown, a line tells the volumes of both parts
+/// into which it would split the segment. Hidden without a segment.
 class CleanUpPanel : public Panel {
     Q_OBJECT
 
@@ -50,13 +60,30 @@ private:
         QPushButton* button;
         const SegmentAction* action; ///< one of segmentActions(), which live as long as the program
     };
+    /// An action that can be previewed.
+    struct Previewed {
+        /// For the active segment and with what fields ask for; none: it cannot be done.
+        std::function<std::optional<core::Edit>()> edit;
+        /// As those of SegmentActions.h that may be previewed before.
+        std::function<void(const core::Edit& edit, bool isOpen)> carryOut;
+    };
     void refresh();
+    void setUpButtons(QGridLayout& grid);
+    void setUpCombine();
+    void knowPreviewed();
     void setUpPreview(QGridLayout& grid);
     void setUpParts(QGridLayout& grid);
     void followPreview();
-    /// The edit of a button that can be previewed, for the active segment and with the size that
-    /// the field asks for; none: it is another button's action.
-    [[nodiscard]] std::optional<core::CleanSegment> cleaningOf(const SegmentAction& action) const;
+    [[nodiscard]] std::optional<core::Edit> cleaning(core::IslandRule rule) const;
+    [[nodiscard]] std::optional<core::Edit> splitting() const;
+    [[nodiscard]] std::optional<core::Edit> inverting() const;
+    /// Null: there is no preview of it.
+    [[nodiscard]] const Previewed* previewedOf(const SegmentAction& action) const;
+    /// @param edit what an entry of the menu would do; null: none is pointed at
+    void previewCombined(const core::CombineSegments* edit);
+    void combine(const core::CombineSegments& edit);
+    /// Whose size is told: the active segment, or one into which it would be merged.
+    [[nodiscard]] const core::Segment* toldSegment() const;
     /// Has both parts counted that the plane would make of the active segment.
     void lookAtParts();
     void showParts();
@@ -70,6 +97,11 @@ private:
     NumberField* m_smallMm3 = nullptr;
     bool m_isSetByHand = false;
     std::vector<Button> m_buttons;
+    QPushButton* m_combine = nullptr;
+    QMenu* m_combineMenu = nullptr;
+    std::map<QString, Previewed> m_previewed; ///< by the action's id
+    int m_combined = 0; ///< label whose voxels an entry of the menu would change; 0: none
+    bool m_showsSplit = false; ///< a segment that is not there yet is seen
     PreviewRow* m_preview = nullptr;
     FittingLabel* m_parts = nullptr; ///< of the split by the plane
     QTimer m_lookSoon; ///< joins what happens at once

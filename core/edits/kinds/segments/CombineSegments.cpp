@@ -7,6 +7,7 @@
 #include "core/edits/answers/RowFacts.h"
 #include "core/edits/engine/EditableRanges.h"
 #include "core/edits/engine/EngineEdits.h"
+#include "core/edits/open/OpenPreview.h"
 
 #include <algorithm>
 
@@ -33,7 +34,7 @@ EditEffects effects(const CombineSegments& edit)
     if (edit.how == How::Swap)
         fills.other = edit.with;
     return {.task = engineTask<CombineSegments>(),
-        .standsOpen = false,
+        .standsOpen = opens<CombineSegments>(),
         .writesTo = edit.segment,
         .fills = fills,
         .boundToStudy = namesPlaces(edit.editable)};
@@ -114,6 +115,11 @@ Result<MapLabels> mapLabels(const CombineSegments& edit, const Document& documen
 Result<EngineEdit> engineEdit(const CombineSegments& edit, const Document& document)
 {
     return engineEditFrom(mapLabels(edit, document));
+}
+
+std::unique_ptr<OpenStroke> openStroke(CombineSegments&)
+{
+    return std::make_unique<OpenPreview>();
 }
 
 RowTitle rowTitle(const CombineSegments& edit, const RowFacts& row)

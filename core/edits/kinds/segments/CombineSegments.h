@@ -16,6 +16,7 @@ struct MapLabels;
 /// label plane, because two planes cannot be written in one step. The set operations write to the
 /// first segment alone and only read the other, which may be locked. Within one plane no voxel
 /// belongs to both, so there they would have no effect: they need segments of different planes.
+/// Each can stand open as a preview.
 struct CombineSegments {
     enum class How : std::uint8_t {
         Merge, ///< the segment receives all voxels of the other, which stays in the list, empty
@@ -37,6 +38,7 @@ Result<bool> apply(const CombineSegments& edit, Document& document);
 [[nodiscard]] EditDependencies dependencies(
     const CombineSegments& edit, const DependencyFacts& row);
 [[nodiscard]] Result<EngineEdit> engineEdit(const CombineSegments& edit, const Document& document);
+[[nodiscard]] std::unique_ptr<OpenStroke> openStroke(CombineSegments& edit);
 
 /// Converts the edit to an engine's command. Seeds at voxels that change their segment are removed,
 /// so no growth continues from there. Errors: UnknownSegment, SegmentLocked, InvalidField (a

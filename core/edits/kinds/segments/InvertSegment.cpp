@@ -7,6 +7,7 @@
 #include "core/edits/answers/RowFacts.h"
 #include "core/edits/engine/EditableRanges.h"
 #include "core/edits/engine/EngineEdits.h"
+#include "core/edits/open/OpenPreview.h"
 
 namespace core {
 
@@ -25,7 +26,7 @@ Result<bool> apply(const InvertSegment&, Document&)
 EditEffects effects(const InvertSegment& edit)
 {
     return {.task = engineTask<InvertSegment>(),
-        .standsOpen = false,
+        .standsOpen = opens<InvertSegment>(),
         .writesTo = edit.segment,
         .fills = {.label = edit.segment},
         .boundToStudy = namesPlaces(edit.editable)};
@@ -47,6 +48,11 @@ Result<MapLabels> mapLabels(const InvertSegment& edit, const Document& document)
 Result<EngineEdit> engineEdit(const InvertSegment& edit, const Document& document)
 {
     return engineEditFrom(mapLabels(edit, document));
+}
+
+std::unique_ptr<OpenStroke> openStroke(InvertSegment&)
+{
+    return std::make_unique<OpenPreview>();
 }
 
 RowTitle rowTitle(const InvertSegment& edit, const RowFacts& row)

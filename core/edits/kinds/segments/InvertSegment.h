@@ -9,7 +9,8 @@ namespace core {
 struct MapLabels;
 
 /// The segment receives what no segment has, in the whole volume, and what it had becomes free.
-/// Others keep their voxels; carved or hidden ones count as all others.
+/// Others keep their voxels; carved or hidden ones count as all others. It can stand open as a
+/// preview.
 struct InvertSegment {
     int segment = 0; ///< label
     std::optional<EditableRange> editable{}; ///< which voxels may change at all; none: any
@@ -21,6 +22,7 @@ Result<bool> apply(const InvertSegment& edit, Document& document);
 [[nodiscard]] RowTitle rowTitle(const InvertSegment& edit, const RowFacts& row);
 [[nodiscard]] EditDependencies dependencies(const InvertSegment& edit, const DependencyFacts& row);
 [[nodiscard]] Result<EngineEdit> engineEdit(const InvertSegment& edit, const Document& document);
+[[nodiscard]] std::unique_ptr<OpenStroke> openStroke(InvertSegment& edit);
 
 /// Errors: UnknownSegment, SegmentLocked.
 [[nodiscard]] Result<MapLabels> mapLabels(const InvertSegment& edit, const Document& document);

@@ -9,6 +9,7 @@
 #include "core/edits/answers/RowFacts.h"
 #include "core/edits/engine/EditableRanges.h"
 #include "core/edits/engine/HalfSpaces.h"
+#include "core/edits/open/OpenStroke.h"
 #include "core/sculpt/labels/LayerWrites.h"
 
 namespace core {
@@ -49,7 +50,15 @@ Result<bool> apply(const SplitSegment& edit, Document& document)
 
 EditEffects effects(const SplitSegment& edit)
 {
-    return splitEffects(edit.segment, true);
+    EditEffects all = splitEffects(edit.segment, true);
+    all.standsOpen = opens<SplitSegment>();
+    return all;
+}
+
+/// A preview, for the user to decide.
+OpenManner openManner(const SplitSegment&)
+{
+    return {.withoutPen = true, .endsIfRefused = true};
 }
 
 /// "Split 'Liver' by a plane, −3 210 voxels"

@@ -19,7 +19,8 @@ struct RelabelListed;
 /// Split a segment by a plane: its voxels whose centres lie beyond the plane, on the side to which
 /// the normal points, become a new segment. If the segment lies on one side entirely, nothing
 /// happens. Like CleanSegment it stores no voxels: the result is computed from the labels each time
-/// it is carried out.
+/// it is carried out. As a preview it writes the label of the new segment, which is the document's
+/// once it is committed.
 struct SplitSegment {
     int segment = 0; ///< label
     glm::dvec3 placeLps{0.0}; ///< a point of the plane
@@ -31,6 +32,7 @@ struct SplitSegment {
 [[nodiscard]] Result<void> check(const SplitSegment& edit, const Document& document);
 Result<bool> apply(const SplitSegment& edit, Document& document);
 [[nodiscard]] EditEffects effects(const SplitSegment& edit);
+[[nodiscard]] OpenManner openManner(const SplitSegment& edit);
 [[nodiscard]] RowTitle rowTitle(const SplitSegment& edit, const RowFacts& row);
 [[nodiscard]] EditDependencies dependencies(const SplitSegment& edit, const DependencyFacts& row);
 

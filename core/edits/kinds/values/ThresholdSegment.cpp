@@ -9,7 +9,7 @@
 #include "core/edits/engine/EditableRanges.h"
 #include "core/edits/engine/EngineEdits.h"
 #include "core/edits/kinds/parts/SegmentChoice.h"
-#include "core/edits/open/OpenStroke.h"
+#include "core/edits/open/OpenPreview.h"
 #include "core/sculpt/labels/LabelThreshold.h"
 
 #include <utility>
@@ -58,15 +58,6 @@ RowTitle rangeTitle(const ThresholdSegment& edit, const Volume& volume)
     }
     return title;
 }
-
-/// A preview, for the user to decide.
-class OpenThreshold final : public OpenStroke {
-public:
-    [[nodiscard]] OpenManner manner() const override
-    {
-        return {.withoutPen = true, .endsIfRefused = true};
-    }
-};
 
 } // namespace
 
@@ -122,7 +113,7 @@ Result<EngineEdit> engineEdit(const ThresholdSegment& edit, const Document& docu
 
 std::unique_ptr<OpenStroke> openStroke(ThresholdSegment&)
 {
-    return std::make_unique<OpenThreshold>();
+    return std::make_unique<OpenPreview>();
 }
 
 RowTitle rowTitle(const ThresholdSegment& edit, const RowFacts& row)

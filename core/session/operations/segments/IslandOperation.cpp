@@ -74,7 +74,7 @@ IslandOperation::IslandOperation(Edit edit, int segment, LabelWork workOut, Kind
 
 bool IslandOperation::foresee(Document& document) const
 {
-    return bool(applyToDocument(edit(), document));
+    return !isCommitted() || applyToDocument(edit(), document);
 }
 
 void IslandOperation::start(SessionState& state)

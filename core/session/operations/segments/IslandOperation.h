@@ -25,6 +25,7 @@ public:
 
     void start(SessionState& state) override;
     void takeResult(SessionState& state, EngineResult&& result) override;
+    /// As Operation::foresee(). A preview changes nothing before it is committed.
     [[nodiscard]] bool foresee(Document& document) const override;
 
 private:

@@ -79,7 +79,7 @@ bool WorkedOutOperation::isAbortable() const
     return !m_isWriting && !done() && !isRolledBack();
 }
 
-void WorkedOutOperation::abort()
+void WorkedOutOperation::abort(SessionState&)
 {
     if (isAbortable())
         m_watch->progress.cancel();

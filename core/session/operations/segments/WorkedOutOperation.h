@@ -33,9 +33,10 @@ public:
     [[nodiscard]] bool done() const final { return m_relabelling.done(); }
     [[nodiscard]] bool abandon(SessionState& state, const Error& error) final;
 
-    void abort() final;
+    /// Until the engine begins to write.
+    void abort(SessionState& state) final;
     [[nodiscard]] bool isAbortable() const final;
-    [[nodiscard]] int percent() const final { return m_watch->percent; }
+    [[nodiscard]] int percent(const SessionState&) const final { return m_watch->percent; }
 
     /// What was aborted no longer stands open, although its computation may not have noticed yet.
     [[nodiscard]] bool open() const final

@@ -32,8 +32,8 @@ static_assert(isSurfaceTool<SpherePush> && !isSurfaceTool<BrushStroke>);
 static_assert(!isSurfaceTool<ApplyTemplate> && hasOpenManner<ApplyTemplate>);
 static_assert(!isSurfaceTool<LaySurface> && !hasOpenManner<LaySurface>);
 static_assert(hasOpenManner<ReshapeSegment> && hasOpenManner<FillBetweenSlices>);
-static_assert(hasOpenManner<SplitIslands>);
-static_assert(!hasOpenManner<SplitSegment> && !hasOpenManner<FloodFill>);
+static_assert(hasOpenManner<SplitIslands> && hasOpenManner<SplitSegment>);
+static_assert(!hasOpenManner<SplitByCurve> && !hasOpenManner<FloodFill>);
 
 namespace {
 
@@ -97,8 +97,8 @@ std::vector<OpenCase> openCases()
         {ResumeGrowth(), takes<GrowAdvance, PauseGrowth>(), kept},
         {ChangeInterval(), takes<ToInterval, GrowAdvance, PauseGrowth>(), kept},
         {ShrinkSteps(), takes<ToSteps>(), kept}, {ShrinkAt{.steps = 1}, takes<ToSteps>(), kept},
-        {GrowFromSeeds(), takes<ForgetPreview>(), spread},
-        {ThresholdSegment(), takes<>(), preview}};
+        {GrowFromSeeds(), takes<ForgetPreview>(), spread}, {ThresholdSegment(), takes<>(), preview},
+        {InvertSegment(), takes<>(), preview}, {CombineSegments(), takes<>(), preview}};
 }
 
 template <class... Es> std::size_t openKinds(EditKinds<Es...>)
@@ -158,7 +158,7 @@ private Q_SLOTS:
         QVERIFY(!openMannerOf(SpherePush()).withoutPen);
         // What is worked out first is a preview as a threshold is.
         for (const Edit& edit : std::vector<Edit>{CleanSegment(), ReshapeSegment(),
-                 FillBetweenSlices(), MirrorSegment(), SplitIslands()}) {
+                 FillBetweenSlices(), MirrorSegment(), SplitIslands(), SplitSegment()}) {
             const OpenManner manner = openMannerOf(edit);
             QVERIFY(manner.withoutPen && manner.endsIfRefused && !manner.keepsForNext);
             QVERIFY(manner.usualEnding == Ending::Rollback);

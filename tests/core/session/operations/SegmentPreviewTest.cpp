@@ -3,7 +3,10 @@
 #include "core/edits/kinds/filling/FillBetweenSlices.h"
 #include "core/edits/kinds/filling/MirrorSegment.h"
 #include "core/edits/kinds/segments/CleanSegment.h"
+#include "core/edits/kinds/segments/CombineSegments.h"
+#include "core/edits/kinds/segments/InvertSegment.h"
 #include "core/edits/kinds/segments/ReshapeSegment.h"
+#include "core/edits/kinds/splitting/CopySegment.h"
 #include "core/edits/kinds/splitting/SplitIslands.h"
 #include "core/edits/kinds/splitting/SplitSegment.h"
 #include "core/engine/EngineCommands.h"
@@ -118,6 +121,16 @@ ReshapeSegment grown(double mm)
     return {.segment = 1, .operation = ShapeOperation::Grow, .mm = mm};
 }
 
+/// Between the slices of segment 1.
+SplitSegment splitAcross()
+{
+    const VolumeGeometry geometry = test::smallStudy().volume.geometry;
+    return {.segment = 1,
+        .placeLps = geometry.toWorld({20.0, 18.0, 11.0}),
+        .normalLps = geometry.direction()[2],
+        .into = {.name = QStringLiteral("Part"), .rgb = 0x3060a0}};
+}
+
 /// One of each kind that can be previewed, by name.
 const std::vector<std::pair<const char*, Edit>>& previews()
 {
@@ -149,7 +162,12 @@ const std::vector<std::pair<const char*, Edit>>& previews()
         {"holes", CleanSegment{.segment = 1, .rule = IslandRule::FillHoles}},
         {"largest island", CleanSegment{.segment = 1, .rule = IslandRule::KeepLargest}},
         {"small islands",
-            CleanSegment{.segment = 1, .rule = IslandRule::RemoveSmall, .mm3 = 100.0}}};
+            CleanSegment{.segment = 1, .rule = IslandRule::RemoveSmall, .mm3 = 100.0}},
+        {"split", splitAcross()}, {"invert", InvertSegment{.segment = 1}},
+        {"invert within values",
+            InvertSegment{.segment = 1, .editable = EditableRange{.lower = 0.0, .upper = 100.0}}},
+        {"merge", CombineSegments{.segment = 1, .with = 2}},
+        {"swap", CombineSegments{.segment = 1, .with = 2, .how = CombineSegments::How::Swap}}};
     return all;
 }
 
@@ -364,8 +382,9 @@ private Q_SLOTS:
         QCOMPARE(session.begin(grown(0.0)).error().code, ErrorCode::InvalidField);
         QCOMPARE(
             session.begin(FillBetweenSlices{.segment = 7}).error().code, ErrorCode::UnknownSegment);
-        // Its segment would have to be made.
-        QCOMPARE(session.begin(SplitSegment{.segment = 1}).error().code, ErrorCode::InvalidField);
+        // It is carried out whole.
+        const CopySegment copy{.segment = 1, .name = QStringLiteral("Copy")};
+        QCOMPARE(session.begin(copy).error().code, ErrorCode::InvalidField);
         QVERIFY(session.apply(test::lockSegment(1)) && session.settle());
         QCOMPARE(session.begin(grown(2.0)).error().code, ErrorCode::SegmentLocked);
         QVERIFY(!session.openEdit());
@@ -410,6 +429,27 @@ private Q_SLOTS:
             QCOMPARE(session.document().segments.size(), std::size_t(2));
             QVERIFY(bench.told.empty());
         }
+    }
+
+    void aSplitMakesItsSegmentWhenItIsAStep()
+    {
+        reference::ReferenceEngine engine;
+        Bench bench(engine);
+        EditSession& session = *bench.session;
+        for (const Ending ending : {Ending::Rollback, Ending::Commit}) {
+            QVERIFY(session.begin(splitAcross()) && bench.waitUntilSeen());
+            const std::vector<std::uint8_t> seen = bench.labels();
+            QVERIFY(std::count(seen.begin(), seen.end(), 3) > 0);
+            QCOMPARE(session.document().segments.size(), std::size_t(2));
+            QCOMPARE(session.foreseenDocument().segments.size(), std::size_t(2));
+            session.end(ending);
+            if (ending == Ending::Rollback)
+                QVERIFY(bench.isAsBefore());
+        }
+        QVERIFY(session.settle());
+        QCOMPARE(session.document().segments.size(), std::size_t(3));
+        QVERIFY(session.document().segment(3)->voxels > 0);
+        QCOMPARE(session.history().rows().size(), bench.rows + 1);
     }
 
     /// As a stroke under the pen: a crash leaves nothing of it. On the disk is what was taken.

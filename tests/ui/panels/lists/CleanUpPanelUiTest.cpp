@@ -335,7 +335,7 @@ private Q_SLOTS:
         QTRY_VERIFY(fixture.panel->isVisible());
         QCoreApplication::sendPostedEvents(); // layouts are posted events
         const auto buttons = fixture.panel->findChildren<QPushButton*>();
-        QCOMPARE(buttons.size(), 9);
+        QCOMPARE(buttons.size(), 11);
         for (const auto* each : buttons) {
             QVERIFY2(each->fontMetrics().horizontalAdvance(each->text()) <= each->width() - 8,
                 qPrintable(each->text()));

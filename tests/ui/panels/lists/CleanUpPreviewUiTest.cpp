@@ -1,0 +1,322 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/edits/kinds/segments/AddSegment.h"
+#include "core/edits/kinds/segments/CombineSegments.h"
+#include "core/edits/kinds/segments/InvertSegment.h"
+#include "core/edits/kinds/splitting/SplitSegment.h"
+#include "tests/support/faults/FailingLog.h"
+#include "tests/support/fixtures/WindowFixture.h"
+#include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/PlainEdits.h"
+#include "tests/support/scenes/SmallStudy.h"
+#include "ui/base/NumberText.h"
+#include "ui/panels/lists/CleanUpPanel.h"
+#include "ui/workspace/CuttingPlane.h"
+
+#include <QCheckBox>
+#include <QEnterEvent>
+#include <QLabel>
+#include <QMenu>
+#include <QPushButton>
+#include <QSettings>
+#include <QTimer>
+#include <QtTest>
+
+#include <algorithm>
+#include <cstdlib>
+#include <functional>
+#include <vector>
+
+namespace cleanUpPreviewUiTest {
+
+namespace {
+
+/// With the panel Clean up, whose buttons are previewed.
+struct Fixture : test::WindowFixture {
+    Fixture()
+        : WindowFixture(test::smallStudy())
+        , panel(new ui::CleanUpPanel(workspace))
+    {
+        window.addPanel(panel);
+        window.showPanels(true);
+        // As the engine's thread wakes the window in the program.
+        QObject::connect(&wakeUp, &QTimer::timeout, [this] {
+            if (core::EditSession* open = workspace.session())
+                open->poll();
+        });
+        wakeUp.start(10);
+    }
+    /// Two dabs of one segment, a segment without voxels, and one around the first dab that lies in
+    /// another label plane.
+    [[nodiscard]] bool addDabs()
+    {
+        const core::VolumeGeometry& geometry = workspace.volume()->geometry;
+        const glm::dvec3 first = geometry.toWorld({10.0, 10.0, 10.0});
+        apply(test::addSegment("Parts"));
+        apply(test::addSegment("Other"));
+        apply(core::AddSegment{.name = QStringLiteral("Over"), .plane = 1});
+        apply(test::paintAt(1, {first}, 2.0));
+        one = voxels(1);
+        apply(test::paintAt(1, {geometry.toWorld({28.0, 24.0, 10.0})}, 3.0));
+        apply(test::paintAt(3, {first}, 4.0));
+        workspace.setActiveSegment(1);
+        panel->findChild<QCheckBox*>(QStringLiteral("cleanUpPreview"))->setChecked(true);
+        return one > 0 && voxels(3) > one && QTest::qWaitFor([this] { return panel->isVisible(); });
+    }
+    [[nodiscard]] std::int64_t voxels(int label)
+    {
+        return session().document().segment(label)->voxels;
+    }
+    [[nodiscard]] QPushButton& button(const char* name)
+    {
+        auto* found =
+            panel->findChild<QPushButton*>(QStringLiteral("cleanUp.") + QLatin1String(name));
+        if (!found)
+            qFatal("no button %s", name);
+        return *found;
+    }
+    /// What it says of a segment's size.
+    [[nodiscard]] QString now()
+    {
+        return panel->findChild<QLabel*>(QStringLiteral("cleanUpNow"))->text();
+    }
+    [[nodiscard]] QString sizeOf(std::int64_t count)
+    {
+        return ui::volumeText(
+            double(count) * workspace.volume()->geometry.voxelVolumeMm3() / 1000.0);
+    }
+    /// What it says where so many voxels more, or less, are previewed.
+    [[nodiscard]] QString more(int label, std::int64_t count)
+    {
+        const std::int64_t before = voxels(label);
+        return QStringLiteral("%1 → %2\n%3%4 voxels")
+            .arg(sizeOf(before), sizeOf(before + count),
+                count < 0 ? QString(ui::minusSign) : QStringLiteral("+"),
+                ui::countText(std::abs(count)));
+    }
+    template <class E> [[nodiscard]] bool previews()
+    {
+        return session().isOpen<E>() && session().openIsPreview() && session().openHasBegun();
+    }
+    /// By how many voxels the segment becomes larger that is inverted.
+    [[nodiscard]] std::int64_t inverted()
+    {
+        const glm::ivec3 size = workspace.volume()->geometry.size;
+        return std::int64_t(size.x) * size.y * size.z - voxels(2) - 2 * voxels(1);
+    }
+    /// Opens the menu of "Combine". @return an entry of it
+    [[nodiscard]] QAction& entry(const char* submenu, const QString& other)
+    {
+        if (!combinations().isVisible())
+            QTest::mouseClick(&button("combine"), Qt::LeftButton);
+        auto* menu = combinations().findChild<QMenu*>(QLatin1String(submenu));
+        const QList<QAction*> entries = menu ? menu->actions() : QList<QAction*>();
+        const auto found = std::find_if(entries.begin(), entries.end(),
+            [&other](const QAction* each) { return each->text() == other; });
+        if (found == entries.end())
+            qFatal("no entry in %s", submenu);
+        return **found;
+    }
+    [[nodiscard]] QMenu& combinations()
+    {
+        return *panel->findChild<QMenu*>(QStringLiteral("cleanUp.combinations"));
+    }
+
+    ui::CleanUpPanel* panel;
+    QTimer wakeUp;
+    std::int64_t one = 0; ///< voxels of the first dab
+};
+
+/// The pointer comes to rest on a widget, or goes away from it.
+void restOn(QWidget& widget)
+{
+    const QPointF middle = widget.rect().center();
+    QEnterEvent event(middle, middle, widget.mapToGlobal(middle));
+    QCoreApplication::sendEvent(&widget, &event);
+}
+void leave(QWidget& widget)
+{
+    QEvent event(QEvent::Leave);
+    QCoreApplication::sendEvent(&widget, &event);
+}
+
+} // namespace
+
+/// Inverting, splitting by the plane and combining are seen before they are done.
+class CleanUpPreviewUiTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init()
+    {
+        test::failOnUnexpectedMessages();
+        QSettings().remove(QStringLiteral("cleanUp"));
+    }
+
+    void anInversion()
+    {
+        Fixture fixture;
+        QVERIFY(fixture.addDabs());
+        const QString expected = fixture.more(1, fixture.inverted());
+        const std::int64_t after = fixture.voxels(1) + fixture.inverted();
+        const QByteArray hash = fixture.session().stateHash();
+        const std::size_t rows = fixture.rows();
+        QPushButton& button = fixture.button("segments.invert");
+        restOn(button);
+        QTRY_COMPARE(fixture.now(), expected);
+        QVERIFY(fixture.previews<core::InvertSegment>());
+        leave(button);
+        QVERIFY(!fixture.session().openEdit() && fixture.session().settle());
+        QCOMPARE(fixture.rows(), rows);
+        QCOMPARE(fixture.session().stateHash(), hash);
+        restOn(button);
+        QTRY_COMPARE(fixture.now(), expected);
+        QTest::mouseClick(&button, Qt::LeftButton);
+        QVERIFY(!fixture.session().openEdit() && fixture.session().settle());
+        QCOMPARE(fixture.rows(), rows + 1);
+        QCOMPARE(fixture.voxels(1), after);
+        QVERIFY(fixture.session().undo() && fixture.session().settle());
+        QCOMPARE(fixture.session().stateHash(), hash);
+    }
+
+    /// Esc and Ctrl+Z take back what is seen, and not the step before it.
+    void keysTakeBackThePreviewAlone()
+    {
+        Fixture fixture;
+        QVERIFY(fixture.addDabs());
+        const QString expected = fixture.more(1, fixture.inverted());
+        const QByteArray hash = fixture.session().stateHash();
+        const core::RowId position = fixture.session().history().position();
+        QPushButton& button = fixture.button("segments.invert");
+        fixture.window.activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(&fixture.window));
+        const auto escape = [&] { QTest::keyClick(&button, Qt::Key_Escape); };
+        const auto undo = [&] { QTest::keyClick(&button, Qt::Key_Z, Qt::ControlModifier); };
+        for (const auto& press : std::vector<std::function<void()>>{escape, undo}) {
+            restOn(button);
+            QTRY_COMPARE(fixture.now(), expected);
+            press();
+            QVERIFY(!fixture.session().openEdit() && fixture.session().settle());
+            QCOMPARE(fixture.session().history().position(), position);
+            QCOMPARE(fixture.session().stateHash(), hash);
+            // Nor does it come back while the pointer stays.
+            QTest::qWait(500);
+            QVERIFY(!fixture.session().openEdit());
+            leave(button);
+        }
+    }
+
+    /// The new segment is seen in its colour, and is there once it is a step.
+    void aSplitByThePlane()
+    {
+        Fixture fixture;
+        QVERIFY(fixture.addDabs());
+        const core::VolumeGeometry& geometry = fixture.workspace.volume()->geometry;
+        QPushButton& button = fixture.button("segments.splitByPlane");
+        restOn(button); // without a plane there is nothing to see
+        QTest::qWait(500);
+        QVERIFY(!fixture.session().openEdit());
+        leave(button);
+        ui::CuttingPlane& plane = fixture.workspace.plane();
+        const auto place = [&](double column) {
+            plane.setPose(ui::CuttingPlane::poseFacing(
+                geometry.toWorld({column, 18.0, 10.0}), {1.0, 0.0, 0.0}));
+        };
+        place(20.0);
+        plane.show();
+        const std::int64_t before = fixture.voxels(1);
+        const QString expected = fixture.more(1, fixture.one - before);
+        const std::size_t rows = fixture.rows();
+        const auto isVisible = [&] {
+            return bool(fixture.workspace.segmentDisplay().visible[std::size_t(4)]);
+        };
+        QVERIFY(!isVisible());
+        restOn(button);
+        QTRY_COMPARE(fixture.now(), expected);
+        QVERIFY(fixture.previews<core::SplitSegment>() && isVisible());
+        QCOMPARE(fixture.session().document().segments.size(), std::size_t(3));
+        place(1.0);
+        QTRY_COMPARE(
+            fixture.now(), QStringLiteral("%1\nstays as it is").arg(fixture.sizeOf(before)));
+        place(20.0);
+        QTRY_COMPARE(fixture.now(), expected);
+        leave(button);
+        QVERIFY(!fixture.session().openEdit() && fixture.session().settle());
+        QVERIFY(!isVisible());
+        QCOMPARE(fixture.rows(), rows);
+        restOn(button);
+        QTRY_COMPARE(fixture.now(), expected);
+        QTest::mouseClick(&button, Qt::LeftButton);
+        QVERIFY(!fixture.session().openEdit() && fixture.session().settle());
+        QCOMPARE(fixture.rows(), rows + 1);
+        QCOMPARE(fixture.voxels(1), fixture.one);
+        QCOMPARE(fixture.voxels(4), before - fixture.one);
+        QCOMPARE(fixture.session().document().segment(4)->name, QStringLiteral("Parts 1"));
+    }
+
+    void combinations_data()
+    {
+        QTest::addColumn<QByteArray>("submenu");
+        QTest::newRow("union") << QByteArray("uniteSegments");
+        QTest::newRow("subtract") << QByteArray("subtractSegment");
+        QTest::newRow("intersect") << QByteArray("intersectSegments");
+    }
+    /// An entry is seen while it is pointed at; choosing it takes what is seen.
+    void combinations()
+    {
+        QFETCH(const QByteArray, submenu);
+        Fixture fixture;
+        QVERIFY(fixture.addDabs());
+        const std::int64_t before = fixture.voxels(1);
+        const std::int64_t change = submenu == "uniteSegments" ? fixture.voxels(3) - fixture.one
+            : submenu == "subtractSegment"                     ? -fixture.one
+                                                               : fixture.one - before;
+        const QString expected = fixture.more(1, change);
+        const QByteArray hash = fixture.session().stateHash();
+        const std::size_t rows = fixture.rows();
+        const QString over = QStringLiteral("Over");
+        fixture.entry(submenu.constData(), over).hover();
+        QTRY_COMPARE(fixture.now(), expected);
+        QVERIFY(fixture.previews<core::CombineSegments>());
+        // One that cannot be chosen would do nothing.
+        fixture.entry(submenu.constData(), QStringLiteral("Other")).hover();
+        QVERIFY(!fixture.session().openEdit());
+        fixture.entry(submenu.constData(), over).hover();
+        QTRY_COMPARE(fixture.now(), expected);
+        fixture.combinations().close();
+        QTRY_VERIFY(!fixture.session().openEdit());
+        QTRY_COMPARE(fixture.now(), fixture.sizeOf(before));
+        QVERIFY(fixture.session().settle());
+        QCOMPARE(fixture.rows(), rows);
+        QCOMPARE(fixture.session().stateHash(), hash);
+
+        QAction& entry = fixture.entry(submenu.constData(), over);
+        entry.hover();
+        QTRY_COMPARE(fixture.now(), expected);
+        fixture.combinations().close(); // before it is told, as in a menu that is clicked
+        entry.trigger();
+        QVERIFY(!fixture.session().openEdit() && fixture.session().settle());
+        QCOMPARE(fixture.rows(), rows + 1);
+        QCOMPARE(fixture.voxels(1), before + change);
+        QVERIFY(fixture.session().undo() && fixture.session().settle());
+        QCOMPARE(fixture.session().stateHash(), hash);
+    }
+
+    /// It is told how large the segment becomes that receives the voxels.
+    void aMerge()
+    {
+        Fixture fixture;
+        QVERIFY(fixture.addDabs());
+        const QString expected = fixture.more(2, fixture.voxels(1));
+        fixture.entry("mergeSegments", QStringLiteral("Other")).hover();
+        QTRY_COMPARE(fixture.now(), expected);
+        fixture.combinations().close();
+        QTRY_VERIFY(!fixture.session().openEdit());
+        QTRY_COMPARE(fixture.now(), fixture.sizeOf(fixture.voxels(1)));
+    }
+};
+
+BURIN_WINDOW_TEST(CleanUpPreviewUiTest)
+
+} // namespace cleanUpPreviewUiTest
+
+#include "CleanUpPreviewUiTest.moc"
