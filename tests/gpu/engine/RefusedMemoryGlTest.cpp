@@ -59,6 +59,7 @@ private Q_SLOTS:
     void aSessionGoesOn_data();
     void aSessionGoesOn();
     void aVolumeThatDoesNotFit();
+    void aVolumeThatIsTooLong();
 
 private:
     test::EditEngineFixture m_gpu;
@@ -231,6 +232,19 @@ void RefusedMemoryGlTest::aVolumeThatDoesNotFit()
         m_gpu.engine().submit(ReadBricks{{{Field::Labels, 0, 0}}});
         QVERIFY(!test::lastResult(m_gpu.engine()).error);
     }
+}
+
+void RefusedMemoryGlTest::aVolumeThatIsTooLong()
+{
+    // Longer than the textures of any driver; not memory is wanting, and that is said.
+    const std::vector<std::uint16_t> codes(40000, 7);
+    const auto opened = m_gpu.engine().openVolume({1, 40000, 1}, codes);
+    QVERIFY(!opened);
+    QCOMPARE(opened.error().code, ErrorCode::OutOfMemory);
+    const QString reason = opened.error().arguments.value(0);
+    QVERIFY2(reason.startsWith(QStringLiteral("the volume has 1 × 40000 × 1 voxels, and "))
+            && reason.endsWith(QStringLiteral(" along a side")),
+        qPrintable(reason));
 }
 
 BURIN_TEST(RefusedMemoryGlTest)
