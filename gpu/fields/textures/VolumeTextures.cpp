@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "gpu/fields/textures/VolumeTextures.h"
 
+#include "core/volume/MemoryLimit.h"
+#include "gpu/gl/SoftwareDriver.h"
+
 #include <utility>
 
 namespace gpu {
@@ -17,6 +20,15 @@ core::Result<void> VolumeTextures::open(
             core::Clause::saying("the volume has %1 × %2 × %3 voxels, and the graphics processor "
                                  "takes at most %4 along a side",
                 size.x, size.y, size.z, largest));
+    // Such a driver is given what the system does not have, and the program is ended when it
+    // writes.
+    if (isSoftwareDriver()) {
+        const double bytes = double(codes.size_bytes()) + double(denseBytes(size));
+        const core::Result<void> fits =
+            core::checkBytes(bytes, core::Clause::saying("the volume with its textures"));
+        if (!fits)
+            return fits;
+    }
 
     Texture3D intensity({.label = "intensity", .size = size, .format = GL_R16, .linear = true});
     Texture3D labels({.label = "labels 0", .size = size, .format = GL_R8UI});

@@ -29,7 +29,7 @@ using core::VoxelBox;
 namespace {
 
 /// The most memory that `burin run` may take, textures included where the driver computes on the
-/// processor: for each voxel 5.2 bytes of textures and cells, 3 of an export (labels, the label
+/// processor: for each voxel 5.1 bytes of textures and cells, 3 of an export (labels, the label
 /// map, what is read back to check it; or 1 of labels and 2 of codes), and the rest for what was
 /// edited; and that much for everything else.
 constexpr double budgetPerVoxel = 10.0;
