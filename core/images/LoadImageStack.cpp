@@ -4,13 +4,13 @@
 #include "core/images/ImageCodec.h"
 #include "core/images/ImagePage.h"
 #include "core/images/ImageStack.h"
-#include "core/volume/MemoryLimit.h"
 
 #include <QFileInfo>
 
 #include <algorithm>
 #include <cstring>
 #include <memory>
+#include <span>
 
 namespace core {
 
@@ -76,17 +76,23 @@ Result<LoadedVolume> loadImageStack(const SeriesEntry& entry, const Progress& pr
 
     const std::size_t each = like.byteCount();
     const std::size_t bytes = each * slices.size();
-    if (const Result<void> fits = checkMemory(bytes / 2 + entry.geometry.voxelCount()); !fits)
+    if (const Result<void> fits = checkScalarMemory(entry.geometry.voxelCount(), like.type); !fits)
         return tl::unexpected<Error>(fits.error());
+    LoadedVolume loaded;
+    Volume& volume = loaded.volume;
+    volume.geometry = entry.geometry;
+    const bool inRoom = fitsCodes(like.type);
     // Zeros, which an empty slice keeps.
-    const auto voxels = std::make_unique<char[]>(bytes);
+    const std::unique_ptr<char[]> wide = inRoom ? nullptr : std::make_unique<char[]>(bytes);
+    const std::span<char> voxels =
+        inRoom ? roomForScalars(loaded, like.type) : std::span<char>(wide.get(), bytes);
     StepCounter counter(progress, ProgressStep::ReadingVoxels, int(slices.size()));
     parallelFor(int(slices.size()), [&](int k) {
         Slice& slice = slices[std::size_t(k)];
         if (progress.cancelled() || !isSound(slice))
             return;
         slice.wrong = decodeImageFenced(slice.page, [&](std::span<const std::uint8_t> pixels) {
-            std::memcpy(voxels.get() + std::size_t(k) * each, pixels.data(), pixels.size());
+            std::memcpy(voxels.data() + std::size_t(k) * each, pixels.data(), pixels.size());
         });
         counter.stepDone();
     });
@@ -95,15 +101,15 @@ Result<LoadedVolume> loadImageStack(const SeriesEntry& entry, const Progress& pr
     if (std::none_of(slices.begin(), slices.end(), isSound))
         return failure(ErrorCode::FileUnreadable, slices.front().page.file, slices.front().wrong);
 
-    LoadedVolume loaded;
-    Volume& volume = loaded.volume;
     volume.identity = entry.identity;
-    volume.geometry = entry.geometry;
     volume.sourceFormat = QLatin1String(imageFormatName);
     volume.problems = entry.problems;
     volume.displayInverted = like.isInverted;
     reportEmptySlices(slices, volume);
-    encodeScalars(loaded, {voxels.get(), bytes}, like.type, 1.0, 0.0, false);
+    if (inRoom)
+        encodeScalarsInRoom(loaded, like.type, 1.0, 0.0, false);
+    else
+        encodeScalars(loaded, voxels, like.type, 1.0, 0.0, false);
     return loaded;
 }
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/nifti/NiftiReader.h"
 
-#include "core/volume/MemoryLimit.h"
 #include "core/voxelfile/StoredScalars.h"
 
 #include <QFile>
@@ -15,6 +14,8 @@
 #include <cstring>
 #include <memory>
 #include <optional>
+#include <span>
+#include <utility>
 #include <vector>
 
 namespace core {
@@ -116,26 +117,29 @@ QString voxelFileOf(const nifti_image& image, const QString& path)
     return {};
 }
 
-/// The voxels of a point in time in the machine's byte order; empty if the file does not hold them
-/// all. The library's own reader fills what is missing with zeros and turns NaN into 0, both
-/// without a word.
-/// @param path from voxelFileOf() @param count of voxels at one point
-std::vector<char> readVoxels(
-    const nifti_image& image, const QString& path, std::size_t count, int time)
+/// Whether a file may hold the voxels of a point in time: a few bytes may claim gigabytes, and what
+/// the file cannot hold is not asked of memory either.
+/// @param path from voxelFileOf() @param bytes of one point
+bool mayHold(const QString& path, std::size_t bytes, int time)
 {
-    const std::size_t bytes = count * std::size_t(image.nbyper);
-    const std::size_t before = std::size_t(time) * bytes;
-    // A few bytes may claim gigabytes: what the file cannot hold is not asked of memory either.
     constexpr std::size_t mostPerPackedByte = 1032; // deflate's limit
     const auto stored = std::size_t(QFileInfo(path).size());
+    const int isPacked = nifti_is_gzfile(QFile::encodeName(path).constData());
+    return (std::size_t(time) + 1) * bytes <= stored * (isPacked != 0 ? mostPerPackedByte : 1);
+}
+
+/// Reads the voxels of a point in time in the machine's byte order; false if the file does not hold
+/// them all. The library's own reader fills what is missing with zeros and turns NaN into 0, both
+/// without a word.
+/// @param path from voxelFileOf() @param voxels as many bytes as one point has
+bool readVoxels(const nifti_image& image, const QString& path, std::span<char> voxels, int time)
+{
+    const std::size_t bytes = voxels.size();
+    const std::size_t before = std::size_t(time) * bytes;
     const QByteArray name = QFile::encodeName(path);
-    const int isPacked = nifti_is_gzfile(name.constData());
-    if (before + bytes > stored * (isPacked != 0 ? mostPerPackedByte : 1))
-        return {};
-    znzFile file = znzopen(name.constData(), "rb", isPacked);
+    znzFile file = znzopen(name.constData(), "rb", nifti_is_gzfile(name.constData()));
     if (znz_isnull(file))
-        return {};
-    std::vector<char> voxels(bytes);
+        return false;
     std::size_t done = 0;
     if (znzseek(file, long(image.iname_offset) + long(before), SEEK_SET) >= 0) {
         // In pieces: one call for more than 4 GiB would wrap in zlib.
@@ -151,11 +155,56 @@ std::vector<char> readVoxels(
 
     Xznzclose(&file);
     if (done < bytes)
-        return {};
+        return false;
     if (image.swapsize > 1 && image.byteorder != nifti_short_order()) {
         nifti_swap_Nbytes(bytes / std::size_t(image.swapsize), image.swapsize, voxels.data());
     }
-    return voxels;
+    return true;
+}
+
+/// A file of which all but the voxels was read.
+struct Opened {
+    Image image;
+    QString path;
+    QString voxelFile{};
+    NiftiNumbers numbers{}; ///< without bytes
+    std::size_t bytes = 0; ///< of the voxels of one point in time
+
+    [[nodiscard]] tl::unexpected<Error> incomplete() const
+    {
+        return failure(ErrorCode::FileTruncated, path,
+            voxelFile == path ? Clause::saying("its voxels are incomplete")
+                              : Clause::saying("its voxels in %1 are incomplete", voxelFile));
+    }
+};
+
+/// Errors: FileTruncated, also where the file is too short for that point; OutOfMemory.
+Result<Opened> openNumbers(const SeriesEntry& entry, int time)
+{
+    Opened opened{.image = readImage(entry.files.front()), .path = entry.files.front()};
+    const nifti_image* image = opened.image.get();
+    const std::optional<ScalarType> type = image ? scalarType(image->datatype) : std::nullopt;
+    opened.voxelFile = image ? voxelFileOf(*image, opened.path) : opened.path;
+    if (!type || opened.voxelFile.isEmpty())
+        return opened.incomplete();
+    opened.bytes = entry.geometry.voxelCount() * bytesPerScalar(*type);
+    if (!mayHold(opened.voxelFile, opened.bytes, time))
+        return opened.incomplete();
+    if (const Result<void> fits = checkScalarMemory(entry.geometry.voxelCount(), *type); !fits)
+        return tl::unexpected<Error>(fits.error());
+    opened.numbers.type = *type;
+    // A slope of 0 means that there is none (nifti1.h).
+    if (image->scl_slope != 0.0f && std::isfinite(image->scl_slope)
+        && std::isfinite(image->scl_inter)) {
+        opened.numbers.slope = double(image->scl_slope);
+        opened.numbers.intercept = double(image->scl_inter);
+    }
+    if (image->cal_max > image->cal_min && std::isfinite(image->cal_max)
+        && std::isfinite(image->cal_min)) {
+        opened.numbers.window = {.centre = (double(image->cal_max) + double(image->cal_min)) / 2.0,
+            .width = double(image->cal_max) - double(image->cal_min)};
+    }
+    return opened;
 }
 
 /// Which of several this is, as of DICOM series in time.
@@ -243,44 +292,23 @@ Result<SeriesEntry> readNiftiEntry(const QString& path)
 
 Result<NiftiNumbers> readNiftiNumbers(const SeriesEntry& entry, int time)
 {
-    const QString path = entry.files.front();
-    if (const Result<void> fits = checkMemory(2 * entry.geometry.voxelCount()); !fits)
-        return tl::unexpected<Error>(fits.error());
-    const Image image = readImage(path);
-    const std::optional<ScalarType> type = image ? scalarType(image->datatype) : std::nullopt;
-    NiftiNumbers voxels;
-    const QString file = image ? voxelFileOf(*image, path) : path;
-    if (type && !file.isEmpty())
-        voxels.bytes = readVoxels(*image, file, entry.geometry.voxelCount(), time);
-    if (voxels.bytes.empty()) {
-        return failure(ErrorCode::FileTruncated, path,
-            file == path ? Clause::saying("its voxels are incomplete")
-                         : Clause::saying("its voxels in %1 are incomplete", file));
-    }
-    voxels.type = *type;
-    // A slope of 0 means that there is none (nifti1.h).
-    if (image->scl_slope != 0.0f && std::isfinite(image->scl_slope)
-        && std::isfinite(image->scl_inter)) {
-        voxels.slope = double(image->scl_slope);
-        voxels.intercept = double(image->scl_inter);
-    }
-    if (image->cal_max > image->cal_min && std::isfinite(image->cal_max)
-        && std::isfinite(image->cal_min)) {
-        voxels.window = {.centre = (double(image->cal_max) + double(image->cal_min)) / 2.0,
-            .width = double(image->cal_max) - double(image->cal_min)};
-    }
-    return voxels;
+    Result<Opened> opened = openNumbers(entry, time);
+    if (!opened)
+        return tl::unexpected(opened.error());
+    std::vector<char>& bytes = opened->numbers.bytes;
+    bytes.resize(opened->bytes);
+    if (!readVoxels(*opened->image, opened->voxelFile, bytes, time))
+        return opened->incomplete();
+    return std::move(opened->numbers);
 }
 
 Result<LoadedVolume> loadNifti(const SeriesEntry& entry, int time, const Progress& progress)
 {
     progress.report(ProgressStep::ReadingVoxels, 0, 1);
-    const Result<NiftiNumbers> voxels = readNiftiNumbers(entry, time);
-    if (!voxels)
-        return tl::unexpected(voxels.error());
-    if (progress.cancelled())
-        return failure(ErrorCode::Cancelled);
-
+    const Result<Opened> opened = openNumbers(entry, time);
+    if (!opened)
+        return tl::unexpected(opened.error());
+    const NiftiNumbers& numbers = opened->numbers;
     LoadedVolume loaded;
     Volume& volume = loaded.volume;
     volume.identity = entry.identity;
@@ -289,10 +317,21 @@ Result<LoadedVolume> loadNifti(const SeriesEntry& entry, int time, const Progres
     volume.problems = entry.problems;
     if (!entry.times.isEmpty())
         volume.problems.back() = pointInTime(int(entry.times.size()), time);
-    if (voxels->window)
-        volume.defaultWindow = *voxels->window;
-    encodeScalars(loaded, voxels->bytes, voxels->type, voxels->slope, voxels->intercept,
-        voxels->window.has_value());
+    if (numbers.window)
+        volume.defaultWindow = *numbers.window;
+    const bool inRoom = fitsCodes(numbers.type);
+    std::vector<char> wide(inRoom ? 0 : opened->bytes);
+    const std::span<char> voxels =
+        inRoom ? roomForScalars(loaded, numbers.type) : std::span<char>(wide);
+    if (!readVoxels(*opened->image, opened->voxelFile, voxels, time))
+        return opened->incomplete();
+    if (progress.cancelled())
+        return failure(ErrorCode::Cancelled);
+    const bool hasWindow = numbers.window.has_value();
+    if (inRoom)
+        encodeScalarsInRoom(loaded, numbers.type, numbers.slope, numbers.intercept, hasWindow);
+    else
+        encodeScalars(loaded, voxels, numbers.type, numbers.slope, numbers.intercept, hasWindow);
     return loaded;
 }
 

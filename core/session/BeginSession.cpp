@@ -6,7 +6,9 @@
 #include "core/sessionfile/records/SessionUse.h"
 #include "core/study/SourceFiles.h"
 
+#include <cstdint>
 #include <utility>
+#include <vector>
 
 namespace core {
 
@@ -77,7 +79,7 @@ Result<std::unique_ptr<EditSession>> EditSession::continued(EditEngine& engine, 
         return failure(ErrorCode::SessionMismatch, file->path(), difference);
     if (const Result<void> put = engine.openVolume(volume.volume.geometry.size, volume.codes); !put)
         return tl::unexpected(put.error());
-    volume.codes = {};
+    volume.codes = std::vector<std::uint16_t>(); // to {} it would keep its memory
     FileInUse sources(sourceFiles(volume.volume), FileInUse::As::Study);
     auto queue = std::make_unique<OperationQueue>(
         engine, std::move(volume.volume), std::move(file), std::move(wakeUp));

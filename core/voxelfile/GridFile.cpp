@@ -77,20 +77,36 @@ Result<SeriesEntry> entryOf(const GridFile& grid)
 Result<LoadedVolume> loadGridFile(
     const GridFile& grid, const SeriesEntry& entry, const QString& format, const Progress& progress)
 {
-    const Result<VoxelBytes> bytes = readVoxels(grid.voxels, progress);
-    if (!bytes)
-        return tl::unexpected(bytes.error());
     LoadedVolume loaded;
     Volume& volume = loaded.volume;
     volume.identity = entry.identity;
     volume.geometry = grid.geometry;
     volume.sourceFormat = format;
     volume.problems = grid.problems;
-    if (bytes->surplus) {
-        volume.problems.push_back(
-            {.kind = VolumeProblem::Kind::Other, .said = {ProblemCode::MoreThanVoxels}});
+    const auto noteSurplus = [&volume](bool surplus) {
+        if (surplus)
+            volume.problems.push_back(
+                {.kind = VolumeProblem::Kind::Other, .said = {ProblemCode::MoreThanVoxels}});
+    };
+    const ScalarType type = grid.voxels.type;
+    if (!fitsCodes(type)) {
+        const Result<VoxelBytes> bytes = readVoxels(grid.voxels, progress);
+        if (!bytes)
+            return tl::unexpected(bytes.error());
+        noteSurplus(bytes->surplus);
+        encodeScalars(loaded, {bytes->data.get(), bytes->size}, type, 1.0, 0.0, false);
+        return loaded;
     }
-    encodeScalars(loaded, {bytes->data.get(), bytes->size}, grid.voxels.type, 1.0, 0.0, false);
+    if (const Result<void> there = checkVoxelFiles(grid.voxels); !there)
+        return tl::unexpected(there.error());
+    if (const Result<void> fits = checkScalarMemory(grid.voxels.voxels, type); !fits)
+        return tl::unexpected(fits.error());
+    const Result<bool> surplus =
+        readVoxelsInto(grid.voxels, roomForScalars(loaded, type), progress);
+    if (!surplus)
+        return tl::unexpected(surplus.error());
+    noteSurplus(*surplus);
+    encodeScalarsInRoom(loaded, type, 1.0, 0.0, false);
     return loaded;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/base/Result.h"
 #include "core/volume/Volume.h"
 
 #include <cstddef>
@@ -38,5 +39,18 @@ void swapScalars(std::span<char> bytes, ScalarType type);
 /// @param bytes of as many numbers as the volume has voxels
 void encodeScalars(LoadedVolume& loaded, std::span<const char> bytes, ScalarType type, double slope,
     double intercept, bool hasWindow);
+
+/// Whether numbers of this type can be read to where their codes will be, so that no volume is in
+/// memory twice: those of up to 16 bits.
+[[nodiscard]] bool fitsCodes(ScalarType type);
+/// Checks, as checkMemory(), that so many numbers can be read and encoded: their codes fit, and
+/// beside them the numbers themselves unless they fit codes.
+[[nodiscard]] Result<void> checkScalarMemory(std::size_t voxels, ScalarType type);
+/// Where to read them to: memory of @p loaded.codes, which it allocates, for as many numbers as the
+/// volume has voxels. The volume's geometry must be set. @pre fitsCodes(type)
+[[nodiscard]] std::span<char> roomForScalars(LoadedVolume& loaded, ScalarType type);
+/// The same as encodeScalars() for the numbers that are in that room.
+void encodeScalarsInRoom(
+    LoadedVolume& loaded, ScalarType type, double slope, double intercept, bool hasWindow);
 
 } // namespace core

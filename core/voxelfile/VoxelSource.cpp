@@ -162,7 +162,18 @@ Result<VoxelBytes> readVoxels(const VoxelSource& source, const Progress& progres
     if (const Result<void> fits = checkMemory(bytes / 2 + source.voxels); !fits)
         return tl::unexpected(fits.error());
     VoxelBytes result{.data = std::make_unique_for_overwrite<char[]>(bytes), .size = bytes};
-    const std::size_t share = bytes / std::size_t(source.files.size());
+    const Result<bool> surplus = readVoxelsInto(source, {result.data.get(), result.size}, progress);
+    if (!surplus)
+        return tl::unexpected(surplus.error());
+    result.surplus = *surplus;
+    return result;
+}
+
+Result<bool> readVoxelsInto(
+    const VoxelSource& source, std::span<char> into, const Progress& progress)
+{
+    const std::size_t share = into.size() / std::size_t(source.files.size());
+    bool surplus = false;
     for (qsizetype part = 0; part < source.files.size(); ++part) {
         const QString& name = source.files[part];
         progress.report(ProgressStep::ReadingVoxels, int(part), int(source.files.size()));
@@ -172,18 +183,18 @@ Result<VoxelBytes> readVoxels(const VoxelSource& source, const Progress& progres
         if (!file.seek(source.start) || !skipLines(file, source.lineSkip, progress))
             return truncated(source, name);
         const Filled filled =
-            fill(file, source, {result.data.get() + std::size_t(part) * share, share}, progress);
+            fill(file, source, into.subspan(std::size_t(part) * share, share), progress);
         if (progress.cancelled())
             return failure(ErrorCode::Cancelled);
         if (!filled)
             return filled.error().isEmpty() ? truncated(source, name)
                                             : unreadable(source, name, filled.error());
-        result.surplus = result.surplus || *filled;
+        surplus = surplus || *filled;
     }
     const bool foreign = source.bigEndian != (std::endian::native == std::endian::big);
     if (foreign && source.encoding != Encoding::Text)
-        swapScalars({result.data.get(), result.size}, source.type);
-    return result;
+        swapScalars(into, source.type);
+    return surplus;
 }
 
 } // namespace core

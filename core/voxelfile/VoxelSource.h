@@ -10,6 +10,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <span>
 
 namespace core {
 
@@ -51,5 +52,10 @@ struct VoxelBytes {
 /// Reads at most what the header implies, whatever a compressed file would expand to. Errors:
 /// FileUnreadable, FileTruncated, OutOfMemory, Cancelled.
 [[nodiscard]] Result<VoxelBytes> readVoxels(const VoxelSource& source, const Progress& progress);
+/// The same into @p into, which has source.byteCount() bytes. Errors: FileUnreadable,
+/// FileTruncated, Cancelled. @pre checkVoxelFiles()
+/// @return VoxelBytes::surplus
+[[nodiscard]] Result<bool> readVoxelsInto(
+    const VoxelSource& source, std::span<char> into, const Progress& progress);
 
 } // namespace core

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "gpu/gl/GpuTrace.h"
 
+#include "gpu/gl/SoftwareDriver.h"
+
 #include <algorithm>
 #include <string>
 
@@ -28,8 +30,7 @@ GpuTrace::GpuTrace()
     m_lane.emplace("GPU: " + renderer);
     // A software driver stamps where it rasterises, which it puts off: after kernels that it
     // computes at once. So it is told to rasterise first.
-    m_flushes = renderer.find("llvmpipe") != std::string::npos
-        || renderer.find("softpipe") != std::string::npos;
+    m_flushes = isSoftwareDriver();
     GLint64 now = 0;
     glGetInteger64v(GL_TIMESTAMP, &now);
     m_toClock = sinceEpoch(core::Trace::Clock::now()) - std::chrono::nanoseconds(now);

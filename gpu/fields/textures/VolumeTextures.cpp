@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "gpu/fields/textures/VolumeTextures.h"
 
-#include <QString>
+#include "core/volume/MemoryLimit.h"
+#include "gpu/gl/SoftwareDriver.h"
 
 #include <utility>
 
@@ -12,11 +13,22 @@ core::Result<void> VolumeTextures::open(
 {
     close(); // both at once may not fit
 
-    const QString sizeText = QStringLiteral("%1 × %2 × %3").arg(size.x).arg(size.y).arg(size.z);
     GLint largest = 0;
     glGetIntegerv(GL_MAX_3D_TEXTURE_SIZE, &largest);
     if (size.x > largest || size.y > largest || size.z > largest)
-        return core::failure(core::ErrorCode::OutOfMemory, sizeText);
+        return core::failure(core::ErrorCode::OutOfMemory,
+            core::Clause::saying("the volume has %1 × %2 × %3 voxels, and the graphics processor "
+                                 "takes at most %4 along a side",
+                size.x, size.y, size.z, largest));
+    // Such a driver is given what the system does not have, and the program is ended when it
+    // writes.
+    if (isSoftwareDriver()) {
+        const double bytes = double(codes.size_bytes()) + double(denseBytes(size));
+        const core::Result<void> fits =
+            core::checkBytes(bytes, core::Clause::saying("the volume with its textures"));
+        if (!fits)
+            return fits;
+    }
 
     Texture3D intensity({.label = "intensity", .size = size, .format = GL_R16, .linear = true});
     Texture3D labels({.label = "labels 0", .size = size, .format = GL_R8UI});

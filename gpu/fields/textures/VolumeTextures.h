@@ -40,7 +40,9 @@ class VolumeTextures {
 public:
     /// Replaces everything: codes as given, no labels, nothing carved, no segment shown.
     /// @param codes x fastest, then y, then z
-    /// Errors: OutOfMemory(size as text). Throws GlFailure; then close() must be called.
+    /// Errors: OutOfMemory if a side is longer than textures may be, or if they would share the
+    /// machine's memory and it is too small (core::checkBytes()). Throws GlFailure; then close()
+    /// must be called.
     core::Result<void> open(const glm::ivec3& size, std::span<const std::uint16_t> codes);
     void close(); ///< frees everything; nothing is open afterwards
     /// Sets where the volume lies in the patient and what its codes mean. Renderers draw only if

@@ -4,10 +4,10 @@
 #include "core/growth/interval/IntervalOpener.h"
 #include "gpu/fields/BrickImages.h"
 #include "gpu/gl/Gl.h"
+#include "gpu/gl/SoftwareDriver.h"
 #include "gpu/kernels/growth/GrowthKernel.h"
 
 #include <algorithm>
-#include <string_view>
 #include <utility>
 
 namespace gpu {
@@ -91,12 +91,7 @@ std::vector<core::GrowthBrick> contentsOf(
 
 bool opensByChange(const core::GrowBurst& burst)
 {
-    if (!core::IntervalOpener::suits(burst))
-        return false;
-    const auto* name = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
-    const std::string_view renderer = name ? name : "";
-    return renderer.find("llvmpipe") != std::string_view::npos
-        || renderer.find("softpipe") != std::string_view::npos;
+    return core::IntervalOpener::suits(burst) && isSoftwareDriver();
 }
 
 std::unique_ptr<core::IntervalOpener> readGrowth(VoxelFields& fields, const core::GrowBurst& burst)

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "core/volume/MemoryLimit.h"
+#include "gpu/engine/MemoryFormula.h"
 #include "tests/support/cases/EngineCases.h"
 #include "tests/support/cases/RandomHistory.h"
 #include "tests/support/faults/RefusingGl.h"
@@ -10,6 +12,8 @@
 #include <QtTest>
 
 #include <optional>
+
+#include <sys/mman.h>
 
 namespace refusedMemoryGlTest {
 
@@ -59,6 +63,8 @@ private Q_SLOTS:
     void aSessionGoesOn_data();
     void aSessionGoesOn();
     void aVolumeThatDoesNotFit();
+    void aVolumeThatIsTooLong();
+    void texturesThatDoNotFitBesideTheProgram();
 
 private:
     test::EditEngineFixture m_gpu;
@@ -231,6 +237,47 @@ void RefusedMemoryGlTest::aVolumeThatDoesNotFit()
         m_gpu.engine().submit(ReadBricks{{{Field::Labels, 0, 0}}});
         QVERIFY(!test::lastResult(m_gpu.engine()).error);
     }
+}
+
+void RefusedMemoryGlTest::aVolumeThatIsTooLong()
+{
+    // Longer than the textures of any driver; not memory is wanting, and that is said.
+    const std::vector<std::uint16_t> codes(40000, 7);
+    const auto opened = m_gpu.engine().openVolume({1, 40000, 1}, codes);
+    QVERIFY(!opened);
+    QCOMPARE(opened.error().code, ErrorCode::OutOfMemory);
+    const QString reason = opened.error().arguments.value(0);
+    QVERIFY2(reason.startsWith(QStringLiteral("the volume has 1 × 40000 × 1 voxels, and "))
+            && reason.endsWith(QStringLiteral(" along a side")),
+        qPrintable(reason));
+}
+
+void RefusedMemoryGlTest::texturesThatDoNotFitBesideTheProgram()
+{
+    if (!m_gpu.rendererName().contains("llvmpipe"))
+        QSKIP("the textures of this driver have a memory of their own");
+    glm::ivec3 size(2048, 2048, 1);
+    const auto needed = [&size] {
+        return 2.0 * size.x * size.y * size.z + double(gpu::MemoryFormula::denseBytes(size));
+    };
+    while (needed() <= allowedBytes())
+        ++size.z;
+    if (size.z > 2048)
+        QSKIP("this machine has memory for textures of any size");
+    // The codes alone would fit; nobody looks at them.
+    const std::size_t voxels = std::size_t(size.x) * std::size_t(size.y) * std::size_t(size.z);
+    QVERIFY(checkMemory(voxels));
+    void* nothing = mmap(nullptr, voxels * sizeof(std::uint16_t), PROT_READ,
+        MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+    QVERIFY(nothing != MAP_FAILED);
+    const auto opened =
+        m_gpu.engine().openVolume(size, {static_cast<const std::uint16_t*>(nothing), voxels});
+    munmap(nothing, voxels * sizeof(std::uint16_t));
+    QVERIFY(!opened);
+    QCOMPARE(opened.error().code, ErrorCode::OutOfMemory);
+    const QString reason = opened.error().arguments.value(0);
+    QVERIFY2(reason.startsWith(QStringLiteral("the volume with its textures needs ")),
+        qPrintable(reason));
 }
 
 BURIN_TEST(RefusedMemoryGlTest)
