@@ -247,6 +247,15 @@ void Refinement::removeContour()
     Q_EMIT contoursChanged();
 }
 
+void Refinement::removeContourAt(std::size_t place)
+{
+    dropPreview();
+    if (place >= m_contours.size())
+        return;
+    m_contours.erase(m_contours.begin() + std::ptrdiff_t(place));
+    Q_EMIT contoursChanged();
+}
+
 void Refinement::clearContours()
 {
     dropPreview();

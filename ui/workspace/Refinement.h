@@ -84,6 +84,7 @@ public:
     /// Adds a contour. If its ends meet it is closed and describes a body. A preview is taken back.
     void addContour(std::vector<glm::dvec3> pointsLps);
     void removeContour(); ///< removes the last one
+    void removeContourAt(std::size_t place); ///< its index in contours()
     void clearContours();
     /// Previews the surface that the contours produce. takeTemplate() makes an edit of it,
     /// dropPreview() takes it back and keeps the contours.

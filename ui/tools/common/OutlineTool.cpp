@@ -33,6 +33,7 @@ OutlineTool::OutlineTool(Workspace& workspace, QObject* parent)
     // A curve ends with the session it was begun in.
     connect(&workspace, &Workspace::sessionChanged, this, [this] {
         m_sketch.drop();
+        m_pressure.end();
         m_preview.forget();
     });
 }
@@ -60,6 +61,7 @@ void OutlineTool::press(const PointerSample& sample, const ViewContext& view)
         return;
     begin();
     m_sketch.begin(sample.position, view);
+    m_pressure.begin(sample, depthFollowsPressure());
     m_restores = sample.eraserEnd || sample.modifiers.testFlag(Qt::ControlModifier);
     showCursor(sample.position, view.view);
 }
@@ -69,6 +71,7 @@ void OutlineTool::drag(const PointerSample& sample, const ViewContext& view)
     if (!m_sketch.drawing() || view.view != m_sketch.view().view)
         return;
     m_sketch.extend(sample.position);
+    m_pressure.extend(sample);
     if (showsTaken()) {
         if (std::vector<glm::dvec2> outline = m_sketch.curveMm(); outline.size() >= 3)
             m_preview.lookAt(m_sketch.view(), std::move(outline), sketchAcross);
@@ -95,12 +98,14 @@ void OutlineTool::release(const PointerSample& sample, const ViewContext& view)
         sketch.polygonMm = std::move(curve);
         cut(sketch);
     }
+    m_pressure.end();
     showCursor(sample.position, view.view);
 }
 
 void OutlineTool::cancel()
 {
     m_sketch.drop();
+    m_pressure.end();
     m_preview.forget();
     Q_EMIT overlayChanged();
 }

@@ -5,6 +5,7 @@
 #include "ui/tools/aim/SurfacePreview.h"
 #include "ui/tools/common/CursorTool.h"
 #include "ui/tools/common/CurveSketch.h"
+#include "ui/tools/common/PenPressure.h"
 
 #include <vector>
 
@@ -48,6 +49,11 @@ protected:
     /// The text at the cursor.
     [[nodiscard]] virtual QStringList lines() const = 0;
 
+    /// Whether the depth follows the pressure of a pen that draws a curve.
+    [[nodiscard]] virtual bool depthFollowsPressure() const { return false; }
+    /// How hard the curve is pressed that is being drawn, or was closed (in cut()).
+    [[nodiscard]] const StrokePressure& pressure() const { return m_pressure; }
+
     [[nodiscard]] Workspace& workspace() const { return m_workspace; }
     [[nodiscard]] double surfaceThreshold() const;
     /// Shows the cursor's text there.
@@ -56,6 +62,7 @@ private:
     Workspace& m_workspace;
     SurfacePreview m_preview;
     CurveSketch m_sketch;
+    StrokePressure m_pressure;
     bool m_restores = false;
 };
 

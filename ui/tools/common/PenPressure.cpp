@@ -7,6 +7,7 @@
 #include <QToolButton>
 
 #include <algorithm>
+#include <cmath>
 
 namespace ui {
 
@@ -27,6 +28,26 @@ bool pressesHarder(double share, double before)
     return share > before + harderBy;
 }
 
+void StrokePressure::begin(const PointerSample& sample, bool counts)
+{
+    m_counts = counts && sample.isPen;
+    m_share = m_counts ? pressedShare(sample) : 1.0;
+}
+
+void StrokePressure::extend(const PointerSample& sample)
+{
+    if (m_counts)
+        m_share = std::max(m_share, pressedShare(sample));
+}
+
+double StrokePressure::of(double setMm, double leastMm) const
+{
+    if (m_share == 1.0 || setMm <= leastMm)
+        return setMm;
+    // As fields and cursor show it: what is read while the pen is down is what the edit has.
+    return std::clamp(std::round(10.0 * m_share * setMm) / 10.0, leastMm, setMm);
+}
+
 QToolButton* pressureButton(QWidget* parent)
 {
     auto* button = new QToolButton(parent);
@@ -38,6 +59,17 @@ QToolButton* pressureButton(QWidget* parent)
         "is set. Off: pressure does nothing, as with a mouse."));
     button->setCheckable(true);
     button->setFixedHeight(theme::controlHeight);
+    return button;
+}
+
+QToolButton* depthPressureButton(QWidget* parent)
+{
+    QToolButton* button = pressureButton(parent);
+    button->setObjectName(QStringLiteral("depthByPressure"));
+    button->setAccessibleName(QObject::tr("Pressure: depth"));
+    button->setToolTip(QObject::tr(
+        "Pressure: depth, that is, a curve cuts as deep as the pen is pressed at most while it is "
+        "drawn, up to the depth that is set. Off: pressure does nothing, as with a mouse."));
     return button;
 }
 

@@ -3,6 +3,7 @@
 
 #include "ui/base/Theme.h"
 #include "ui/menus/EditableButton.h"
+#include "ui/tools/common/PenPressure.h"
 #include "ui/tools/common/SeedOptions.h"
 #include "ui/tools/contour/ContourTool.h"
 #include "ui/widgets/fields/NumberField.h"
@@ -13,6 +14,7 @@
 #include <QDoubleSpinBox>
 #include <QHBoxLayout>
 #include <QSignalBlocker>
+#include <QToolButton>
 
 namespace ui {
 
@@ -22,6 +24,7 @@ ContourOptions::ContourOptions(Workspace& workspace, ContourTool& tool, QWidget*
     , m_tool(tool)
     , m_start(new QComboBox(this))
     , m_bubble(new NumberField(this))
+    , m_pressure(pressureButton(this))
     , m_overwrite(new QCheckBox(tr("over others"), this))
 {
     m_start->setObjectName(QStringLiteral("contourStart"));
@@ -43,6 +46,10 @@ ContourOptions::ContourOptions(Workspace& workspace, ContourTool& tool, QWidget*
     m_bubble->setSingleStep(0.5);
     m_bubble->setSuffix(tr(" mm"));
     m_bubble->setToolTip(tr("Radius of the bubble (Shift+wheel)"));
+    m_pressure->setToolTip(
+        tr("Pressure: radius, that is, a bubble becomes as large as the pen is pressed at most "
+           "until it is lifted, up to the radius that is set; all bubbles of a contour are as "
+           "large as its first one. Off: pressure does nothing, as with a mouse."));
     m_overwrite->setObjectName(QStringLiteral("contourOverwrite"));
     m_overwrite->setToolTip(tr("Over other segments that are not locked"));
     auto* layout = new QHBoxLayout(this);
@@ -51,6 +58,7 @@ ContourOptions::ContourOptions(Workspace& workspace, ContourTool& tool, QWidget*
     layout->addWidget(new SeedOptions(workspace, {}, this));
     layout->addWidget(m_start);
     layout->addWidget(m_bubble);
+    layout->addWidget(m_pressure);
     layout->addWidget(m_overwrite);
     layout->addWidget(new EditableButton(workspace, this));
     showSettings();
@@ -58,6 +66,7 @@ ContourOptions::ContourOptions(Workspace& workspace, ContourTool& tool, QWidget*
     connect(&workspace, &Workspace::brushSettingsChanged, this, &ContourOptions::showSettings);
     connect(m_start, &QComboBox::activated, this, &ContourOptions::takeSettings);
     connect(m_bubble, &QDoubleSpinBox::valueChanged, this, &ContourOptions::takeSettings);
+    connect(m_pressure, &QToolButton::clicked, this, &ContourOptions::takeSettings);
     connect(m_overwrite, &QCheckBox::clicked, this, &ContourOptions::takeSettings);
 }
 
@@ -68,6 +77,8 @@ void ContourOptions::showSettings()
     const QSignalBlocker overwrite(m_overwrite);
     m_start->setCurrentIndex(int(m_tool.settings().start));
     m_bubble->setValue(m_tool.settings().bubbleMm);
+    m_pressure->setChecked(m_tool.settings().radiusByPressure);
+    m_pressure->setEnabled(m_tool.settings().startsFromBubbles());
     m_overwrite->setChecked(m_workspace.brushSettings(Workspace::Brush::Paint).overwriteUnlocked);
 }
 
@@ -76,6 +87,7 @@ void ContourOptions::takeSettings()
     ContourSettings now = m_tool.settings();
     now.start = ContourSettings::Start(m_start->currentIndex());
     now.bubbleMm = m_bubble->value();
+    now.radiusByPressure = m_pressure->isChecked();
     // It is the same choice as for painting and outlines.
     Workspace::BrushSettings paint = m_workspace.brushSettings(Workspace::Brush::Paint);
     paint.overwriteUnlocked = m_overwrite->isChecked();

@@ -6,6 +6,7 @@
 class QCheckBox;
 class QComboBox;
 class QDoubleSpinBox;
+class QToolButton;
 
 namespace ui {
 
@@ -28,6 +29,7 @@ private:
     ContourTool& m_tool;
     QComboBox* m_start;
     QDoubleSpinBox* m_bubble;
+    QToolButton* m_pressure;
     QCheckBox* m_overwrite;
 };
 

@@ -3,6 +3,8 @@
 
 #include "core/edits/kinds/filling/EvolveContour.h"
 
+#include <algorithm>
+
 namespace ui {
 
 namespace {
@@ -25,14 +27,22 @@ void readNumber(
 
 } // namespace
 
+void ContourSettings::changeBubble(int steps)
+{
+    const double step = bubbleMm < 10.0 ? 0.5 : 1.0;
+    bubbleMm = std::clamp(bubbleMm + steps * step, minimumBubbleMm, maximumBubbleMm);
+}
+
 QJsonObject ContourSettings::json() const
 {
     return {{QStringLiteral("fromSegment"), start == Start::Segment},
         {QStringLiteral("fromSeeds"), start == Start::Seeds},
         {QStringLiteral("fromBubbles"), start == Start::Bubbles},
-        {QStringLiteral("bubbleMm"), bubbleMm}, {QStringLiteral("valuesOfBubble"), valuesOfBubble},
-        {QStringLiteral("softness"), softness}, {QStringLiteral("smoothness"), smoothness},
-        {QStringLiteral("edge"), edge}, {QStringLiteral("edgeGradient"), edgeGradient},
+        {QStringLiteral("bubbleMm"), bubbleMm},
+        {QStringLiteral("radiusByPressure"), radiusByPressure},
+        {QStringLiteral("valuesOfBubble"), valuesOfBubble}, {QStringLiteral("softness"), softness},
+        {QStringLiteral("smoothness"), smoothness}, {QStringLiteral("edge"), edge},
+        {QStringLiteral("edgeGradient"), edgeGradient},
         {QStringLiteral("generations"), generations}};
 }
 
@@ -50,6 +60,7 @@ void ContourSettings::read(const QJsonObject& json)
     else if (fromSegment.isBool())
         start = Start::Bubble;
     readNumber(json, "bubbleMm", minimumBubbleMm, maximumBubbleMm, bubbleMm);
+    radiusByPressure = json[QLatin1String("radiusByPressure")].toBool(radiusByPressure);
     valuesOfBubble = json[QLatin1String("valuesOfBubble")].toBool(valuesOfBubble);
     readWhole(json, "softness", 0, whole, softness);
     readWhole(json, "smoothness", 0, whole, smoothness);

@@ -12,6 +12,9 @@ struct ContourSettings {
 
     Start start = Start::Bubble; ///< with what the contour begins
     double bubbleMm = 4.0; ///< radius of all bubbles
+    /// A pen that is pressed less makes those of its contour smaller; else its pressure does
+    /// nothing.
+    bool radiusByPressure = false;
     /// Bubbles set the interval to the one suggested for their centres.
     bool valuesOfBubble = true;
     int softness = 25; ///< per cent of half the interval's width, 0 … 100
@@ -30,6 +33,8 @@ struct ContourSettings {
     {
         return start == Start::Bubble || start == Start::Bubbles;
     }
+    /// Makes bubbles greater by so many steps of the wheel, or smaller.
+    void changeBubble(int steps);
     [[nodiscard]] QJsonObject json() const;
     /// Takes what is there and within its bounds; the rest stays.
     void read(const QJsonObject& json);

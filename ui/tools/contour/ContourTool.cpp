@@ -2,11 +2,11 @@
 #include "ui/tools/contour/ContourTool.h"
 
 #include "core/session/SegmentWork.h"
-#include "ui/base/StudyTexts.h"
 #include "ui/base/Theme.h"
 #include "ui/settings/SeedValues.h"
 #include "ui/tools/aim/CursorLabel.h"
 #include "ui/tools/contour/ContourOptions.h"
+#include "ui/tools/contour/ContourTexts.h"
 #include "ui/workspace/PendingSeeds.h"
 #include "ui/workspace/SegmentActions.h"
 #include "ui/workspace/Workspace.h"
@@ -44,12 +44,8 @@ ContourTool::ContourTool(Workspace& workspace, QObject* parent)
         m_workspace.say(tr("The contour evolves no further: that would take more memory than there "
                            "is. What is shown can be accepted"));
     });
-    connect(&m_run, &ContourRun::foundNothing, this, [this] {
-        m_workspace.say(!m_erases ? tr("The segment has no voxels to begin with: click a bubble "
-                                       "instead")
-                : m_bubblesLps.empty() ? tr("The segment has no voxels to erase")
-                                       : tr("The segment has no voxels in the bubble"));
-    });
+    connect(&m_run, &ContourRun::foundNothing, this,
+        [this] { m_workspace.say(nothingToEvolveText(m_erases, !m_bubblesLps.empty())); });
     connect(&workspace, &Workspace::growSettingsChanged, this, &ContourTool::follow);
     connect(&workspace, &Workspace::brushSettingsChanged, this, &ContourTool::follow);
     connect(&workspace, &Workspace::editableChanged, this, &ContourTool::follow);
@@ -72,21 +68,7 @@ QString ContourTool::iconName() const
 
 QString ContourTool::hint() const
 {
-    switch (m_settings.start) {
-    case Start::Segment:
-        return tr("Contour: click a slice and accept what the segment evolves to; Ctrl or the "
-                  "eraser end erases from all around it");
-    case Start::Seeds:
-        return tr("Contour: click a slice and accept what evolves from the sketched seeds; Ctrl or "
-                  "the eraser end erases");
-    case Start::Bubbles:
-        return tr("Contour: each click on a slice adds a bubble; accept what evolves from them. "
-                  "Ctrl or the eraser end erases");
-    case Start::Bubble:
-        break;
-    }
-    return tr("Contour: click a bubble on a slice, more of them with Shift, and accept what "
-              "evolves; Ctrl or the eraser end erases");
+    return contourHint(m_settings.start);
 }
 
 QString ContourTool::keys() const
@@ -100,15 +82,8 @@ QString ContourTool::target() const
     const core::EditSession* session = m_workspace.session();
     if (!session)
         return {};
-    const core::Segment* segment = session->document().segment(m_workspace.activeSegment());
-    if (!segment)
-        return m_isInverse                    ? tr("no segment to erase")
-            : !m_settings.startsFromBubbles() ? tr("no segment to begin with")
-                                              : tr("fills a new segment");
-    return (segment->locked ? tr("%1 is locked")
-            : m_isInverse   ? tr("erases %1")
-                            : tr("evolves %1"))
-        .arg(segment->name);
+    return contourTarget(session->document().segment(m_workspace.activeSegment()), m_isInverse,
+        m_settings.startsFromBubbles());
 }
 
 QWidget* ContourTool::createOptions(QWidget* parent)
@@ -168,7 +143,7 @@ core::EvolveContour ContourTool::edit() const
         edit.edgeGradient = edgeGradient();
     if (!m_bubblesLps.empty()) {
         edit.bubbleLps = m_bubblesLps.front();
-        edit.bubbleMm = m_settings.bubbleMm;
+        edit.bubbleMm = bubbleMm(m_ofBubbles);
     }
     if (m_bubblesLps.size() > 1)
         edit.furtherBubblesLps.emplace(m_bubblesLps.begin() + 1, m_bubblesLps.end());
@@ -233,6 +208,7 @@ void ContourTool::start(const glm::dvec3& placeLps, bool erases)
     }
     m_erases = erases;
     m_bubblesLps = bubblesLps;
+    m_ofBubbles = m_pressure;
     m_added.clear();
     evolve();
 }
@@ -361,10 +337,51 @@ void ContourTool::press(const PointerSample& sample, const ViewContext& view)
     if (!m_workspace.session() || !view.isSlice())
         return;
     hover(sample, view);
-    if (wantsFurtherBubble(sample))
-        addBubble(view.toLps(sample.position), isInverseContour(sample));
-    else
-        start(view.toLps(sample.position), isInverseContour(sample));
+    m_pressure.begin(
+        sample, m_settings.radiusByPressure && m_settings.startsFromBubbles() && !m_adds);
+    m_click = Click{.placeLps = view.toLps(sample.position),
+        .adds = wantsFurtherBubble(sample),
+        .erases = isInverseContour(sample)};
+    // How hard a pen is pressed is known when it is lifted.
+    if (!m_pressure.counts())
+        endClick();
+}
+
+void ContourTool::drag(const PointerSample& sample, const ViewContext& view)
+{
+    if (!m_click)
+        return;
+    m_pressure.extend(sample);
+    m_click->placeLps = view.toLps(sample.position); // where its ring is seen
+    showCursor(sample.position, view.view);
+}
+
+void ContourTool::release(const PointerSample&, const ViewContext&)
+{
+    endClick();
+}
+
+void ContourTool::endClick()
+{
+    if (const std::optional<Click> click = std::exchange(m_click, std::nullopt)) {
+        if (click->adds)
+            addBubble(click->placeLps, click->erases);
+        else
+            start(click->placeLps, click->erases);
+    }
+    m_pressure.end();
+}
+
+void ContourTool::dropClick()
+{
+    m_click.reset();
+    m_pressure.end();
+    Q_EMIT overlayChanged();
+}
+
+double ContourTool::bubbleMm(const StrokePressure& pressed) const
+{
+    return pressed.of(m_settings.bubbleMm, ContourSettings::minimumBubbleMm);
 }
 
 void ContourTool::hover(const PointerSample& sample, const ViewContext& view)
@@ -376,7 +393,9 @@ void ContourTool::hover(const PointerSample& sample, const ViewContext& view)
 
 void ContourTool::cancel()
 {
-    if (m_run.isOpen() || m_awaitsValues)
+    if (m_click)
+        dropClick(); // Esc once more ends what is open
+    else if (m_run.isOpen() || m_awaitsValues)
         drop();
     else if (core::EditSession* session = m_workspace.session();
              session && !session->segmentWork().isPreview()) // which is a dialog's
@@ -386,6 +405,8 @@ void ContourTool::cancel()
 /// A peel is kept here; a step made of a contour would take away what a redo leads to.
 void ContourTool::putAway()
 {
+    if (m_click)
+        dropClick();
     if (!m_run.isOpen() && !m_awaitsValues)
         return;
     drop();
@@ -411,9 +432,7 @@ bool ContourTool::pressKey(int key)
 void ContourTool::changeRadius(int steps)
 {
     ContourSettings now = m_settings;
-    const double step = now.bubbleMm < 10.0 ? 0.5 : 1.0;
-    now.bubbleMm = std::clamp(now.bubbleMm + steps * step, ContourSettings::minimumBubbleMm,
-        ContourSettings::maximumBubbleMm);
+    now.changeBubble(steps);
     setSettings(now);
 }
 
@@ -423,10 +442,8 @@ void ContourTool::showRun()
         m_drawing.forget();
         m_ghost.forget();
     }
-    if (m_wasOpen != m_run.isOpen()) {
-        m_wasOpen = m_run.isOpen();
+    if (std::exchange(m_wasOpen, m_run.isOpen()) != m_run.isOpen())
         Q_EMIT stepsChanged();
-    }
     Q_EMIT overlayChanged();
 }
 
@@ -435,25 +452,14 @@ QString ContourTool::intervalText() const
     if (!m_run.isOpen() && m_settings.start != Start::Segment && m_settings.valuesOfBubble)
         return m_settings.start == Start::Seeds ? tr("values as around the seeds")
                                                 : tr("values as around the bubble");
-    const core::Volume& volume = *m_workspace.volume();
-    const GrowSettings& growth = m_workspace.growSettings();
-    const double span = volume.maximum - volume.minimum;
-    return tr("%1 … %2").arg(
-        valueText(growth.lower, {}, span), valueText(growth.upper, volume.unit, span));
+    return contourInterval(m_workspace.growSettings(), *m_workspace.volume());
 }
 
 QString ContourTool::shownText() const
 {
     const core::ContourTrack* track = m_run.track();
     const core::Volume* volume = m_workspace.volume();
-    if (!track || !volume)
-        return {};
-    if (m_erases)
-        return tr("generation %1 · erases %2")
-            .arg(QString::number(track->shown()), volumeText(*volume, track->lost()));
-    return tr("generation %1 · +%2, −%3")
-        .arg(QString::number(track->shown()), volumeText(*volume, track->gained()),
-            volumeText(*volume, track->lost()));
+    return track && volume ? contourText(*track, *volume, m_erases) : QString();
 }
 
 QColor ContourTool::ringColour() const
@@ -477,15 +483,16 @@ void ContourTool::paintOverlay(QPainter& painter, const ViewContext& view) const
     }
     if (!isUnderPointer(view) || !view.isSlice())
         return;
-    const bool isBubble = m_adds || (m_settings.startsFromBubbles() && !m_run.isOpen());
+    const bool isBubble = m_click || m_adds || (m_settings.startsFromBubbles() && !m_run.isOpen());
+    // A further bubble is as large as the contour's first one.
+    const double radius =
+        isBubble ? bubbleMm(m_adds ? m_ofBubbles : m_pressure) / view.mmPerPixel() : 6.0;
     if (isBubble)
-        drawCursorRing(
-            painter, cursor(), m_settings.bubbleMm / view.mmPerPixel(), ringColour(), true);
+        drawCursorRing(painter, cursor(), radius, ringColour(), true);
     QStringList lines{m_adds ? tr("one more bubble") : m_run.track() ? shownText() : target()};
     lines += intervalText();
     if (const QString editable = m_workspace.editableText(); !editable.isEmpty())
         lines += editable;
-    const double radius = isBubble ? m_settings.bubbleMm / view.mmPerPixel() : 6.0;
     drawCursorLabel(painter, view.sizePixels, cursor(), radius, lines);
 }
 

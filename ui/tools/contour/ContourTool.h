@@ -3,11 +3,13 @@
 
 #include "ui/tasks/SketchLook.h"
 #include "ui/tools/common/CursorTool.h"
+#include "ui/tools/common/PenPressure.h"
 #include "ui/tools/contour/ContourDrawing.h"
 #include "ui/tools/contour/ContourGhost.h"
 #include "ui/tools/contour/ContourRun.h"
 #include "ui/tools/contour/ContourSettings.h"
 
+#include <optional>
 #include <vector>
 
 namespace ui {
@@ -20,7 +22,8 @@ class Workspace;
 /// watches it (ContourRun), plays it forwards and backwards and changes its settings. Accepting it
 /// makes one step that ends at the shown generation; aborting it leaves nothing. With Ctrl, or the
 /// pen's eraser end, it erases: a part of the segment evolves, from the bubble or from all around
-/// the segment, which accepting takes away (core::EvolveContour::erase). The interval is that of
+/// the segment, which accepting takes away (core::EvolveContour::erase). On request the radius of a
+/// bubble is that which a pen is pressed to until it is lifted. The interval is that of
 /// growth, which a bubble may set as a sketch does; which voxels may change is set as for painting.
 /// ContourPanel has the controls.
 class ContourTool : public CursorTool {
@@ -50,6 +53,8 @@ public:
     }
 
     void press(const PointerSample& sample, const ViewContext& view) override;
+    void drag(const PointerSample& sample, const ViewContext& view) override;
+    void release(const PointerSample& sample, const ViewContext& view) override;
     void hover(const PointerSample& sample, const ViewContext& view) override;
     /// Ends an open contour. Without one, aborts an accepted contour that is still being computed.
     void cancel() override;
@@ -100,6 +105,9 @@ private:
     [[nodiscard]] bool wantsFurtherBubble(const PointerSample& sample) const;
     [[nodiscard]] bool mayBeginAt(const glm::dvec3& placeLps) const;
     [[nodiscard]] std::vector<glm::dvec3> startingBubbles(const glm::dvec3& placeLps) const;
+    void endClick();
+    void dropClick();
+    [[nodiscard]] double bubbleMm(const StrokePressure& pressed) const;
     void evolve();
     void begin();
     [[nodiscard]] QString intervalText() const;
@@ -108,6 +116,13 @@ private:
     struct ValuesBefore {
         double lower = 0.0;
         double upper = 0.0;
+    };
+
+    /// A press that becomes a bubble, or begins with what there is.
+    struct Click {
+        glm::dvec3 placeLps{0.0};
+        bool adds = false;
+        bool erases = false;
     };
 
     void follow();
@@ -127,6 +142,9 @@ private:
     std::vector<glm::dvec3> m_bubblesLps;
     /// Those of them, at the end, that were added while it was open: the interval of before.
     std::vector<ValuesBefore> m_added;
+    std::optional<Click> m_click; ///< of a pen that is down, while its pressure is the radius
+    StrokePressure m_pressure; ///< of that click
+    StrokePressure m_ofBubbles; ///< of the first bubble of the open contour
     bool m_playsOn = false; ///< once the contour is worked out from another bubble, too
     bool m_erases = false; ///< likewise
     bool m_isInverse = false; ///< a click under the pointer would erase

@@ -71,7 +71,8 @@ RefineOptions::RefineOptions(Workspace& workspace, QWidget* parent)
     add(Mode::Attract, tr("Attract"), "refineAttract",
         tr("Draw the surface to the edge of grey values nearby"));
     add(Mode::Template, tr("Template"), "refineTemplate",
-        tr("Draw on any planes how the surface ought to run; what is red takes that shape"));
+        tr("Draw on any planes how the surface ought to run; what is red takes that shape. Ctrl "
+           "or the eraser end rubs contours out"));
 
     m_mark->setObjectName(QStringLiteral("refineColour"));
     m_mark->setAccessibleName(tr("Mark"));

@@ -12,14 +12,17 @@
 #include "core/refine/mesh/ShownSurface.h"
 #include "core/volume/ClipRegion.h"
 #include "ui/base/NumberText.h"
+#include "ui/base/Theme.h"
 #include "ui/tools/aim/CursorLabel.h"
 #include "ui/tools/common/PenPressure.h"
 #include "ui/tools/refine/RefineOptions.h"
+#include "ui/tools/refine/TemplateContours.h"
 
 #include <QPainter>
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace ui {
 
@@ -27,8 +30,6 @@ namespace {
 
 /// From where rays of the 3D view are cast: before all that there is.
 constexpr double farMm = 5000.0;
-constexpr double leastContourPixels = 6.0;
-constexpr double closingPixels = 12.0;
 
 glm::dvec3 forwardOf(const ViewContext& view)
 {
@@ -51,18 +52,18 @@ std::vector<core::HalfSpace> seenSides(
 }
 
 /// Whether a tool has an opposite, which Ctrl and the pen's eraser end choose. A drag goes either
-/// way by itself; nothing undoes what smooths, follows edges or is drawn.
+/// way by itself; nothing undoes what smooths or follows edges.
 bool hasOpposite(Refinement::Mode mode)
 {
     switch (mode) {
     case Refinement::Mode::Mark:
     case Refinement::Mode::Sphere:
     case Refinement::Mode::Scrape:
+    case Refinement::Mode::Template: // contours are rubbed out
         return true;
     case Refinement::Mode::Drag:
     case Refinement::Mode::Attract:
     case Refinement::Mode::Smooth:
-    case Refinement::Mode::Template:
         break;
     }
     return false;
@@ -97,6 +98,7 @@ RefineTool::RefineTool(Workspace& workspace, QObject* parent)
     connect(&workspace, &Workspace::sessionChanged, this, [this] {
         m_stroke.reset();
         m_contour.reset();
+        m_rubber.reset();
     });
     connect(&workspace.refinement(), &Refinement::contoursChanged, this, &Tool::overlayChanged);
 }
@@ -135,7 +137,7 @@ QString RefineTool::target() const
     case Refinement::Mode::Attract:
         return tr("draws %1 to edges").arg(name);
     case Refinement::Mode::Template:
-        return tr("draws how %1 ought to run").arg(name);
+        return m_inverted ? tr("rubs contours out") : tr("draws how %1 ought to run").arg(name);
     case Refinement::Mode::Smooth:
         break;
     }
@@ -150,7 +152,7 @@ QString RefineTool::keys() const
     case Refinement::Mode::Sphere:
         return tr("[ ] radius · Ctrl pushes the other way · Esc cancels");
     case Refinement::Mode::Template:
-        return tr("Esc takes back · back to the start: closed");
+        return tr("Esc takes back · Ctrl rubs out · back to the start: closed");
     case Refinement::Mode::Scrape:
         return tr("[ ] radius · Ctrl fills · Esc cancels");
     case Refinement::Mode::Drag:
@@ -278,12 +280,17 @@ core::Edit RefineTool::editOf(const Stroke& stroke, const glm::dvec3& placeLps) 
 void RefineTool::press(const PointerSample& sample, const ViewContext& view)
 {
     core::EditSession* session = m_workspace.session();
-    if (!session || !worksIn(view) || m_stroke || m_contour)
+    if (!session || !worksIn(view) || m_stroke || m_contour || m_rubber)
         return;
     Refinement& refinement = m_workspace.refinement();
     if (!refinement.surface() || refinement.mirror().empty())
         return m_workspace.say(
             tr("There is no surface yet: lay one around a segment in the panel Refine"));
+    if (refinement.settings().mode == Refinement::Mode::Template && isInverse(sample)) {
+        m_rubber = Rubber{.view = view, .at = sample.position};
+        rub(sample.position);
+        return hover(sample, view);
+    }
     if (refinement.settings().mode == Refinement::Mode::Template) {
         m_contour = Contour{.view = view, .pointsLps = {view.toLps(sample.position)}};
         return hover(sample, view);
@@ -310,6 +317,10 @@ void RefineTool::press(const PointerSample& sample, const ViewContext& view)
 
 void RefineTool::drag(const PointerSample& sample, const ViewContext& view)
 {
+    if (m_rubber && view.view == m_rubber->view.view) {
+        rub(sample.position);
+        return hover(sample, view);
+    }
     if (m_contour && view.view == m_contour->view.view) {
         m_contour->pointsLps.push_back(m_contour->view.toLps(sample.position));
         return hover(sample, view);
@@ -332,6 +343,11 @@ void RefineTool::drag(const PointerSample& sample, const ViewContext& view)
 
 void RefineTool::release(const PointerSample& sample, const ViewContext& view)
 {
+    if (m_rubber) {
+        if (!std::exchange(m_rubber, std::nullopt)->hasMet)
+            m_workspace.say(tr("No contour of this slice was there to rub out"));
+        return hover(sample, view);
+    }
     if (m_contour) {
         endContour();
         return hover(sample, view);
@@ -345,22 +361,23 @@ void RefineTool::release(const PointerSample& sample, const ViewContext& view)
 
 void RefineTool::endContour()
 {
-    std::vector<glm::dvec3> points = std::move(m_contour->pointsLps);
     const double pixelMm = m_contour->view.mmPerPixel();
+    const auto drawn = drawnContour(std::move(m_contour->pointsLps), pixelMm);
     m_contour.reset();
-    double lengthMm = 0.0;
-    for (std::size_t i = 1; i < points.size(); ++i)
-        lengthMm += glm::distance(points[i - 1], points[i]);
-    if (points.size() < 2 || lengthMm < leastContourPixels * pixelMm)
-        return;
-    // A contour has three points at least; a flick of the pen may have two.
-    if (points.size() == 2)
-        points.insert(points.begin() + 1, 0.5 * (points.front() + points.back()));
-    // Whoever comes back to where he began means a closed line.
-    if (lengthMm > 4.0 * closingPixels * pixelMm
-        && glm::distance(points.front(), points.back()) < closingPixels * pixelMm)
-        points.back() = points.front();
-    m_workspace.refinement().addContour(std::move(points));
+    if (drawn)
+        m_workspace.refinement().addContour(*drawn);
+}
+
+void RefineTool::rub(const QPointF& to)
+{
+    Refinement& refinement = m_workspace.refinement();
+    for (std::size_t i = refinement.contours().size(); i-- > 0;) {
+        if (!isRubbed(refinement.contours()[i], m_rubber->view, m_rubber->at, to))
+            continue;
+        refinement.removeContourAt(i);
+        m_rubber->hasMet = true;
+    }
+    m_rubber->at = to;
 }
 
 void RefineTool::putAway()
@@ -371,6 +388,7 @@ void RefineTool::putAway()
 
 void RefineTool::cancel()
 {
+    m_rubber.reset(); // what is rubbed out stays out
     if (m_contour) {
         m_contour.reset();
         return Q_EMIT overlayChanged();
@@ -390,7 +408,7 @@ void RefineTool::cancel()
 void RefineTool::hover(const PointerSample& sample, const ViewContext& view)
 {
     m_pressure = m_stroke && m_stroke->isPressed ? pressedShare(sample) : 1.0;
-    m_inverted = m_stroke ? m_stroke->inverted : isInverse(sample);
+    m_inverted = m_stroke ? m_stroke->inverted : m_rubber || isInverse(sample);
     showCursor(sample.position, view.view);
 }
 
@@ -415,32 +433,17 @@ QColor RefineTool::colour() const
 
 void RefineTool::paintContours(QPainter& painter, const ViewContext& view) const
 {
-    painter.setRenderHint(QPainter::Antialiasing);
-    painter.setBrush(Qt::NoBrush);
-    const auto* slice = std::get_if<gpu::SliceScene>(&view.scene);
-    const auto draw = [&](const std::vector<glm::dvec3>& points) {
-        QPolygonF line;
-        double apartMm = 0.0;
-        for (const glm::dvec3& point : points) {
-            line << view.toPixel(point);
-            if (slice)
-                apartMm = std::max(apartMm,
-                    std::abs(glm::dot(
-                        point - slice->centreLps, glm::cross(slice->rightLps, slice->downLps))));
-        }
-        // Those of other planes are seen through the slice, faintly.
-        const int alpha = apartMm < 0.5 ? 255 : 90;
-        painter.setPen(QPen(QColor(0, 0, 0, alpha / 2), 3.4));
-        painter.drawPolyline(line);
-        QColor colour = toolColour();
-        colour.setAlpha(alpha);
-        painter.setPen(QPen(colour, 1.6));
-        painter.drawPolyline(line);
-    };
-    for (const auto& contour : m_workspace.refinement().contours())
-        draw(contour);
+    const bool rubs = isRubber() && isUnderPointer(view);
+    for (const auto& contour : m_workspace.refinement().contours()) {
+        const bool goes = rubs && isRubbed(contour, view, cursor(), cursor());
+        paintContour(painter, contour, view, goes ? theme::caution : toolColour());
+    }
     if (m_contour)
-        draw(m_contour->pointsLps);
+        paintContour(painter, m_contour->pointsLps, view, toolColour());
+    if (!rubs || !view.isSlice())
+        return;
+    drawCursorRing(painter, cursor(), rubberPixels, theme::caution, true);
+    drawCursorLabel(painter, view.sizePixels, cursor(), rubberPixels, {target()});
 }
 
 void RefineTool::paintOverlay(QPainter& painter, const ViewContext& view) const

@@ -20,7 +20,8 @@ namespace ui {
 /// The centre of the sphere then lies half its radius outside of the surface and pushes inwards;
 /// with Ctrl it lies inside and pushes outwards. On a slice the sphere lies at the mirror image of
 /// the pen about the surface with Ctrl, so that it pushes the other way there, too; and the scraper
-/// fills up to its plane. Ctrl does nothing to tools without an opposite.
+/// fills up to its plane. With Ctrl, contours of the slice are rubbed out. Ctrl does nothing to
+/// tools without an opposite.
 ///
 /// Places are those that views show until they become part of an edit, which has the true ones.
 class RefineTool : public CursorTool {
@@ -75,6 +76,13 @@ private:
     [[nodiscard]] core::Edit editOf(const Stroke& stroke, const glm::dvec3& placeLps) const;
     [[nodiscard]] QColor colour() const;
     void endContour();
+    /// Takes away the contours between where the rubber is and another place.
+    void rub(const QPointF& to);
+    /// Whether a press under the pointer would rub contours out, or does.
+    [[nodiscard]] bool isRubber() const
+    {
+        return m_inverted && m_workspace.refinement().settings().mode == Refinement::Mode::Template;
+    }
     void paintContours(QPainter& painter, const ViewContext& view) const;
 
     Workspace& m_workspace;
@@ -85,6 +93,13 @@ private:
         std::vector<glm::dvec3> pointsLps;
     };
     std::optional<Contour> m_contour;
+    /// What takes contours of a slice away.
+    struct Rubber {
+        ViewContext view;
+        QPointF at; ///< logical pixels
+        bool hasMet = false; ///< some contour
+    };
+    std::optional<Rubber> m_rubber;
     bool m_inverted = false;
     double m_pressure = 1.0; ///< the share of the radius at the cursor
 };

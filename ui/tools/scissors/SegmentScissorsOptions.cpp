@@ -3,6 +3,7 @@
 
 #include "ui/base/Theme.h"
 #include "ui/tools/common/PaintLimits.h"
+#include "ui/tools/common/PenPressure.h"
 #include "ui/tools/common/SeedOptions.h"
 #include "ui/tools/scissors/SegmentScissorsTool.h"
 #include "ui/widgets/fields/NumberField.h"
@@ -12,6 +13,7 @@
 #include <QDoubleSpinBox>
 #include <QHBoxLayout>
 #include <QSignalBlocker>
+#include <QToolButton>
 
 namespace ui {
 
@@ -30,6 +32,7 @@ SegmentScissorsOptions::SegmentScissorsOptions(
     , m_does(new QComboBox(this))
     , m_shape(new QComboBox(this))
     , m_depth(new NumberField(this))
+    , m_pressure(depthPressureButton(this))
     , m_allShown(new QCheckBox(tr("all shown"), this))
 {
     nameChoices();
@@ -44,6 +47,7 @@ SegmentScissorsOptions::SegmentScissorsOptions(
     layout->addWidget(m_does);
     layout->addWidget(m_shape);
     layout->addWidget(m_depth);
+    layout->addWidget(m_pressure);
     layout->addWidget(m_allShown);
     layout->addWidget(new PaintLimits(workspace, this));
     showSettings();
@@ -52,6 +56,7 @@ SegmentScissorsOptions::SegmentScissorsOptions(
     connect(m_does, &QComboBox::activated, this, &SegmentScissorsOptions::takeSettings);
     connect(m_shape, &QComboBox::activated, this, &SegmentScissorsOptions::takeSettings);
     connect(m_depth, &QDoubleSpinBox::valueChanged, this, &SegmentScissorsOptions::takeSettings);
+    connect(m_pressure, &QToolButton::clicked, this, &SegmentScissorsOptions::takeSettings);
     connect(m_allShown, &QCheckBox::clicked, this, &SegmentScissorsOptions::takeSettings);
 }
 
@@ -102,6 +107,8 @@ void SegmentScissorsOptions::showSettings()
     m_depth->setValue(settings.depthMm);
     m_shape->setEnabled(settings.does != Does::SplitAlong);
     m_depth->setEnabled(SegmentScissorsTool::hasDepth(settings.does));
+    m_pressure->setChecked(settings.depthByPressure);
+    m_pressure->setEnabled(m_depth->isEnabled() && settings.depthMm > 0.0);
     m_allShown->setChecked(settings.allShown);
     m_allShown->setEnabled(SegmentScissorsTool::erases(settings.does));
 }
@@ -111,6 +118,7 @@ void SegmentScissorsOptions::takeSettings()
     m_tool.setSettings({.does = Does(m_does->currentData().toInt()),
         .shape = Shape(m_shape->currentData().toInt()),
         .depthMm = m_depth->value(),
+        .depthByPressure = m_pressure->isChecked(),
         .allShown = m_allShown->isChecked()});
 }
 

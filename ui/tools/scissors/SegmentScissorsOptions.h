@@ -6,6 +6,7 @@
 class QCheckBox;
 class QComboBox;
 class QDoubleSpinBox;
+class QToolButton;
 
 namespace ui {
 
@@ -32,6 +33,7 @@ private:
     QComboBox* m_does;
     QComboBox* m_shape;
     QDoubleSpinBox* m_depth;
+    QToolButton* m_pressure;
     QCheckBox* m_allShown;
 };
 

@@ -117,6 +117,7 @@ QJsonObject SegmentScissorsTool::settingsJson() const
     return {{QStringLiteral("does"), int(m_settings.does)},
         {QStringLiteral("shape"), int(m_settings.shape)},
         {QStringLiteral("depthMm"), m_settings.depthMm},
+        {QStringLiteral("depthByPressure"), m_settings.depthByPressure},
         {QStringLiteral("allShown"), m_settings.allShown}};
 }
 
@@ -131,6 +132,7 @@ void SegmentScissorsTool::applySettings(const QJsonObject& json)
     if (shape >= int(Shape::Freehand) && shape <= int(Shape::Ellipse))
         settings.shape = Shape(shape);
     read(json[QLatin1String("depthMm")], settings.depthMm, 0.0, maximumDepthMm);
+    read(json[QLatin1String("depthByPressure")], settings.depthByPressure);
     read(json[QLatin1String("allShown")], settings.allShown);
     setSettings(settings);
 }
@@ -140,6 +142,7 @@ void SegmentScissorsTool::setSettings(const Settings& settings)
     if (settings == m_settings)
         return;
     m_sketch.drop();
+    m_pressure.end();
     m_trial.drop();
     m_settings = settings;
     Q_EMIT settingsChanged();
@@ -177,6 +180,12 @@ bool SegmentScissorsTool::splits(Does does)
 bool SegmentScissorsTool::hasDepth(Does does)
 {
     return !isOutside(does) && does != Does::SplitAlong;
+}
+
+double SegmentScissorsTool::depthMm() const
+{
+    constexpr double leastMm = 0.5; // less would not reach through a voxel
+    return m_pressure.of(m_settings.depthMm, leastMm);
 }
 
 Does SegmentScissorsTool::doesNow() const
@@ -273,6 +282,8 @@ void SegmentScissorsTool::press(const PointerSample& sample, const ViewContext& 
     m_inverts = sample.eraserEnd || sample.modifiers.testFlag(Qt::ControlModifier);
     m_sketch.begin(sample.position, view,
         m_settings.does == Does::SplitAlong ? Shape::Line : m_settings.shape);
+    m_pressure.begin(
+        sample, m_settings.depthByPressure && m_settings.depthMm > 0.0 && hasDepth(doesNow()));
     showCursor(sample.position, view.view);
 }
 
@@ -281,6 +292,7 @@ void SegmentScissorsTool::drag(const PointerSample& sample, const ViewContext& v
     if (!m_sketch.drawing() || view.view != m_sketch.view().view)
         return;
     m_sketch.extend(sample.position);
+    m_pressure.extend(sample);
     lookAtParts();
     showCursor(sample.position, view.view);
 }
@@ -301,6 +313,7 @@ void SegmentScissorsTool::release(const PointerSample& sample, const ViewContext
         split(sketched, curve);
     else
         cut(sketched, curve);
+    m_pressure.end();
     showCursor(sample.position, view.view);
 }
 
@@ -323,7 +336,7 @@ void SegmentScissorsTool::cut(const ViewContext& view, const std::vector<glm::dv
     edit.erase = erases(does);
     edit.outside = isOutside(does);
     if (m_settings.depthMm > 0.0 && !edit.outside)
-        edit.depthMm = m_settings.depthMm;
+        edit.depthMm = depthMm();
     if (labels.size() > 1) {
         edit.others = std::vector<int>(labels.begin() + 1, labels.end());
         std::sort(edit.others->begin(), edit.others->end());
@@ -354,7 +367,7 @@ core::SplitByCurve SegmentScissorsTool::splitOf(const ViewContext& view,
         edit.side = Side::Outside;
     }
     if (m_settings.depthMm > 0.0 && hasDepth(does))
-        edit.depthMm = m_settings.depthMm;
+        edit.depthMm = depthMm();
     edit.into = core::usualParts(document, *document.segment(label), 1).front();
     edit.hidden = core::clipHalfSpaces(scene.clip, m_workspace.volume()->geometry);
     edit.editable = withPaintLimits(
@@ -392,6 +405,7 @@ QString SegmentScissorsTool::partsLine() const
 void SegmentScissorsTool::cancel()
 {
     m_sketch.drop();
+    m_pressure.end();
     m_trial.drop();
     Q_EMIT overlayChanged();
 }
@@ -448,7 +462,7 @@ void SegmentScissorsTool::paintOverlay(QPainter& painter, const ViewContext& vie
     painter.drawEllipse(cursor(), 2.0, 2.0);
     QStringList lines;
     if (hasDepth(doesNow()))
-        lines << (m_settings.depthMm > 0.0 ? tr("%1 mm deep").arg(numberText(m_settings.depthMm, 1))
+        lines << (m_settings.depthMm > 0.0 ? tr("%1 mm deep").arg(numberText(depthMm(), 1))
                                            : tr("through everything"));
     lines << target();
     if (const QString limits = limitsText(m_workspace); !limits.isEmpty())

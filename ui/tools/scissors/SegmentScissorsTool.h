@@ -5,6 +5,7 @@
 #include "ui/tasks/trials/SplitTrial.h"
 #include "ui/tools/common/CursorTool.h"
 #include "ui/tools/common/CurveSketch.h"
+#include "ui/tools/common/PenPressure.h"
 
 #include <vector>
 
@@ -16,7 +17,8 @@ class Workspace;
 
 /// Erases or fills the active segment inside or outside of a curve drawn on the 3D view, along the
 /// view direction. With Ctrl or the pen's eraser end it fills instead of erasing and the reverse.
-/// Inside the curve it may stop at a depth behind the first surface. Or it makes a new segment of
+/// Inside the curve it may stop at a depth behind the first surface, which may follow the pressure
+/// of the pen. Or it makes a new segment of
 /// what lies on one side of a curve or of a line across the picture; then Ctrl means the other
 /// side, and both volumes are told while it is drawn. Which voxels may change is set as for
 /// painting. Each curve is one step.
@@ -38,6 +40,7 @@ public:
         Does does = Does::EraseInside;
         Shape shape = Shape::Freehand;
         double depthMm = 0.0; ///< 0: through everything
+        bool depthByPressure = false; ///< of a pen, where there is a depth; else it does nothing
         bool allShown = false; ///< erases all segments that are shown and not locked
         bool operator==(const Settings&) const = default;
     };
@@ -88,6 +91,8 @@ private:
     [[nodiscard]] std::vector<int> targets() const;
     /// The setting, or its opposite while Ctrl or the eraser end is used.
     [[nodiscard]] Does doesNow() const;
+    /// How deep the curve goes that is being drawn, or what is set; 0: through everything.
+    [[nodiscard]] double depthMm() const;
     void cut(const ViewContext& view, const std::vector<glm::dvec2>& curve);
     void split(const ViewContext& view, const std::vector<glm::dvec2>& curve);
     /// The edit that splits the active segment, which exists, as a document knows it.
@@ -102,6 +107,7 @@ private:
     Workspace& m_workspace;
     Settings m_settings;
     CurveSketch m_sketch;
+    StrokePressure m_pressure; ///< of the curve that is being drawn
     bool m_inverts = false;
     SplitTrial m_trial; ///< of the curve that is being drawn
 };

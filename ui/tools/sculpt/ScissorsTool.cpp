@@ -5,6 +5,7 @@
 #include "ui/base/DisplayJson.h"
 #include "ui/base/NumberText.h"
 #include "ui/base/Theme.h"
+#include "ui/tools/common/PenPressure.h"
 #include "ui/widgets/fields/NumberField.h"
 #include "ui/workspace/Workspace.h"
 
@@ -12,6 +13,7 @@
 #include <QDoubleSpinBox>
 #include <QHBoxLayout>
 #include <QSignalBlocker>
+#include <QToolButton>
 
 #include <algorithm>
 
@@ -51,6 +53,7 @@ QWidget* ScissorsTool::createOptions(QWidget* parent)
     depth->setFixedHeight(theme::controlHeight);
     depth->setKeyboardTracking(false);
     depth->setToolTip(tr("Below the surface"));
+    auto* pressure = depthPressureButton(options);
     auto* first = new QCheckBox(tr("first layer only"), options);
     first->setObjectName(QStringLiteral("scissorsFirstLayer"));
     first->setToolTip(tr("Only to the first gap in the material"));
@@ -59,25 +62,32 @@ QWidget* ScissorsTool::createOptions(QWidget* parent)
     layout->setSpacing(theme::smallPadding);
     layout->addWidget(limited);
     layout->addWidget(depth);
+    layout->addWidget(pressure);
     layout->addSpacing(theme::smallPadding);
     layout->addWidget(first);
 
-    const auto show = [this, limited, depth, first] {
+    const auto show = [this, limited, depth, pressure, first] {
         const QSignalBlocker limitedBlocker(limited);
         const QSignalBlocker depthBlocker(depth);
         const QSignalBlocker firstBlocker(first);
         limited->setChecked(m_settings.limited);
         depth->setValue(m_settings.depthMm);
         depth->setEnabled(m_settings.limited);
+        pressure->setChecked(m_settings.depthByPressure);
+        pressure->setEnabled(m_settings.limited);
         first->setChecked(m_settings.firstLayerOnly);
     };
     show();
-    const auto take = [this, limited, depth, first] {
-        setSettings({limited->isChecked(), depth->value(), first->isChecked()});
+    const auto take = [this, limited, depth, pressure, first] {
+        setSettings({.limited = limited->isChecked(),
+            .depthMm = depth->value(),
+            .firstLayerOnly = first->isChecked(),
+            .depthByPressure = pressure->isChecked()});
     };
     connect(this, &ScissorsTool::changed, options, show);
     connect(limited, &QCheckBox::toggled, options, take);
     connect(depth, &QDoubleSpinBox::valueChanged, options, take);
+    connect(pressure, &QToolButton::clicked, options, take);
     connect(first, &QCheckBox::toggled, options, take);
     return options;
 }
@@ -86,7 +96,8 @@ QJsonObject ScissorsTool::settingsJson() const
 {
     return {{QStringLiteral("limited"), m_settings.limited},
         {QStringLiteral("depthMm"), m_settings.depthMm},
-        {QStringLiteral("firstLayerOnly"), m_settings.firstLayerOnly}};
+        {QStringLiteral("firstLayerOnly"), m_settings.firstLayerOnly},
+        {QStringLiteral("depthByPressure"), m_settings.depthByPressure}};
 }
 
 void ScissorsTool::applySettings(const QJsonObject& json)
@@ -96,6 +107,7 @@ void ScissorsTool::applySettings(const QJsonObject& json)
     read(json[QLatin1String("limited")], settings.limited);
     read(json[QLatin1String("depthMm")], settings.depthMm, minimumDepthMm, maximumDepthMm);
     read(json[QLatin1String("firstLayerOnly")], settings.firstLayerOnly);
+    read(json[QLatin1String("depthByPressure")], settings.depthByPressure);
     setSettings(settings);
 }
 
@@ -114,6 +126,11 @@ void ScissorsTool::changeDepth(int steps)
     setSettings(settings);
 }
 
+double ScissorsTool::depthMm() const
+{
+    return pressure().of(m_settings.depthMm, minimumDepthMm);
+}
+
 void ScissorsTool::cut(const Sketch& sketch)
 {
     core::ScissorsCut cut;
@@ -121,7 +138,7 @@ void ScissorsTool::cut(const Sketch& sketch)
     cut.view = sketch.view;
     cut.polygonMm = sketch.polygonMm;
     if (m_settings.limited)
-        cut.depthMm = m_settings.depthMm;
+        cut.depthMm = depthMm();
     cut.restore = sketch.restore;
     cut.hidden = sketch.hidden;
     cut.firstLayerOnly = m_settings.firstLayerOnly && !sketch.restore;
@@ -132,7 +149,7 @@ void ScissorsTool::cut(const Sketch& sketch)
 
 QStringList ScissorsTool::lines() const
 {
-    QString depth = m_settings.limited ? tr("%1 mm deep").arg(numberText(m_settings.depthMm, 1))
+    QString depth = m_settings.limited ? tr("%1 mm deep").arg(numberText(depthMm(), 1))
                                        : tr("through everything");
     if (m_settings.firstLayerOnly)
         depth = m_settings.limited ? tr("%1, first layer only").arg(depth) : tr("the first layer");

@@ -15,6 +15,7 @@ public:
         bool limited = false; ///< limited to depthMm
         double depthMm = 20.0;
         bool firstLayerOnly = false;
+        bool depthByPressure = false; ///< of a pen, if limited; else its pressure does nothing
     };
     static constexpr double minimumDepthMm = 0.5;
     static constexpr double maximumDepthMm = 300.0;
@@ -38,9 +39,16 @@ Q_SIGNALS:
 
 protected:
     void cut(const Sketch& sketch) override;
+    [[nodiscard]] bool depthFollowsPressure() const override
+    {
+        return m_settings.limited && m_settings.depthByPressure;
+    }
     [[nodiscard]] QStringList lines() const override;
 
 private:
+    /// How deep the curve goes that is being drawn; what is set while there is none.
+    [[nodiscard]] double depthMm() const;
+
     Settings m_settings;
 };
 

@@ -200,7 +200,8 @@ private Q_SLOTS:
             QCOMPARE(keys->text().contains(QStringLiteral("radius")), sized);
             QVERIFY(keys->text().contains(QStringLiteral("Esc")));
             QCOMPARE(keys->text().contains(QStringLiteral("Ctrl")),
-                mode == Mode::Mark || mode == Mode::Sphere || mode == Mode::Scrape);
+                mode == Mode::Mark || mode == Mode::Sphere || mode == Mode::Scrape
+                    || mode == Mode::Template);
             const QString shown = keys->shownText();
             qInfo("mode %d: %d pixels for %s: %s", int(mode), keys->width(),
                 qUtf8Printable(keys->text()), qUtf8Printable(shown));
