@@ -3,8 +3,9 @@
 # the manual shows into resources/help. What else these tests draw is thrown away.
 #   packaging/pictures.sh             all of them
 #   packaging/pictures.sh REGEX       those of the tests whose names match
-# Some tests read studies in ../shared and draw nothing where these are missing. The script says what
-# was drawn, and at the end of a whole run which pictures of the manual no test draws.
+# A page that shows a picture which is not there yet gets it, too. Some tests read studies in ../shared
+# and draw nothing where these are missing. The script says what was drawn, and at the end of a whole
+# run which pictures of the manual no test draws.
 set -euo pipefail
 # shellcheck source=packaging/common.sh
 . "$(dirname "${BASH_SOURCE[0]}")/common.sh"
@@ -40,6 +41,11 @@ useTestHome
 unset QT_SCALE_FACTOR QT_STYLE_OVERRIDE DISPLAY WAYLAND_DISPLAY XAUTHORITY
 
 manual=$burinRoot/resources/help
+# Those that lie there, and those that a page shows.
+wanted=$(
+    cd "$manual"
+    { printf '%s\n' *.png; grep -oh '([a-z0-9-]*\.png)' -- *.md | tr -d '()'; } | sort -u
+)
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 status=0
@@ -51,7 +57,7 @@ for name in "${tests[@]}"; do
         || { status=1; cat "$folder/log" >&2; continue; }
     for picture in "$folder/$name"/*.png; do
         file=$(basename "$picture")
-        if [ -f "$manual/$file" ] && ! grep -qxF "$file" "$folder/drawn" 2> /dev/null; then
+        if grep -qxF -- "$file" <<< "$wanted" && ! grep -qxF "$file" "$folder/drawn" 2> /dev/null; then
             cp "$picture" "$manual/$file"
             echo "$file" >> "$folder/drawn"
             say "drew $file"
@@ -59,11 +65,11 @@ for name in "${tests[@]}"; do
     done
 done
 if [ $# -eq 0 ]; then
-    for picture in "$manual"/*.png; do
+    for file in $wanted; do
         # One is drawn of what packaging/bench.sh measures.
-        grep -qxF "$(basename "$picture")" "$folder/drawn" 2> /dev/null \
-            || grep -qF "/$(basename "$picture")" "$burinRoot/packaging/bench.sh" \
-            || say "nobody drew $(basename "$picture")"
+        grep -qxF "$file" "$folder/drawn" 2> /dev/null \
+            || grep -qF "/$file" "$burinRoot/packaging/bench.sh" \
+            || say "nobody drew $file"
     done
 fi
 exit $status

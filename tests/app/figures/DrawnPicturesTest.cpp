@@ -7,6 +7,8 @@
 #include <QRegularExpression>
 #include <QTest>
 
+#include <vector>
+
 namespace drawnPicturesTest {
 
 namespace {
@@ -17,6 +19,37 @@ namespace {
     if (!file.open(QIODevice::ReadOnly))
         qFatal("cannot read %s", qPrintable(path));
     return QString::fromUtf8(file.readAll());
+}
+
+[[nodiscard]] QDir manual()
+{
+    return QDir(QStringLiteral(BURIN_SOURCE_DIR "/resources/help"));
+}
+
+[[nodiscard]] QStringList pictures()
+{
+    return manual().entryList({QStringLiteral("*.png")}, QDir::Files);
+}
+
+struct ShownPicture {
+    QString page;
+    QString words; ///< that stand for it where it is not seen
+    QString file;
+};
+
+/// What the pages of the manual show, in their order.
+[[nodiscard]] std::vector<ShownPicture> shownPictures()
+{
+    static const QRegularExpression picture(QStringLiteral("!\\[([^\\]]*)\\]\\(([^)]*)\\)"));
+    std::vector<ShownPicture> shown;
+    for (const QString& page : manual().entryList({QStringLiteral("*.md")}, QDir::Files)) {
+        const QString text = textOf(manual().filePath(page));
+        for (auto each = picture.globalMatch(text); each.hasNext();) {
+            const QRegularExpressionMatch match = each.next();
+            shown.push_back({page, match.captured(1), match.captured(2)});
+        }
+    }
+    return shown;
 }
 
 } // namespace
@@ -47,17 +80,34 @@ private Q_SLOTS:
             ++listed;
         }
         QVERIFY2(listed > 5, "the script lists next to no test");
-        const QStringList pictures = QDir(source + QStringLiteral("/resources/help"))
-                                         .entryList({QStringLiteral("*.png")}, QDir::Files);
-        QVERIFY(!pictures.empty());
+        QStringList wanted = pictures();
+        QVERIFY(!wanted.empty());
+        for (const ShownPicture& each : shownPictures())
+            wanted += each.file;
+        wanted.removeDuplicates();
         QStringList undrawn;
-        for (const QString& picture : pictures) {
+        for (const QString& picture : wanted) {
             const bool ofFigures =
                 benchmarks.contains(QStringLiteral("/resources/help/%1\"").arg(picture));
             if (!ofFigures && !drawers.contains(QStringLiteral("%1\"").arg(picture)))
                 undrawn += picture;
         }
         QVERIFY2(undrawn.empty(), qPrintable(undrawn.join(QLatin1Char(' '))));
+    }
+
+    /// A page whose picture is missing shows a broken one; packaging/pictures.sh draws it.
+    void whatPagesShowIsThere()
+    {
+        const std::vector<ShownPicture> shown = shownPictures();
+        QVERIFY(shown.size() > 20);
+        const QStringList present = pictures();
+        QStringList missing;
+        for (const ShownPicture& each : shown) {
+            if (!present.contains(each.file))
+                missing += QStringLiteral("%1 (%2)").arg(each.file, each.page);
+            QVERIFY2(!each.words.isEmpty(), qPrintable(each.file));
+        }
+        QVERIFY2(missing.empty(), qPrintable(missing.join(QLatin1Char(' '))));
     }
 };
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/window/DemonstrationStudy.h"
+#include "core/demo/HeadPhantom.h"
 #include "core/edits/kinds/segments/AddSegment.h"
 #include "core/edits/kinds/segments/LayerToSegment.h"
 #include "core/edits/kinds/surface/MarkSurface.h"
@@ -10,9 +11,11 @@
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/CutEdits.h"
 #include "tests/support/scenes/PlainEdits.h"
+#include "tests/support/scenes/PlainMasks.h"
 #include "tests/support/scenes/SharedData.h"
 #include "ui/dialogs/export/ExportDialog.h"
 #include "ui/dialogs/study/OpenStudyDialog.h"
+#include "ui/frame/MendingStrip.h"
 #include "ui/models/HistoryModel.h"
 #include "ui/panels/SeriesDoctorPanel.h"
 #include "ui/panels/history/HistoryTimeline.h"
@@ -33,19 +36,24 @@
 #include <QFileInfo>
 #include <QLineEdit>
 #include <QListView>
+#include <QListWidget>
 #include <QPainter>
 #include <QPushButton>
 #include <QRadioButton>
 #include <QSignalBlocker>
 #include <QSignalSpy>
+#include <QToolButton>
 #include <QTreeWidget>
 #include <QtTest>
 
+#include <cmath>
+#include <cstdint>
+
 namespace manualPicturesUiTest {
 
-/// The manual's pictures of the history, of studies that come in and of masks that go out, in the
-/// real window on the demonstration study and on shared ones. It takes a
-/// minute, so it only runs where somebody wants them: BURIN_SCREENSHOTS names the folder.
+/// The manual's pictures of the history, of studies that come in, of masks that are mended and that
+/// go out, in the real window on the demonstration study and on shared ones. It takes a minute, so
+/// it only runs where somebody wants them: BURIN_SCREENSHOTS names the folder.
 class ManualPicturesUiTest : public QObject, private test::ManualWindow {
     Q_OBJECT
 
@@ -108,6 +116,36 @@ private:
                 QFile::copy(from.filePath(name), folder + u'/' + name);
         }
         return folder;
+    }
+    /// The ventricles as a network might have found them: the front of one is missing, and there is
+    /// a leak beside the other.
+    [[nodiscard]] core::Edit poorVentricles()
+    {
+        const core::VolumeGeometry& geometry = workspace().volume()->geometry;
+        const core::HeadPhantom head;
+        const glm::dvec3 right(20.5, 31.0, 18.0); // what has calcified in the horns is theirs, too
+        const glm::dvec3 leak(-29.0, 38.0, 22.0);
+        const glm::dvec3 one = geometry.toIndex({-45.0, -45.0, -20.0});
+        const glm::dvec3 other = geometry.toIndex({45.0, 65.0, 45.0});
+        const glm::ivec3 from(glm::min(one, other));
+        const glm::ivec3 to(glm::max(one, other));
+        core::VoxelRuns runs;
+        for (int k = from.z; k <= to.z; ++k) {
+            for (int j = from.y; j <= to.y; ++j) {
+                for (int i = from.x; i <= to.x; ++i) {
+                    const glm::dvec3 place = geometry.toWorld(glm::dvec3(i, j, k));
+                    const glm::dvec3 folded(std::abs(place.x), place.y, place.z);
+                    const bool isMissing = place.x > 1.0 && place.y < -14.0;
+                    const bool isTheirs = glm::distance(folded, right) < 5.5
+                        || head.at(glm::vec3(place)).part == core::HeadPart::Ventricles;
+                    if ((isTheirs && !isMissing) || glm::distance(place, leak) < 8.0)
+                        runs.append(
+                            (std::uint64_t(k) * geometry.size.y + j) * geometry.size.x + i, 1);
+                }
+            }
+        }
+        return test::maskImport(QStringLiteral("ventricles.nii.gz"), geometry.size,
+            {{QStringLiteral("Ventricles"), runs, 0x4AA3FF}});
     }
     /// A study whose slices a gantry tilted; empty where there are no shared data.
     [[nodiscard]] static QString tilted()
@@ -223,6 +261,41 @@ private Q_SLOTS:
         file->setText(QStringLiteral("/home/jane/masks/head-seg.dcm"));
         QCoreApplication::sendPostedEvents(); // layouts are posted events
         save(dialog.grab(), "export-verdict.png");
+    }
+
+    /// The strip of the steps of mending after the first one: places to look at first, and what is
+    /// seen at the first of them.
+    void mending()
+    {
+        start();
+        m_application->openDemonstration();
+        QVERIFY(wait([this] { return workspace().session() != nullptr; }));
+        QVERIFY(waitUntilDrawn());
+        foldAllBut({QStringLiteral("Segments"), QStringLiteral("Comparison")});
+        apply(poorVentricles());
+        workspace().setActiveSegment(session().document().segments.front().label);
+        ui::ViewGrid& views = window().views();
+        const glm::dvec3 middle(-10.0, 18.0, 20.0);
+        for (ui::SliceView* slice : {&views.axial(), &views.coronal(), &views.sagittal()})
+            slice->setPlace({.centreLps = middle, .mmPerPixel = 0.3});
+        ui::Workspace::VolumeDisplay display = workspace().volumeDisplay();
+        display.context = gpu::Context::Hidden;
+        workspace().setVolumeDisplay(display);
+        views.volume().flyTo(middle, {-0.7, -1.0, 0.8});
+        ui::Camera camera = views.volume().camera();
+        camera.heightMm = 120.0;
+        views.volume().setCamera(camera);
+        const ui::MendingStrip& strip = window().mendingStrip();
+        QVERIFY(wait([&strip] { return strip.isVisible(); }));
+        strip.findChild<QToolButton*>(QStringLiteral("mendingLook"))->click();
+        auto* places = window().findChild<QListWidget*>(QStringLiteral("placesToLookAt"));
+        QVERIFY(wait([places] { return places->isVisible() && places->count() > 0; }));
+        QCoreApplication::sendPostedEvents(); // layouts are posted events
+        QTest::mouseClick(places->viewport(), Qt::LeftButton, {},
+            places->visualItemRect(places->item(0)).center());
+        QVERIFY(strip.next() == ui::MendingStrip::Step::Mend);
+        QVERIFY(waitUntilDrawn());
+        keep("mending.png");
     }
 
     void repairedSurface()

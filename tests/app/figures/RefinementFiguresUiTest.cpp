@@ -1,13 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "core/edits/kinds/segments/CleanSegment.h"
+#include "core/edits/kinds/segments/ReshapeSegment.h"
+#include "core/edits/kinds/surface/AttractSurface.h"
+#include "core/edits/kinds/surface/LaySurface.h"
 #include "core/edits/kinds/surface/MarkSurface.h"
 #include "core/edits/kinds/surface/PlaneScrape.h"
+#include "core/edits/kinds/surface/SmoothSurface.h"
 #include "core/edits/kinds/surface/WriteBack.h"
+#include "core/edits/kinds/values/ThresholdSegment.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/fixtures/pictures/ManualWindow.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/FigurePanels.h"
+#include "tests/support/scenes/PlainEdits.h"
 #include "ui/tools/refine/RefineTool.h"
+#include "ui/views/SliceView.h"
 #include "ui/views/ViewGrid.h"
+#include "ui/views/VolumeView.h"
 #include "ui/workspace/CuttingPlane.h"
 #include "ui/workspace/Refinement.h"
 
@@ -27,8 +36,9 @@ const glm::dvec3 leakEnds(50, -44, 44);
 } // namespace
 
 /// The paper's figures of refinement again (seed B, figures 6, 7 and 8), in the real window on a
-/// lesion of the demonstration study. It takes a minute, so it only runs where somebody wants the
-/// pictures: BURIN_SCREENSHOTS names the folder; resources/help/refine-*.png.
+/// lesion of the demonstration study, and of the tools that none of them shows. It takes a minute,
+/// so it only runs where somebody wants the pictures: BURIN_SCREENSHOTS names the folder;
+/// resources/help/refine-*.png.
 class RefinementFiguresUiTest : public QObject, private test::ManualWindow {
     Q_OBJECT
 
@@ -47,21 +57,48 @@ private:
     void prepare()
     {
         openLesion();
-        ui::Workspace::ViewOptions options = workspace().viewOptions();
-        options.showPatient = false;
-        options.showCrosshair = false;
-        workspace().setViewOptions(options);
-        window().showPanels(false);
+        showPicturesOnly();
         window().views().arrange(ui::ViewGrid::Layout::PenAndStage);
         QVERIFY(plane().passThrough({10, 4, 46}, leakEnds, {28, -20, 90}));
         if (plane().pose().normalLps().y < 0.0)
             plane().flip();
         show({.shown = true, .opacity = 1.0f, .clipsAbove = true});
         lookAt({30, -24, 43}, glm::dvec3(0.45, 0.0, 0.35), 110.0);
-        // Only the lesion: no matter is as dense as that.
+    }
+    /// Nothing written over them, no panels, and in the 3D view the surface alone.
+    void showPicturesOnly()
+    {
+        ui::Workspace::ViewOptions options = workspace().viewOptions();
+        options.showPatient = false;
+        options.showCrosshair = false;
+        workspace().setViewOptions(options);
+        window().showPanels(false);
+        // No matter is as dense as that.
         ui::Workspace::VolumeDisplay display = workspace().volumeDisplay();
         display.surfaceThreshold = 2500.0;
         workspace().setVolumeDisplay(display);
+    }
+    /// The right lateral ventricle, as ragged as a threshold gives it in noise.
+    void openVentricle()
+    {
+        start();
+        m_application->openDemonstration();
+        QVERIFY(wait([this] { return workspace().session() != nullptr; }));
+        QVERIFY(waitUntilDrawn());
+        showPicturesOnly();
+        ui::Workspace::ViewOptions options = workspace().viewOptions();
+        options.showSegments = false;
+        workspace().setViewOptions(options);
+        apply(test::newSegment(QStringLiteral("Ventricle"), 0x4AA3FF));
+        workspace().setActiveSegment(1);
+        apply(core::ThresholdSegment{.segment = 1,
+            .lower = -20.0,
+            .upper = 18.0,
+            .box = core::GrowBox{.fromLps = {-31.0, -38.0, 6.0}, .toLps = {-2.5, 63.0, 38.0}}});
+        apply(core::CleanSegment{.segment = 1, .rule = core::IslandRule::FillHoles});
+        const glm::dvec3 frontHorn(-7.9, -20.7, 20.5);
+        apply(core::CleanSegment{
+            .segment = 1, .rule = core::IslandRule::KeepClicked, .islandLps = frontHorn});
     }
     void show(const ui::CuttingPlane::Look& look) { plane().setLook(look); }
     void lookAt(const glm::dvec3& placeLps, const glm::dvec3& besideNormal, double heightMm)
@@ -213,6 +250,54 @@ private Q_SLOTS:
         QVERIFY(waitUntilDrawn());
         panels.push_back(panel(window().views().plane()));
         QVERIFY(test::keepPanels(panels, "refine-template.png"));
+    }
+
+    /// A ragged surface, and what Smooth makes of its near half; on a slice a surface that lies
+    /// too far out, and what Attract makes of it.
+    void smoothAndAttract()
+    {
+        openVentricle();
+        const core::RowId ragged = session().history().position();
+        std::vector<QImage> panels;
+        ui::VolumeView& stage = window().views().volume();
+        window().views().maximise(&stage);
+        stage.flyTo({-13.0, 4.0, 22.0}, {-0.7, -0.8, 0.9});
+        ui::Camera camera = stage.camera();
+        camera.heightMm = 130.0;
+        stage.setCamera(camera);
+        const core::LaySurface lay{.segment = 1, .vertices = 6000};
+        apply(lay);
+        panels.push_back(panel(stage));
+        apply(core::SmoothSurface{.path = {.radiusMm = 12.0,
+                                      .pointsLps = {{-8, -30, 17}, {-8, -10, 25}, {-11, 6, 27}},
+                                      .rules = core::newestSurfaceRules}});
+        panels.push_back(panel(stage));
+
+        QVERIFY(session().goTo(ragged));
+        apply(
+            core::ReshapeSegment{.segment = 1, .operation = core::ShapeOperation::Grow, .mm = 2.0});
+        apply(lay);
+        const double z = 20.0;
+        const glm::dvec3 frontHorn(-8.0, -21.0, z);
+        ui::SliceView& axial = window().views().axial();
+        window().views().maximise(&axial);
+        workspace().setCrosshairLps(frontHorn);
+        QCoreApplication::processEvents();
+        axial.setPlace({.centreLps = frontHorn, .mmPerPixel = 0.1});
+        constexpr double radiusMm = 8.0;
+        workspace().refinement().setSettings(
+            {.mode = ui::Refinement::Mode::Attract, .radiusMm = radiusMm});
+        take<ui::RefineTool>();
+        QVERIFY(waitUntilDrawn());
+        QTest::mouseMove(&axial, axial.context().toPixel({-14.0, -24.0, z}).toPoint());
+        QVERIFY(waitUntilDrawn());
+        panels.push_back(panel(axial));
+        apply(core::AttractSurface{
+            .path = {.radiusMm = radiusMm,
+                .pointsLps = {{-14.0, -24.0, z}, {-8.0, -34.0, z}, {-8.0, -8.0, z}},
+                .rules = core::newestSurfaceRules}});
+        panels.push_back(panel(axial));
+        QVERIFY(test::keepPanels(panels, "refine-attract.png"));
     }
 };
 

@@ -15,8 +15,10 @@
 #include "tests/support/scenes/SharedData.h"
 #include "ui/dialogs/MaskOrderDialog.h"
 #include "ui/dialogs/segment/BetweenSlicesDialog.h"
+#include "ui/dialogs/segment/MirrorDialog.h"
 #include "ui/dialogs/segment/ReshapeDialog.h"
 #include "ui/dialogs/segment/ThresholdDialog.h"
+#include "ui/measure/DistanceOfSegments.h"
 #include "ui/tools/scissors/SegmentScissorsTool.h"
 #include "ui/views/SliceView.h"
 #include "ui/views/ViewGrid.h"
@@ -38,7 +40,7 @@
 namespace segmentPicturesUiTest {
 
 /// The manual's pictures of what is done to segments as a whole and in the 3D view: threshold,
-/// previews, clean up, scissors, overlaps, points in time. It only runs where
+/// previews, clean up, mirroring, distances, scissors, overlaps, points in time. It only runs where
 /// somebody wants pictures: BURIN_SCREENSHOTS names the folder.
 class SegmentPicturesUiTest : public QObject, private test::FigureWindow {
     Q_OBJECT
@@ -272,6 +274,51 @@ private Q_SLOTS:
         std::vector<QImage> below = lesionBetweenSlices();
         below.insert(below.begin(), panel);
         QVERIFY(test::keepCollage({panels, below}, "clean-up.png"));
+    }
+
+    /// One ventricle gives two; then how far a lesion is from them.
+    void mirrorAndDistance()
+    {
+        openHead(QStringLiteral("Measurements"));
+        apply(test::newSegment(QStringLiteral("Ventricles"), 0x4AA3FF));
+        workspace().setActiveSegment(1);
+        apply(core::ThresholdSegment{.segment = 1,
+            .lower = -20.0,
+            .upper = 16.0,
+            .box = core::GrowBox{.fromLps = {-31.0, -38.0, 6.0}, .toLps = {-2.5, 63.0, 38.0}}});
+        apply(core::CleanSegment{.segment = 1, .rule = core::IslandRule::FillHoles});
+        const glm::dvec3 frontHorn(-7.9, -20.7, 20.5);
+        apply(core::CleanSegment{
+            .segment = 1, .rule = core::IslandRule::KeepClicked, .islandLps = frontHorn});
+        ui::SliceView& axial = axialAlone({0.0, 8.0, z}, 0.34);
+        rest();
+        std::vector<QImage> mirrored{test::middleOf(axial, cleanSize)};
+        workspace().askToMirror(1);
+        auto& asked = dialog<ui::MirrorDialog>();
+        QVERIFY(QTest::qWaitForWindowExposed(&asked));
+        asked.findChild<QCheckBox*>(QStringLiteral("mirrorKeep"))->setChecked(true);
+        previewed(*asked.findChild<QLabel*>(QStringLiteral("mirrorNow")));
+        mirrored.push_back(test::middleOf(axial, cleanSize));
+        mirrored.push_back(asked.grab().toImage());
+        QVERIFY(test::keepCollage({mirrored}, "mirror.png"));
+        press("applyMirror");
+        asked.close();
+
+        apply(test::newSegment(QStringLiteral("Lesion"), 0xE07A5F));
+        apply(test::paintAt(2, {{38.0, -14.0, 26.0}}, 7.0));
+        ui::measureDistance(workspace(), 1, 2);
+        QVERIFY(wait([this] { return !session().document().measurements.empty(); }));
+        show(gpu::Context::Hidden);
+        ui::VolumeView& stage = window().views().volume();
+        window().views().maximise(&stage);
+        stage.flyTo({10.0, 8.0, z}, {0.35, -1.0, 0.9});
+        ui::Camera camera = stage.camera();
+        camera.heightMm = 190.0;
+        stage.setCamera(camera);
+        rest();
+        QVERIFY(test::keepCollage(
+            {{test::middleOf(stage, QSize(600, 330)), pictureOf(QStringLiteral("Measurements"))}},
+            "segment-distance.png"));
     }
 
     /// The near wall of the skull is cut out, no deeper than that.

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "core/volume/ClipRegion.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/fixtures/WindowFixture.h"
 #include "tests/support/fixtures/pictures/Collage.h"
@@ -6,6 +7,7 @@
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/PlainEdits.h"
 #include "ui/frame/PanelSection.h"
+#include "ui/menus/EditableButton.h"
 #include "ui/tools/contour/ContourTool.h"
 #include "ui/tools/growth/FloodFillTool.h"
 #include "ui/tools/growth/PaintTool.h"
@@ -20,6 +22,7 @@
 
 #include <QApplication>
 #include <QLabel>
+#include <QMenu>
 #include <QtTest>
 
 #include <algorithm>
@@ -28,13 +31,21 @@
 namespace slicePicturesUiTest {
 
 /// The manual's pictures of what is done on slices of the demonstration head: painting, outlines,
-/// a contour that evolves, an interval that is moved, measuring, slices that are turned. Mouse and
-/// keys are used as by hand. It only runs where somebody wants pictures: BURIN_SCREENSHOTS names
-/// the folder.
+/// the editable range, a contour that evolves, an interval that is moved, measuring, slices that
+/// are turned. Mouse and keys are used as by hand. It only runs where somebody wants pictures:
+/// BURIN_SCREENSHOTS names the folder.
 class SlicePicturesUiTest : public QObject, private test::FigureWindow {
     Q_OBJECT
 
     using Mouse = test::WindowFixture;
+
+private:
+    /// A brush that heeds neither edges nor values.
+    void takeBrush(double radiusMm, bool isFlat, bool isSquare)
+    {
+        workspace().setBrushSettings(ui::Workspace::Brush::Paint,
+            {.radiusMm = radiusMm, .disc = isFlat, .square = isSquare});
+    }
 
 private Q_SLOTS:
     void initTestCase() { wantPictures(); }
@@ -109,6 +120,143 @@ private Q_SLOTS:
         QVERIFY(test::keepCollage(
             {{panels[0], panels[1], panels[2]}, {panels[3], panels[4], panels[5]}},
             "slice-tools.png"));
+    }
+
+    /// A square, a cube, a ball and the eraser while they are in use; what they left behind, seen
+    /// from the front; and the ball on the 3D view.
+    void brushes()
+    {
+        openHead();
+        apply(test::newSegment(QStringLiteral("Lesion"), 0xE07A5F));
+        workspace().setActiveSegment(1);
+        constexpr double z = 20.0;
+        constexpr double y = 22.0; // where they are seen from the front
+        constexpr double mmPerPixel = 0.16;
+        const glm::dvec3 middle(-6.0, y, z);
+        ui::SliceView& axial = axialAlone(middle, mmPerPixel);
+        constexpr QSize size(400, 300);
+        std::vector<QImage> panels;
+        const auto stroke = [&](ui::ImageView& view, const Way& way) {
+            draw(view, way);
+            QVERIFY(waitUntilDrawn());
+            panels.push_back(test::middleOf(view, size));
+            lift(view, way.back());
+            rest();
+        };
+        auto& tool = hand<ui::PaintTool>();
+        tool.setErases(false);
+        takeBrush(4.0, true, true);
+        stroke(axial, {{-31.0, y, z}, {-25.0, y, z}});
+        takeBrush(4.0, false, true);
+        stroke(axial, {{-14.0, y, z}, {-8.0, y, z}});
+        takeBrush(6.0, false, false);
+        stroke(axial, {{9.0, y, z}, {13.0, 36.0, z}});
+        tool.setErases(true);
+        takeBrush(3.5, false, false);
+        stroke(axial, {{-2.0, 32.0, z}, {24.0, 30.0, z}});
+        tool.setErases(false);
+
+        ui::ViewGrid& views = window().views();
+        views.maximise(&views.coronal());
+        QCoreApplication::processEvents();
+        views.coronal().setPlace({.centreLps = middle, .mmPerPixel = mmPerPixel});
+        rest();
+        panels.push_back(test::middleOf(views.coronal(), size));
+
+        ui::VolumeView& stage = views.volume();
+        views.maximise(&stage);
+        stage.flyTo({0.0, -40.0, 45.0}, {-0.45, -1.0, 0.45});
+        ui::Camera camera = stage.camera();
+        camera.heightMm = 250.0;
+        stage.setCamera(camera);
+        rest();
+        takeBrush(7.0, false, false);
+        stroke(stage, {{-30.0, -40.0, 50.0}, {0.0, -40.0, 38.0}, {28.0, -40.0, 50.0}});
+        QVERIFY(test::keepCollage(
+            {{panels[0], panels[1], panels[2]}, {panels[3], panels[4], panels[5]}}, "brushes.png"));
+    }
+
+    /// The shapes of outline that follow no edge, each while it is drawn; the lasso is among the
+    /// tools of slices.
+    void outlines()
+    {
+        openHead();
+        apply(test::newSegment(QStringLiteral("Ventricle"), 0x4AA3FF));
+        workspace().setActiveSegment(1);
+        constexpr double z = 20.0;
+        ui::SliceView& axial = axialAlone({-6.0, 31.0, z}, 0.16);
+        constexpr QSize size(400, 300);
+        std::vector<QImage> panels;
+        const auto keep = [&] {
+            QVERIFY(waitUntilDrawn());
+            panels.push_back(test::middleOf(axial, size));
+        };
+        using Shape = ui::FillOutlineTool::Shape;
+        auto& outline = hand<ui::FillOutlineTool>();
+        outline.setShape(Shape::Polygon);
+        for (const glm::dvec3& corner :
+            Way{{-15.5, 17.0, z}, {-25.0, 20.0, z}, {-29.0, 29.0, z}, {-22.0, 43.0, z}})
+            click(axial, corner);
+        hover(axial, {-13.5, 31.0, z});
+        QTest::qWait(restMs);
+        keep();
+        outline.cancel();
+        const Way across{{-30.0, 16.5, z}, {-12.0, 44.0, z}};
+        for (const Shape shape : {Shape::Rectangle, Shape::Ellipse}) {
+            outline.setShape(shape);
+            draw(axial, across);
+            keep();
+            outline.cancel();
+            lift(axial, across.back());
+        }
+        QVERIFY(test::keepCollage({panels}, "outlines.png"));
+    }
+
+    /// One stroke with an editable range of values, and with one in the clip box; the button that
+    /// tells the range, and the menu in which it is chosen.
+    void editableRange()
+    {
+        openHead(QStringLiteral("Clean up"));
+        apply(test::newSegment(QStringLiteral("Ventricle"), 0x4AA3FF));
+        workspace().setActiveSegment(1);
+        const core::RowId empty = session().history().position();
+        constexpr double z = 20.0;
+        ui::SliceView& axial = axialAlone({-6.0, 31.0, z}, 0.16);
+        constexpr QSize size(400, 300);
+        std::vector<QImage> panels;
+        hand<ui::PaintTool>().setErases(false);
+        takeBrush(9.0, true, false);
+        const auto paintWithin = [&](const ui::EditableSettings& range) {
+            workspace().setEditableSettings(range);
+            const Way down{{-25.0, 20.0, z}, {-22.0, 30.0, z}, {-18.0, 42.0, z}};
+            draw(axial, down);
+            QVERIFY(waitUntilDrawn());
+            panels.push_back(test::middleOf(axial, size));
+            lift(axial, down.back());
+            QVERIFY(session().goTo(empty));
+        };
+        ui::EditableSettings range{.on = true, .byValue = true, .lower = -20.0, .upper = 16.0};
+        paintWithin(range);
+        const core::VolumeGeometry& geometry = workspace().volume()->geometry;
+        const glm::dvec3 one = geometry.toIndex({-30.0, 24.0, z - 12.0});
+        const glm::dvec3 other = geometry.toIndex({-15.0, 39.0, z + 12.0});
+        core::ClipRegion clip = workspace().clip();
+        clip.box = {.minimum = glm::min(one, other), .maximum = glm::max(one, other), .on = true};
+        workspace().setClip(clip);
+        paintWithin({.on = true, .boxed = true});
+
+        range.boxed = true;
+        workspace().setEditableSettings(range);
+        rest();
+        auto* button = section(QStringLiteral("Clean up")).findChild<ui::EditableButton*>();
+        QVERIFY(button);
+        QMenu& menu = *button->menu();
+        menu.popup(button->mapToGlobal(QPoint(0, button->height())));
+        QVERIFY(QTest::qWaitForWindowExposed(&menu));
+        QTest::qWait(restMs);
+        const std::vector<QImage> chosen{button->grab().toImage(), menu.grab().toImage()};
+        menu.close();
+        QVERIFY(test::keepCollage({panels, chosen}, "editable-range.png"));
     }
 
     /// A contour in the horn after some generations, its panel, and its body in the 3D view.

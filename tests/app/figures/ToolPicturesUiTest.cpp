@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "core/edits/kinds/growth/GrowFromSeeds.h"
 #include "core/edits/kinds/layers/AddLayer.h"
 #include "core/edits/kinds/pieces/ChangePiece.h"
 #include "core/edits/kinds/segments/CleanSegment.h"
@@ -11,6 +12,8 @@
 #include "ui/base/Actions.h"
 #include "ui/dialogs/segment/ReshapeDialog.h"
 #include "ui/dialogs/segment/SplitIslandsDialog.h"
+#include "ui/frame/PanelSection.h"
+#include "ui/panels/growth/SpreadBar.h"
 #include "ui/tools/contour/ContourTool.h"
 #include "ui/tools/growth/BarrierTool.h"
 #include "ui/tools/growth/SeedTool.h"
@@ -31,6 +34,8 @@
 #include <QAction>
 #include <QComboBox>
 #include <QLabel>
+#include <QPushButton>
+#include <QToolButton>
 #include <QtTest>
 
 #include <cmath>
@@ -245,6 +250,53 @@ private Q_SLOTS:
         rest();
         keep();
         QVERIFY(test::keepCollage({panels}, "growth-tools.png"));
+    }
+
+    /// Sketches in two segments, and who would get what lies between them.
+    void growFromSeeds()
+    {
+        openHead(QStringLiteral("Growth"));
+        apply(test::newSegment(QStringLiteral("Ventricles"), 0x4AA3FF));
+        apply(test::newSegment(QStringLiteral("Brain"), 0xE6C84A));
+        ui::SliceView& axial = axialAlone({0.0, 6.0, z}, 0.3);
+        hand<ui::SeedTool>();
+        const auto sketch = [&](int segment, const std::vector<Way>& strokes) {
+            workspace().setActiveSegment(segment);
+            for (const Way& stroke : strokes) {
+                draw(axial, stroke);
+                lift(axial, stroke.back());
+                rest();
+            }
+        };
+        sketch(1,
+            {Way{{-7.9, -27.0, z}, {-8.0, -16.0, z}}, Way{{8.5, -27.0, z}, {8.6, -16.0, z}},
+                Way{{-18.0, 23.0, z}, {-22.0, 34.0, z}}, Way{{20.0, 23.0, z}, {23.0, 34.0, z}}});
+        sketch(2,
+            {Way{{-29.0, -28.0, z}, {-31.0, 10.0, z}}, Way{{29.0, -28.0, z}, {31.0, 10.0, z}},
+                Way{{-24.0, -42.0, z}, {-10.0, -45.0, z}}, Way{{10.0, -45.0, z}, {24.0, -42.0, z}},
+                Way{{-36.0, 44.0, z}, {-26.0, 56.0, z}}, Way{{26.0, 56.0, z}, {36.0, 44.0, z}}});
+        Mouse::hover(axial, QPointF(5.0, 5.0));
+        rest();
+        constexpr QSize size(330, 380);
+        std::vector<QImage> panels{test::middleOf(axial, size)};
+        auto* bar = window().findChild<ui::SpreadBar*>();
+        QVERIFY(bar);
+        bar->findChild<QToolButton*>(QStringLiteral("spreadFold"))->click();
+        auto* preview = bar->findChild<QPushButton*>(QStringLiteral("spreadPreview"));
+        QVERIFY(wait([preview] { return preview->isEnabled(); }));
+        preview->click();
+        QVERIFY(wait([this] {
+            return session().isOpen<core::GrowFromSeeds>() && session().openHasBegun()
+                && !session().growthProgress().running;
+        }));
+        drawn();
+        panels.push_back(test::middleOf(axial, size));
+        // Of the panel only what this is about.
+        const QImage whole = pictureOf(QStringLiteral("Growth"));
+        const QPoint corner = bar->mapTo(&section(QStringLiteral("Growth")), QPoint());
+        panels.push_back(whole.copy(0, corner.y(), whole.width(), bar->height()));
+        bar->cancel();
+        QVERIFY(test::keepCollage({panels}, "grow-from-seeds.png"));
     }
 
     /// A stroke that is taken back at its place, while a later one stays.

@@ -442,7 +442,7 @@ bool RevertOperation::isAbortable() const
     return !m_imports.empty() && !m_done && !m_swapping;
 }
 
-void RevertOperation::abort()
+void RevertOperation::abort(SessionState&)
 {
     if (isAbortable())
         m_watch->progress.cancel();

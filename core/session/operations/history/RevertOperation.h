@@ -30,9 +30,9 @@ public:
     [[nodiscard]] bool done() const override { return m_done; }
     [[nodiscard]] bool abandon(SessionState& state, const Error& error) override;
 
-    void abort() override;
+    void abort(SessionState&) override;
     [[nodiscard]] bool isAbortable() const override;
-    [[nodiscard]] int percent() const override { return m_watch->percent; }
+    [[nodiscard]] int percent(const SessionState&) const override { return m_watch->percent; }
 
 private:
     [[nodiscard]] Result<void> checkRows(const SessionState& state) const;
