@@ -117,7 +117,8 @@ QString listOtherSegments(QMenu& menu, const core::Document& document, int but,
         QAction* entry = menu.addAction(menuText(each.name));
         QObject::connect(entry, &QAction::triggered, &menu,
             [choose, label = int(each.label)] { choose(label); });
-        QString whyNot = kind == OtherSegment::Changed ? whyUnchangeable(&each) : QString();
+        const bool changes = kind == OtherSegment::Changed || kind == OtherSegment::Unlocked;
+        QString whyNot = changes ? whyUnchangeable(&each) : QString();
         const bool isBeside = own && each.plane == own->plane;
         if (kind == OtherSegment::Changed && !isBeside) {
             whyNot = QObject::tr("'%1' lies on another label plane").arg(each.name);
@@ -177,7 +178,7 @@ void addCombinations(QMenu& menu, QAction* before, Workspace& workspace,
     };
     const auto add = [&](const char* name) { return addTo(*combine, nullptr, name); };
     const Combination merge{add("mergeSegments"), QObject::tr("Merge into"),
-        QObject::tr("Merge '%1' into"), &mergeSegments};
+        QObject::tr("Merge '%1' into"), &mergeSegments, OtherSegment::Unlocked};
     const Combination swap{add("swapSegments"), QObject::tr("Swap with"),
         QObject::tr("Swap '%1' with"), &swapSegments};
     const std::vector<Combination> all{merge, swap,

@@ -450,8 +450,12 @@ void duplicateSegment(Workspace& workspace, int label)
 
 void mergeSegments(Workspace& workspace, int from, int into)
 {
+    const QString name = nameOfSegment(workspace, from);
+    const core::EditSession* session = workspace.session();
+    const core::Segment* segment = session ? session->document().segment(from) : nullptr;
     carryOut(workspace, core::CombineSegments{.segment = into, .with = from},
-        QObject::tr("'%1' has no voxels").arg(nameOfSegment(workspace, from)));
+        segment && segment->voxels > 0 ? QObject::tr("'%1' can give no voxel").arg(name)
+                                       : QObject::tr("'%1' has no voxels").arg(name));
 }
 
 void swapSegments(Workspace& workspace, int one, int other)

@@ -52,8 +52,8 @@ void removeSegment(Workspace& workspace, int label);
 /// Each of the following functions carries out one edit as a step of its own and tells the user
 /// what it did, or that there was nothing to do. Failures are reported by the workspace.
 ///
-/// mergeSegments() gives all voxels of a segment to another one; swapSegments() exchanges the
-/// voxels of two segments.
+/// mergeSegments() gives all voxels of a segment to another one, as far as they are free in its
+/// label plane; swapSegments() exchanges the voxels of two segments of one plane.
 void mergeSegments(Workspace& workspace, int from, int into);
 void swapSegments(Workspace& workspace, int one, int other);
 /// The following change a segment by one of another label plane, which stays as it is: they add its

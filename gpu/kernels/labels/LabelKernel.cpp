@@ -330,6 +330,17 @@ std::vector<core::BrickKey> write(
         &editable);
 }
 
+std::vector<core::BrickKey> write(
+    LabelPrograms& programs, VoxelFields& fields, BeforeImages& before, const core::MapPlanes& edit)
+{
+    std::vector<core::BrickKey> keys;
+    for (const core::MapLabels& plane : edit.planes) {
+        const std::vector<core::BrickKey> its = write(programs, fields, before, plane);
+        keys.insert(keys.end(), its.begin(), its.end());
+    }
+    return keys;
+}
+
 } // namespace
 
 Program& LabelPrograms::following(const char* rule, bool editable)

@@ -247,6 +247,34 @@ private Q_SLOTS:
         QVERIFY(fixture.labels(0) == before);
     }
 
+    /// The menu merges it into the one below; what they cannot exchange says why.
+    void theOneAboveIsMerged()
+    {
+        Fixture fixture;
+        fixture.workspace.setActiveSegment(tumour);
+        QMenu& segments = fixture.window.segmentsMenu();
+        segments.popup(fixture.window.mapToGlobal(QPoint(40, 40)));
+        segments.close();
+        const auto* swap = segments.findChild<QMenu*>(QStringLiteral("swapSegments"));
+        const auto* merge = segments.findChild<QMenu*>(QStringLiteral("mergeSegments"));
+        QVERIFY(swap && merge);
+        QCOMPARE(swap->actions().size(), 1);
+        QVERIFY(!swap->actions().front()->isEnabled());
+        QCOMPARE(swap->actions().front()->toolTip(),
+            QStringLiteral("'Liver' lies on another label plane"));
+        QCOMPARE(merge->actions().size(), 1);
+        QVERIFY(merge->actions().front()->isEnabled());
+        // All of it is the liver's already.
+        const Labels before = fixture.labels(0);
+        merge->actions().front()->trigger();
+        fixture.settle();
+        QVERIFY(fixture.labels(0) == before);
+        QCOMPARE(fixture.voxels(tumour), std::int64_t(0));
+        QVERIFY(fixture.session().undo());
+        fixture.settle();
+        QCOMPARE(fixture.voxels(tumour), std::int64_t(12 * 12 * 14));
+    }
+
     /// What is painted or erased of one leaves the other as it is, even where both are.
     void theBrushLeavesTheOther()
     {

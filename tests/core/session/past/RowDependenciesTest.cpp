@@ -242,6 +242,14 @@ private Q_SLOTS:
             QVERIFY(!whole.covers({Field::Labels, 1, 3}));
             QVERIFY(!whole.covers({Field::Coverage, 1, 3}));
         }
+        // A merge of two label planes writes to both.
+        Document further = document;
+        further.segments.push_back({.label = 2, .plane = 1, .name = {}, .rgb = 0, .code = {}});
+        const RowDependencies merged(CombineSegments{.segment = 1, .with = 2}, further, {});
+        for (const std::uint8_t plane : {0, 1}) {
+            QVERIFY(merged.covers({Field::SeedWords, plane, 3}));
+            QVERIFY(merged.covers({Field::Labels, plane, 3}));
+        }
         const RowDependencies copied(CopySegment{.segment = 1, .plane = 2}, document, {});
         QVERIFY(copied.covers({Field::Labels, 0, 3}) && copied.covers({Field::Labels, 2, 3}));
         QVERIFY(copied.covers({Field::SeedWords, 2, 3}) && !copied.covers({Field::Labels, 1, 3}));

@@ -349,8 +349,9 @@ private Q_SLOTS:
             return bench.tried(edit).contains(QStringLiteral("'S2' overlaps other segments"));
         };
         QVERIFY(refused(test::protectSegment(2)));
-        QVERIFY(bench.tried(CombineSegments{.segment = 1, .with = 2})
-                    .contains(QStringLiteral("another label plane")));
+        QVERIFY(
+            bench.tried(CombineSegments{.segment = 1, .with = 2, .how = CombineSegments::How::Swap})
+                .contains(QStringLiteral("another label plane")));
         QCOMPARE(bench.tried(test::addSegment("Beside")), QString());
         const QByteArray added = bench.session->stateHash();
         QVERIFY(bench
