@@ -176,6 +176,11 @@ private Q_SLOTS:
         QVERIFY(session.apply(
             core::SegmentToLayer{.segment = liver, .layer = 1, .outside = std::optional(true)}));
         fixture.settle();
+        // One of a further plane is protected like those of the first.
+        QVERIFY(session.apply(test::protectSegment(tumour)));
+        fixture.settle();
+        QCOMPARE(ui::whyNotCarved(session.document(), tumour),
+            QStringLiteral("'Tumour' is protected from sculpting"));
     }
 
     /// One after the other becomes active where they overlap; what is hidden is passed by.
