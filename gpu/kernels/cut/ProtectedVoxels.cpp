@@ -5,16 +5,16 @@ namespace gpu {
 
 namespace {
 
-using Planes = std::bitset<core::ProtectedLabels::mostPlanes>;
+using PlaneBits = std::bitset<core::ProtectedLabels::mostPlanes>;
 
 /// The planes in which a protected label may lie: one that is not in use holds 0 everywhere.
-Planes planesToAsk(const VoxelFields& fields, const core::ProtectedLabels& protectedLabels)
+PlaneBits planesToAsk(const VoxelFields& fields, const core::ProtectedLabels& protectedLabels)
 {
     if (protectedLabels.labels.none())
         return {};
-    Planes asked = protectedLabels.planes;
+    PlaneBits asked = protectedLabels.planes;
     const auto inUse = fields.labelPlanes();
-    static_assert(Planes().size() == inUse.size());
+    static_assert(PlaneBits().size() == inUse.size());
     for (std::size_t plane = 0; plane < asked.size(); ++plane) {
         if (!inUse[plane] && !protectedLabels.labels[0])
             asked.reset(plane);
@@ -34,7 +34,7 @@ void setProtected(
 void bindProtected(VoxelFields& fields, const core::ProtectedLabels& protectedLabels)
 {
     constexpr GLuint firstUnit = 2;
-    const Planes asked = planesToAsk(fields, protectedLabels);
+    const PlaneBits asked = planesToAsk(fields, protectedLabels);
     for (std::size_t plane = 0; plane < asked.size(); ++plane)
         fields.labels(asked[plane] ? std::uint8_t(plane) : std::uint8_t(0))
             .bindUnit(firstUnit + GLuint(plane));

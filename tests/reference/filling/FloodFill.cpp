@@ -30,8 +30,6 @@ struct Voxels {
     }
 };
 
-using core::fixedPoint::round14;
-
 /// An oblique slice, one voxel thick: the slab of a flat brush (core/sculpt/CapsuleSweep.h).
 class ObliqueSlice {
 public:
@@ -50,8 +48,8 @@ public:
         constexpr int side = 16; // of a brick, from whose first voxel heights are counted
         const glm::ivec3 local(voxel.x % side, voxel.y % side, voxel.z % side);
         const glm::ivec3 begin = voxel - local;
-        const std::int64_t base = round14(m_frame.origin[2] + begin.x * m_frame.perI[2]
-            + begin.y * m_frame.perJ[2] + begin.z * m_frame.perK[2]);
+        const std::int64_t base = core::fixedPoint::round14(m_frame.origin[2]
+            + begin.x * m_frame.perI[2] + begin.y * m_frame.perJ[2] + begin.z * m_frame.perK[2]);
         const std::array<std::int64_t, 3> rises = this->rises();
         const std::int64_t height =
             base + local.x * rises[0] + local.y * rises[1] + local.z * rises[2];
@@ -76,7 +74,8 @@ public:
 private:
     [[nodiscard]] std::array<std::int64_t, 3> rises() const
     {
-        return {round14(m_frame.perI[2]), round14(m_frame.perJ[2]), round14(m_frame.perK[2])};
+        return {core::fixedPoint::round14(m_frame.perI[2]),
+            core::fixedPoint::round14(m_frame.perJ[2]), core::fixedPoint::round14(m_frame.perK[2])};
     }
 
     core::BrushPath m_disc;
