@@ -28,7 +28,7 @@ bool mayTakeLong(const EngineEdit& edit)
     return std::visit(
         [](const auto& known) {
             return isAnyOf<std::decay_t<decltype(known)>, SpreadLabels, LabelThreshold,
-                LabelScissors, MapLabels>;
+                LabelScissors, MapLabels, MapPlanes>;
         },
         edit);
 }

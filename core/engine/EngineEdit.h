@@ -38,11 +38,11 @@ using GrowthEdits = TypeList<SeedPlacement, GrowBurst, ShrinkGrowth, CutGrowth, 
 using StrokeEdits =
     TypeList<DrillCut, LaserCut, ShellPeel, OutlineCut, CapsuleCut, PaintLabel, PaintBarrier>;
 /// Edits of whole labels and layers, of listed voxels, by values (sculpt/labels/LabelThreshold.h),
-/// and of what lies under a curve (sculpt/labels/LabelScissors.h). CoverLabel, FoldLayer and
-/// MapLabels are in sculpt/labels/LayerWrites.h, and so is LabelWrites, a list of edits that give
-/// labels to voxels (LabelOutlined.h belongs to it, too).
+/// and of what lies under a curve (sculpt/labels/LabelScissors.h). CoverLabel, FoldLayer,
+/// MapLabels and MapPlanes are in sculpt/labels/LayerWrites.h, and so is LabelWrites, a list of
+/// edits that give labels to voxels (LabelOutlined.h belongs to it, too).
 using WholeEdits = TypeList<EraseLabel, CoverLabel, FoldLayer, BarrierListed, LabelThreshold,
-    LabelScissors, MapLabels>;
+    LabelScissors, MapLabels, MapPlanes>;
 
 using EngineEditVariant =
     JoinedTypes<GrowthEdits, StrokeEdits, WholeEdits, LabelWrites>::List::Variant;

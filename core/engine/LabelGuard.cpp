@@ -53,6 +53,17 @@ Result<void> checkUncarved(const std::bitset<256>& uncarved, const BrickBytes& l
     return {};
 }
 
+/// The label bricks over a brick of coverage that hold what must not be carved.
+std::vector<BrickKey> labelsOver(const ProtectedLabels& uncarved, std::uint32_t brick)
+{
+    std::vector<BrickKey> keys;
+    for (std::size_t plane = 0; plane < uncarved.planes.size() && uncarved.labels.any(); ++plane) {
+        if (uncarved.planes[plane])
+            keys.push_back({Field::Labels, std::uint8_t(plane), brick});
+    }
+    return keys;
+}
+
 std::map<BrickKey, const BrickImage*> byKey(const std::vector<BrickImage>& images)
 {
     std::map<BrickKey, const BrickImage*> found;
@@ -68,8 +79,10 @@ std::vector<BrickKey> bricksToRead(const std::vector<BrickImage>& bricks, const 
     std::set<BrickKey> keys;
     for (const BrickImage& brick : bricks) {
         keys.insert(brick.key);
-        if (brick.key.field == Field::Coverage && guard.uncarved.any())
-            keys.insert({Field::Labels, guard.plane, brick.key.brick});
+        if (brick.key.field != Field::Coverage)
+            continue;
+        const std::vector<BrickKey> labels = labelsOver(guard.uncarved, brick.key.brick);
+        keys.insert(labels.begin(), labels.end());
     }
     return {keys.begin(), keys.end()};
 }
@@ -85,9 +98,12 @@ Result<void> checkGuard(const LabelGuard& guard, const std::vector<BrickImage>& 
         Result<void> checked;
         if (image.key.field == Field::Labels && guard.kept.any()) {
             checked = checkKept(guard.kept, before, image.bytes);
-        } else if (image.key.field == Field::Coverage && guard.uncarved.any()) {
-            const BrickKey labels{Field::Labels, guard.plane, image.key.brick};
-            checked = checkUncarved(guard.uncarved, held.at(labels)->bytes, before, image.bytes);
+        } else if (image.key.field == Field::Coverage) {
+            for (const BrickKey& labels : labelsOver(guard.uncarved, image.key.brick)) {
+                if (checked)
+                    checked = checkUncarved(
+                        guard.uncarved.labels, held.at(labels)->bytes, before, image.bytes);
+            }
         }
         if (!checked)
             return checked;

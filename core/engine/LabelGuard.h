@@ -3,6 +3,7 @@
 
 #include "core/base/Result.h"
 #include "core/brick/BrickGrid.h"
+#include "core/sculpt/ProtectedLabels.h"
 
 #include <bitset>
 #include <cstdint>
@@ -14,10 +15,9 @@ namespace core {
 /// nothing of segments that were locked or protected since.
 struct LabelGuard {
     std::bitset<256> kept{}; ///< labels, in any plane, that may neither gain nor lose voxels
-    std::uint8_t plane = 0; ///< of the labels below
-    std::bitset<256> uncarved{}; ///< labels whose voxels must not be carved further than they are
+    ProtectedLabels uncarved{}; ///< whose voxels must not be carved further than they are
 
-    [[nodiscard]] bool any() const { return kept.any() || uncarved.any(); }
+    [[nodiscard]] bool any() const { return kept.any() || uncarved.labels.any(); }
 };
 
 // How every engine puts bricks in place. These functions work on bytes and may be called on any

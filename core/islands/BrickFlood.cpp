@@ -16,8 +16,9 @@ std::vector<glm::ivec3> stepsOf(const BrickFlood::Rule& rule)
             for (int x = -1; x <= 1; ++x) {
                 const glm::ivec3 step(x, y, z);
                 const int sides = std::abs(x) + std::abs(y) + std::abs(z);
+                const int counted = rule.across ? sides - std::abs(step[*rule.across]) : sides;
                 const bool leaves = rule.within && step[alongOf(*rule.within)] != 0;
-                if (sides > 0 && (sides == 1 || rule.corners) && !leaves)
+                if (sides > 0 && (counted <= 1 || rule.corners) && !leaves)
                     steps.push_back(step);
             }
         }

@@ -24,6 +24,10 @@ public:
     struct Rule {
         bool corners = false; ///< voxels are also neighbours if they share only an edge or a corner
         std::optional<SliceAxis> within{}; ///< only in the first voxel's slice across this axis
+        /// For voxels of a slice that lies oblique to the grid: the index axis along which it is
+        /// one voxel thick. How far a step leads along it, by one at most, does not count, as for a
+        /// flat brush that follows edges (core/sculpt/EdgeRegion.h, rule 3).
+        std::optional<int> across{};
     };
     /// @param first index of the first voxel, in the volume
     BrickFlood(const glm::ivec3& volumeSize, const glm::ivec3& first, const Rule& rule);

@@ -57,6 +57,29 @@ glm::ivec3 strokeStep(const Fixed3& perVoxel)
     return fixedPoint::round14(perVoxel);
 }
 
+bool isInSlab(const CapsuleFrame& frame, const glm::ivec3& voxel)
+{
+    if (!frame.isFlat)
+        return true;
+    const glm::ivec3 first = voxel / BrickGrid::side * BrickGrid::side;
+    const glm::ivec3 local = voxel - first;
+    const int height = strokeBase(frame, first).z + local.x * strokeStep(frame.perI).z
+        + local.y * strokeStep(frame.perJ).z + local.z * strokeStep(frame.perK).z;
+    return std::abs(height) <= frame.halfThickness;
+}
+
+int steepestAxis(const CapsuleFrame& frame)
+{
+    const glm::ivec3 rise(
+        strokeStep(frame.perI).z, strokeStep(frame.perJ).z, strokeStep(frame.perK).z);
+    int main = 0;
+    for (int axis = 1; axis < 3; ++axis) {
+        if (std::abs(rise[axis]) > std::abs(rise[main]))
+            main = axis;
+    }
+    return main;
+}
+
 std::vector<std::uint32_t> bricksNear(
     const CapsuleFrame& frame, const Capsule& capsule, const BrickGrid& grid)
 {

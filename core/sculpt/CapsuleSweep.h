@@ -78,6 +78,12 @@ struct Capsule {
 /// Rule 1: steps from voxel to voxel inside a brick, as matrix columns.
 [[nodiscard]] glm::ivec3 strokeStep(const Fixed3& perVoxel);
 
+/// Whether a voxel lies in the slab of a flat brush (rule 2). Of a ball or cube: always.
+[[nodiscard]] bool isInSlab(const CapsuleFrame& frame, const glm::ivec3& voxel);
+/// The index axis along which a flat brush is one voxel thick: the one with the greatest of
+/// |perI.z|, |perJ.z| and |perK.z| (strokeStep()), the first if several are equal.
+[[nodiscard]] int steepestAxis(const CapsuleFrame& frame);
+
 /// Bricks that a capsule may meet, ascending. The list may contain too many, never too few.
 [[nodiscard]] std::vector<std::uint32_t> bricksNear(
     const CapsuleFrame& frame, const Capsule& capsule, const BrickGrid& grid);

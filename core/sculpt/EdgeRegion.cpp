@@ -32,27 +32,10 @@ glm::ivec3 voxelAt(const VoxelBox& brick, int offset)
     return brick.minimum + glm::ivec3(offset & 15, offset >> 4 & 15, offset >> 8);
 }
 
-bool isInSlab(const CapsuleFrame& frame, const glm::ivec3& voxel)
-{
-    if (!frame.isFlat)
-        return true;
-    const glm::ivec3 first = voxel / BrickGrid::side * BrickGrid::side;
-    const glm::ivec3 local = voxel - first;
-    const int height = strokeBase(frame, first).z + local.x * strokeStep(frame.perI).z
-        + local.y * strokeStep(frame.perJ).z + local.z * strokeStep(frame.perK).z;
-    return std::abs(height) <= frame.halfThickness;
-}
-
 /// Rule 3.
 std::vector<glm::ivec3> stepsOf(const CapsuleFrame& frame)
 {
-    const glm::ivec3 rise(
-        strokeStep(frame.perI).z, strokeStep(frame.perJ).z, strokeStep(frame.perK).z);
-    int main = 0;
-    for (int axis = 1; axis < 3; ++axis) {
-        if (std::abs(rise[axis]) > std::abs(rise[main]))
-            main = axis;
-    }
+    const int main = steepestAxis(frame);
     std::vector<glm::ivec3> steps;
     for (int z = -1; z <= 1; ++z) {
         for (int y = -1; y <= 1; ++y) {

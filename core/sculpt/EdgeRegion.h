@@ -25,9 +25,8 @@ namespace core {
 ///    at most ⌊tolerance · strength / 255⌋.
 /// 3. A member is an alike voxel under the pen (CapsulePath::under), or an alike voxel that can be
 ///    reached from there in steps through alike voxels. For a ball or cube a step changes one
-///    component of the index by 1. A flat brush is one voxel thick along its main axis, which is
-///    the one with the greatest of |perI.z|, |perJ.z| and |perK.z| (strokeStep()), the first if
-///    several are equal. There a step changes the component along the main axis by at most 1 and at
+///    component of the index by 1. A flat brush is one voxel thick along its main axis
+///    (steepestAxis()). There a step changes the component along the main axis by at most 1 and at
 ///    most one of the others by 1: so an oblique plane is connected, while no step leads through a
 ///    wall of one voxel.
 ///

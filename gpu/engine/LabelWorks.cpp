@@ -106,6 +106,58 @@ private:
     core::MapLabels m_edit;
 };
 
+/// One plane after the other, each of which sees what the one before it has changed.
+class MappedPlanesWork final : public EditWork {
+public:
+    MappedPlanesWork(const core::MapPlanes& edit, const WorkContext& context)
+        : m_context(context)
+        , m_planes(edit.planes)
+    {
+        beginNext();
+    }
+    bool hasStepsLeft() const override
+    {
+        return m_work->hasStepsLeft() || m_begun < m_planes.size();
+    }
+    void advance(int rings) override
+    {
+        if (m_work->hasStepsLeft())
+            m_work->advance(rings);
+        else
+            beginNext();
+    }
+    std::vector<core::BrickKey> touchedKeys() const override
+    {
+        std::vector<core::BrickKey> keys = m_keys;
+        const std::vector<core::BrickKey> now = m_work->touchedKeys();
+        keys.insert(keys.end(), now.begin(), now.end());
+        return keys;
+    }
+    core::GrowthProgress progress() const override
+    {
+        core::GrowthProgress progress{.running = hasStepsLeft()};
+        if (progress.running)
+            progress.percent = (100 * int(m_begun - 1)
+                                   + (m_work->hasStepsLeft() ? m_work->progress().percent : 100))
+                / int(m_planes.size());
+        return progress;
+    }
+
+private:
+    void beginNext()
+    {
+        if (m_work)
+            m_keys = touchedKeys();
+        m_work = std::make_unique<MappedWork>(m_planes[m_begun++], m_context);
+    }
+
+    WorkContext m_context;
+    std::vector<core::MapLabels> m_planes;
+    std::size_t m_begun = 0; ///< how many planes
+    std::unique_ptr<MappedWork> m_work; ///< in the last of these
+    std::vector<core::BrickKey> m_keys; ///< of those before it
+};
+
 /// Scissors first look how far they reach.
 class ScissorsWork final : public WorkOnBricks {
 public:
@@ -168,6 +220,11 @@ BegunWork begun(const core::LabelScissors& edit, const WorkContext& context)
 BegunWork begun(const core::MapLabels& edit, const WorkContext& context)
 {
     return std::make_unique<MappedWork>(edit, context);
+}
+
+BegunWork begun(const core::MapPlanes& edit, const WorkContext& context)
+{
+    return std::make_unique<MappedPlanesWork>(edit, context);
 }
 
 BegunWork begun(const core::FoldLayer& edit, const WorkContext& context)

@@ -358,6 +358,14 @@ core::Result<Oracle::Work> Oracle::begin(core::MapLabels& edit)
     return Done{};
 }
 
+core::Result<Oracle::Work> Oracle::begin(core::MapPlanes& edit)
+{
+    if (const auto checked = core::checkSound(edit, core::BrickGrid{m_codes.size}); !checked)
+        return tl::unexpected(checked.error());
+    mapPlanes(m_codes, m_fields, edit);
+    return Done{};
+}
+
 core::Result<Oracle::Work> Oracle::begin(core::CoverLabel& edit)
 {
     if (edit.label == 0)

@@ -112,6 +112,7 @@ private:
     [[nodiscard]] core::Result<Work> begin(core::LabelThreshold& edit);
     [[nodiscard]] core::Result<Work> begin(core::LabelScissors& edit);
     [[nodiscard]] core::Result<Work> begin(core::MapLabels& edit);
+    [[nodiscard]] core::Result<Work> begin(core::MapPlanes& edit);
     [[nodiscard]] core::Result<Work> begin(core::CoverLabel& edit);
     [[nodiscard]] core::Result<Work> begin(core::FoldLayer& edit);
     [[nodiscard]] core::Result<Work> begin(core::LaserCut& edit);

@@ -124,7 +124,8 @@ QString listOtherSegments(QMenu& menu, const core::Document& document, int but,
         QAction* entry = menu.addAction(menuText(each.name));
         QObject::connect(entry, &QAction::triggered, &menu,
             [choose, label = int(each.label)] { choose(label); });
-        QString whyNot = kind == OtherSegment::Changed ? whyUnchangeable(&each) : QString();
+        const bool changes = kind == OtherSegment::Changed || kind == OtherSegment::Unlocked;
+        QString whyNot = changes ? whyUnchangeable(&each) : QString();
         const bool isBeside = own && each.plane == own->plane;
         if (kind == OtherSegment::Changed && !isBeside) {
             whyNot = QObject::tr("'%1' lies on another label plane").arg(each.name);
@@ -189,7 +190,9 @@ std::vector<Combination> combinationsIn(
         };
         Combination made{sub, text, named,
             [edit, choose = choice.choose](int label, int other) { choose(edit(label, other)); }};
-        if (how != How::Merge && how != How::Swap)
+        if (how == How::Merge)
+            made.kind = OtherSegment::Unlocked;
+        else if (how != How::Swap)
             made.kind = OtherSegment::Overlapping;
         if (choice.pointedAt) {
             made.pointedAt = [edit, pointed = choice.pointedAt](int label, int other) {

@@ -29,6 +29,7 @@ struct SegmentAction;
 /// Which other segments an action can be carried out with.
 enum class OtherSegment {
     Changed, ///< it changes the other one, too: not locked, and in the same label plane
+    Unlocked, ///< the same, in any label plane
     Overlapping, ///< it compares the voxels of both: in another label plane
     Any,
 };

@@ -464,6 +464,9 @@ QString nothingToCombine(const Workspace& workspace, const core::CombineSegments
     const QString other = nameOfSegment(workspace, edit.with);
     switch (edit.how) {
     case core::CombineSegments::How::Merge:
+        if (const core::Segment* from = workspace.session()->document().segment(edit.with);
+            from && from->voxels > 0)
+            return QObject::tr("'%1' can give no voxel").arg(other);
         break;
     case core::CombineSegments::How::Swap:
         return QObject::tr("neither '%1' nor '%2' has voxels").arg(name, other);

@@ -62,7 +62,7 @@ struct SweptMask {
     glm::dvec3 origin{0.0}; ///< of voxel (0, 0, 0), mm
     glm::dmat3 perVoxel{0.0}; ///< mm
     BrickGrid grid;
-    std::optional<std::uint8_t> labels; ///< the plane whose labels are read; none: no labels are
+    std::bitset<256> labels; ///< the planes whose labels are read
     std::vector<glm::dvec2> path; ///< mm
     double reachMm = 0.0; ///< from the path to the farthest place that is read
     double endMm = 0.0; ///< nothing behind this is read

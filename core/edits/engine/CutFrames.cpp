@@ -84,7 +84,7 @@ Result<CutFrame> cutFrame(
     frame.throughGaps = options.throughGaps;
     frame.restore = options.restore;
     frame.hidden = integerHalfSpaces(options.hidden, geometry);
-    frame.protectedLabels = protectedLabelsOf(options.protectedSegments);
+    frame.protectedLabels = protectedLabelsOf(options.protectedSegments, document);
 
     const glm::dmat3 indexToPlane = worldToPlane * glm::dmat3(geometry.indexToWorld);
     frame.planeOrigin = toFixed30(worldToPlane * (geometry.originLps() - view.targetLps));

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/edits/engine/SegmentProtection.h"
 
-#include "core/edits/engine/FirstPlane.h"
-
 #include <set>
 
 namespace core {
@@ -20,13 +18,22 @@ void addProtected(ProtectedSegments& protectedSegments, const Document& document
         protectedSegments.emplace(all.begin(), all.end());
 }
 
-ProtectedLabels protectedLabelsOf(const ProtectedSegments& protectedSegments)
+ProtectedLabels protectedLabelsOf(
+    const ProtectedSegments& protectedSegments, const Document& document)
 {
+    static_assert(ProtectedLabels::mostPlanes == mostLabelPlanes);
     ProtectedLabels labels;
     if (!protectedSegments)
         return labels;
-    for (const int label : *protectedSegments)
+    labels.planes.reset();
+    for (const int label : *protectedSegments) {
+        const Segment* segment = document.segment(label);
         labels.labels.set(std::size_t(label));
+        if (segment)
+            labels.planes.set(segment->plane);
+        else
+            labels.planes.set(); // it was deleted since: wherever it was
+    }
     return labels;
 }
 
@@ -45,14 +52,9 @@ Result<void> checkProtectedAreThere(
     if (restore || !protectedSegments)
         return {};
     for (const int label : *protectedSegments) {
-        const Segment* segment = document.segment(label);
-        if (!segment)
+        if (!document.segment(label))
             return failure(ErrorCode::UnknownSegment, QString::number(label),
                 Clause::saying("in field 'spared'"));
-        if (const Result<void> first = checkInFirstPlane(
-                QStringLiteral("spared"), *segment, Clause::saying("be spared by a cut"));
-            !first)
-            return first;
     }
     return {};
 }

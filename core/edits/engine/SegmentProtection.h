@@ -13,9 +13,9 @@ namespace core {
 /// so replay and revision need not know which segments are protected at that time.
 void addProtected(ProtectedSegments& protectedSegments, const Document& document);
 
-/// The list of an edit in the form of an engine. They lie in the first label plane
-/// (checkProtectedAreThere()).
-[[nodiscard]] ProtectedLabels protectedLabelsOf(const ProtectedSegments& protectedSegments);
+/// The list of an edit in the form of an engine, each segment in its label plane.
+[[nodiscard]] ProtectedLabels protectedLabelsOf(
+    const ProtectedSegments& protectedSegments, const Document& document);
 
 /// Checks that a cut that restores has no such list.
 /// @param edit name of the edit, for errors
@@ -23,8 +23,7 @@ void addProtected(ProtectedSegments& protectedSegments, const Document& document
 [[nodiscard]] Result<void> checkProtected(
     const ProtectedSegments& protectedSegments, bool restore, const QString& edit);
 
-/// Checks the listed segments against a document. Errors: UnknownSegment if one does not exist,
-/// InvalidField if one lies on a further label plane, which no cut reads.
+/// Checks the listed segments against a document. Errors: UnknownSegment if one does not exist.
 [[nodiscard]] Result<void> checkProtectedAreThere(
     const ProtectedSegments& protectedSegments, bool restore, const Document& document);
 

@@ -54,6 +54,13 @@ template <class Visitor> void visitFields(Visitor& visit, FloodFill& edit)
         "only in the slice across this index axis: i for columns, j for rows, k for the acquired "
         "slices",
         "in all directions");
+    visit.when(!edit.within, [&] {
+        visit.maybe("normalLps", edit.normalLps,
+            editFields::Point{editFields::Number{"", -1000.0, 1000.0, quantum::perDirection}},
+            "only in the slice through the place that is perpendicular to this direction, which "
+            "may lie along any plane and is one voxel thick; not given with within",
+            "in all directions");
+    });
     visit.field("corners", Presence::Optional, edit.corners, editFields::Flag{},
         "whether voxels that share only an edge or a corner are connected too");
     visit.field("erase", Presence::Optional, edit.erase, editFields::Flag{},

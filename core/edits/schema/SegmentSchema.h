@@ -123,8 +123,9 @@ template <class Visitor> void visitFields(Visitor& visit, CombineSegments& edit)
     visit.field("how", Presence::Required, edit.how,
         editFields::Choice<CombineSegments::How, 5>{
             {"merge", "swap", "union", "subtract", "intersect"}},
-        "merge gives the segment the voxels of the other, which stays in the list, empty; swap "
-        "gives each of them the voxels of the other; both need segments of one label plane. The "
+        "merge gives the segment the voxels of the other, which stays in the list, empty, or, if "
+        "it lies in another label plane, keeps those that are not free in the segment's; swap "
+        "gives each of them the voxels of the other, and needs segments of one label plane. The "
         "others need segments of different planes (importMask, addSegment, copySegment) and leave "
         "the other as it is: union adds its voxels where no segment of the plane lies, subtract "
         "takes away what it has, intersect what it has not");

@@ -56,6 +56,12 @@ tl::unexpected<Error> unsoundBricks()
         ErrorCode::InvalidField, QStringLiteral("bricks"), Clause::saying("are not sound"));
 }
 
+Result<void> unsoundPlanes()
+{
+    return failure(
+        ErrorCode::InvalidField, QStringLiteral("planes"), Clause::saying("are not sound"));
+}
+
 } // namespace
 
 Result<void> checkSound(const LabelCarved& edit, const BrickGrid&)
@@ -94,9 +100,21 @@ Result<void> checkSound(const LabelPlanes& edit, const BrickGrid& grid)
             last = plane.plane;
     }
     if (last < 0 || last > 255)
-        return failure(
-            ErrorCode::InvalidField, QStringLiteral("planes"), Clause::saying("are not sound"));
+        return unsoundPlanes();
     return {};
+}
+
+Result<void> checkSound(const MapPlanes& edit, const BrickGrid& grid)
+{
+    std::bitset<256> known;
+    for (const MapLabels& plane : edit.planes) {
+        if (const Result<void> sound = checkSound(plane, grid); !sound)
+            return sound;
+        if (known[plane.plane])
+            return unsoundPlanes();
+        known.set(plane.plane);
+    }
+    return known.any() ? Result<void>() : unsoundPlanes();
 }
 
 Result<void> checkSound(const RelabelListed& edit, const BrickGrid& grid)

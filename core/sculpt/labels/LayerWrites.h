@@ -115,6 +115,12 @@ struct MapLabels {
     std::optional<EditableVoxels> editable{}; ///< none: any
 };
 
+/// MapLabels in several planes, one after another in this order: what `editable` says of other
+/// planes is asked when the edit comes to a plane.
+struct MapPlanes {
+    std::vector<MapLabels> planes{}; ///< each plane once; at least one
+};
+
 /// Coverage of the layer = 255 wherever the plane holds the label; or, with `outside`, wherever in
 /// the volume it holds neither the label nor one of protectedLabels.
 struct CoverLabel {
@@ -142,6 +148,7 @@ struct FoldLayer {
 {
     return checkSound(edit.editable);
 }
+[[nodiscard]] Result<void> checkSound(const MapPlanes& edit, const BrickGrid& grid);
 [[nodiscard]] Result<void> checkSound(const CoverLabel& edit, const BrickGrid& grid);
 [[nodiscard]] Result<void> checkSound(const FoldLayer& edit, const BrickGrid& grid);
 

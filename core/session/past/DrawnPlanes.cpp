@@ -36,8 +36,10 @@ struct PlaneOfEdit {
     }
     Found operator()(const FloodFill& flood) const
     {
-        if (flood.segment != segment || flood.erase || !flood.within)
+        if (flood.segment != segment || flood.erase || !isInSlice(flood))
             return std::nullopt;
+        if (flood.normalLps)
+            return DrawnPlane{.placeLps = flood.placeLps, .normalLps = *flood.normalLps};
         const glm::dmat3 steps(geometry.indexToWorld);
         return DrawnPlane{.placeLps = flood.placeLps,
             .normalLps = glm::cross(glm::normalize(steps[acrossOf(*flood.within)]),

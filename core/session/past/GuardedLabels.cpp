@@ -9,8 +9,7 @@ LabelGuard carvingGuard(const Document& document)
 {
     ProtectedSegments all;
     addProtected(all, document);
-    const ProtectedLabels protectedLabels = protectedLabelsOf(all);
-    return {.plane = protectedLabels.plane, .uncarved = protectedLabels.labels};
+    return {.uncarved = protectedLabelsOf(all, document)};
 }
 
 LabelGuard fullGuard(const Document& document)

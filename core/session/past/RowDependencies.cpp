@@ -52,7 +52,7 @@ bool isCovered(const dependsOn::Fields& fields, const BrickKey& key)
 bool isCovered(const dependsOn::SweptMask& mask, const BrickKey& key)
 {
     const bool isRead =
-        key.field == Field::Coverage || (key.field == Field::Labels && mask.labels == key.plane);
+        key.field == Field::Coverage || (key.field == Field::Labels && mask.labels[key.plane]);
     if (!isRead || mask.path.empty())
         return false;
     // Radiation at a position is interpolated between the voxels around it, and theirs depends on

@@ -18,7 +18,7 @@ CoverageWriter::CoverageWriter(VoxelFields& fields, BeforeImages& before, const 
 void CoverageWriter::prepare(Program& program) const
 {
     program.set("refill", refills());
-    setProtected(program, m_target.protectedLabels);
+    setProtected(program, m_fields, m_target.protectedLabels);
 }
 
 std::vector<std::uint32_t> CoverageWriter::begin(std::vector<std::uint32_t> candidates)

@@ -24,7 +24,7 @@ public:
     /// Sets the uniforms of a program that includes coverageWrite.glsl.
     void prepare(Program& program) const;
     /// Drops candidates that cannot change, saves the voxels of the others, gives them pages and
-    /// binds them (units 1 and 2, image 0).
+    /// binds them (units 1 to 5, image 0).
     [[nodiscard]] std::vector<std::uint32_t> begin(std::vector<std::uint32_t> candidates);
     /// To be called after the kernel has run.
     /// @param flags one for each brick that begin() returned; not 0 if it changed

@@ -9,9 +9,10 @@ namespace gpu {
 
 /// Sets the uniforms of a program that includes protected.glsl: which labels are protected from
 /// carving.
-void setProtected(Program& program, const core::ProtectedLabels& protectedLabels);
+void setProtected(
+    Program& program, const VoxelFields& fields, const core::ProtectedLabels& protectedLabels);
 
-/// Binds the label plane that protected.glsl reads (unit 2); call it before each dispatch.
+/// Binds the label planes that protected.glsl reads (units 2 to 5); call it before each dispatch.
 void bindProtected(VoxelFields& fields, const core::ProtectedLabels& protectedLabels);
 
 } // namespace gpu

@@ -144,7 +144,7 @@ CapsuleKernel::CapsuleKernel(CapsulePrograms& programs, VoxelFields& fields, Bef
     setFrame(m_programs.cut);
     m_programs.cut.set("rampHalfWidth", m_frame.rampHalfWidth).set("refill", cut.restore);
     setHidden(m_programs.cut, cut.hidden);
-    setProtected(m_programs.cut, cut.protectedLabels);
+    setProtected(m_programs.cut, m_fields, cut.protectedLabels);
 }
 
 void CapsuleKernel::setFrame(Program& each) const

@@ -305,6 +305,14 @@ private Q_SLOTS:
         QCOMPARE(flood->get<FloodFill>().tolerance, 40.0);
         QVERIFY(away->get<FloodFill>().within == SliceAxis::K);
         QVERIFY(away->get<FloodFill>().corners && away->get<FloodFill>().erase);
+        QVERIFY(!editToJson(*flood).contains(QLatin1String("normalLps")));
+        const Result<Edit> oblique =
+            editFromJson(parse("{'edit':'floodFill','segment':2,'placeLps':[1,2,3],"
+                               "'normalLps':[0,0.50000001,1],'tolerance':40}"));
+        QVERIFY(oblique);
+        QVERIFY(quantised(*oblique).get<FloodFill>().normalLps == glm::dvec3(0.0, 0.5, 1.0));
+        QVERIFY(!editFromJson(parse("{'edit':'floodFill','segment':2,'placeLps':[1,2,3],"
+                                    "'within':'k','normalLps':[0,0,1],'tolerance':40}")));
         const Result<Edit> threshold =
             editFromJson(parse("{'edit':'thresholdSegment','segment':3,'lower':300.5,"
                                "'mode':'subtract','box':[[1,2,3],[4.00001,5,6]],"

@@ -72,7 +72,8 @@ std::vector<bool> expected(const glm::ivec3& size, const glm::ivec3& first,
             const glm::ivec3 by(step % 3 - 1, step / 3 % 3 - 1, step / 9 - 1);
             const glm::ivec3 at = queue[next] + by;
             const int sides = std::abs(by.x) + std::abs(by.y) + std::abs(by.z);
-            if (sides == 0 || (sides > 1 && !rule.corners)
+            const int inPlane = rule.across ? sides - std::abs(by[*rule.across]) : sides;
+            if (sides == 0 || (inPlane > 1 && !rule.corners)
                 || (rule.within && by[alongOf(*rule.within)] != 0))
                 continue;
             if (at.x < 0 || at.y < 0 || at.z < 0 || at.x >= size.x || at.y >= size.y
@@ -112,6 +113,8 @@ private Q_SLOTS:
             BrickFlood::Rule rule{.corners = below(2) == 0};
             if (below(2) == 0)
                 rule.within = SliceAxis(below(3));
+            else if (below(2) == 0)
+                rule.across = below(3);
             const glm::ivec3 first{below(size.x), below(size.y), below(size.z)};
             if (seed % 10 != 0)
                 possible[indexIn(size, first)] = true;

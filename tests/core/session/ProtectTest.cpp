@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/edits/kinds/history/ReviseStroke.h"
 #include "core/edits/kinds/layers/SegmentToLayer.h"
+#include "core/edits/kinds/segments/AddSegment.h"
 #include "core/session/EditSession.h"
 #include "tests/reference/ReferenceEngine.h"
 #include "tests/support/faults/FailingLog.h"
@@ -11,6 +12,8 @@
 
 #include <QTemporaryDir>
 #include <QTest>
+
+#include <algorithm>
 
 namespace protectTest {
 
@@ -50,10 +53,10 @@ struct Bench {
         reference::DenseFields fields = engine.fields();
         return fields.coverage(layer);
     }
-    [[nodiscard]] reference::DenseArray<std::uint8_t> labels() const
+    [[nodiscard]] reference::DenseArray<std::uint8_t> labels(std::uint8_t plane = 0) const
     {
         reference::DenseFields fields = engine.fields();
-        return fields.labels(0);
+        return fields.labels(plane);
     }
 
     reference::ReferenceEngine engine;
@@ -93,6 +96,16 @@ Edit restoring()
 }
 
 const Edit vessel = test::addSegment("Vessel");
+/// Segment 2, which may overlap the vessel.
+const Edit above = AddSegment{.name = QStringLiteral("Above"), .rgb = 0x40C080, .plane = 2};
+
+/// Partly where paintIn() paints.
+Edit paintAbove()
+{
+    std::vector<glm::dvec3> beside = placeBelow();
+    beside.front() += glm::dvec3(2.0, 0.0, 1.0);
+    return test::paintAt(2, beside, 3.0);
+}
 
 std::vector<Edit> cutsOfEveryTool()
 {
@@ -144,6 +157,72 @@ private Q_SLOTS:
             outside += labels.values[i] != 1 && free.values[i] >= 128;
         }
         QVERIFY2(inside > 30 && outside > 100, qPrintable(QString::number(inside)));
+    }
+
+    /// Nor one of a further label plane, alone or beside one of the first.
+    void norOneOfAFurtherPlane_data() { noToolCutsIt_data(); }
+    void norOneOfAFurtherPlane()
+    {
+        QFETCH(int, tool);
+        const Edit cut = cutsOfEveryTool()[std::size_t(tool)];
+        const std::vector<Edit> matter{vessel, above, paintIn(1), paintAbove()};
+        Bench plain(matter);
+        plain.run(cut);
+        const auto free = plain.coverage();
+        const auto first = plain.labels();
+        const auto further = plain.labels(2);
+        for (const bool both : {false, true}) {
+            Bench kept(matter);
+            if (both)
+                kept.run(protect(1));
+            kept.run(protect(2));
+            kept.run(cut);
+            const auto spared = kept.coverage();
+            int inside = 0;
+            int outside = 0;
+            for (std::size_t i = 0; i < further.values.size(); ++i) {
+                const bool isSpared = further.values[i] == 2 || (both && first.values[i] == 1);
+                QCOMPARE(int(spared.values[i]), isSpared ? 0 : int(free.values[i]));
+                inside += isSpared && free.values[i] >= 128;
+                outside += !isSpared && free.values[i] >= 128;
+            }
+            QVERIFY2(inside > 20 && outside > 60, qPrintable(QString::number(inside)));
+            const QByteArray hash = kept.session->stateHash();
+            QVERIFY(kept.session->undo() && kept.session->settle());
+            const auto undone = kept.coverage();
+            QVERIFY(std::all_of(undone.values.begin(), undone.values.end(),
+                [](std::uint8_t coverage) { return coverage == 0; }));
+            QVERIFY(kept.session->redo() && kept.session->settle());
+            QCOMPARE(kept.session->stateHash(), hash);
+            // The row names both.
+            const auto listed = kept.session->history().rows().back().edit;
+            Bench again(matter);
+            again.run(listed);
+            QVERIFY(again.coverage().values == spared.values);
+        }
+    }
+
+    /// What a cut read of a further plane holds its row, and older steps keep off that plane.
+    void ofAFurtherPlaneItIsReadAndGuarded()
+    {
+        Bench bench({vessel, above, paintAbove(), protect(2), deepDrill()});
+        QCOMPARE(bench.refusal(test::revertRows({3})), ErrorCode::StepsEntangled);
+        bench.run(test::revertRows({5}));
+        bench.run(test::revertRows({3}));
+
+        Bench deeper({deepDrill(2.0), vessel, above, paintAbove(), protect(2)});
+        QCOMPARE(
+            deeper.refusal(ReviseStroke{.row = 1, .depthMm = 9.0}), ErrorCode::SegmentProtected);
+        deeper.run(protect(2, false));
+        deeper.run(ReviseStroke{.row = 1, .depthMm = 9.0});
+
+        const Edit erase = test::eraseAt(2, placeBelow(), 20.0);
+        Bench revised(
+            {vessel, above, paintAbove(), protect(2), deepDrill(4.0), protect(2, false), erase});
+        QCOMPARE(revised.session->document().segment(2)->voxels, 0);
+        revised.run(ReviseStroke{.row = 5, .depthMm = 9.0});
+        const Bench drawnSo({vessel, above, paintAbove(), protect(2), deepDrill(9.0)});
+        QVERIFY(revised.coverage().values == drawnSo.coverage().values);
     }
 
     /// The edit itself says what it protected: it comes out the same where nothing is protected.

@@ -5,6 +5,7 @@
 #include "tests/reference/growth/Growth.h"
 #include "tests/reference/sculpt/ElementPlane.h"
 #include "tests/reference/sculpt/LayerWrites.h"
+#include "tests/reference/sculpt/ProtectedVoxels.h"
 #include "tests/reference/sculpt/Rays.h"
 
 #include <algorithm>
@@ -207,8 +208,8 @@ void Capsules::cut(
 {
     if (hidesVoxel(cut.hidden, voxel))
         return;
-    if (!cut.restore
-        && cut.protectedLabels.labels.test(m_fields.labels(cut.protectedLabels.plane).at(voxel)))
+    if (!cut.restore && cut.protectedLabels.labels.any()
+        && ProtectedVoxels(m_fields, cut.protectedLabels).hold(voxel))
         return;
     const std::int64_t r = m_frame.rampHalfWidth;
     const std::int64_t t = radius - (squareRoot(squared) << m_frame.shift);

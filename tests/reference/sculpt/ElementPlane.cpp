@@ -52,7 +52,7 @@ ElementPlane::ElementPlane(const DenseArray<std::uint16_t>& codes,
     : m_codes(codes)
     , m_radiation(std::move(radiation))
     , m_coverage(fields.coverage(layer))
-    , m_labels(fields.labels(frame.protectedLabels.plane))
+    , m_protected(fields, frame.protectedLabels)
     , m_frame(frame)
 {
 }
@@ -224,9 +224,7 @@ void ElementPlane::lay(const std::map<Place, Column>& columns, core::Laying layi
                     if (column == columns.end()
                         || hidesVoxel(m_frame.hidden, o + glm::ivec3(i, j, k)))
                         continue;
-                    if (laying == core::Laying::Carve
-                        && m_frame.protectedLabels.labels.test(
-                            m_labels.at(o + glm::ivec3(i, j, k))))
+                    if (laying == core::Laying::Carve && m_protected.hold(o + glm::ivec3(i, j, k)))
                         continue;
                     const Column& c = column->second;
                     const std::int64_t z = plane(2);

@@ -3,6 +3,7 @@
 
 #include "core/sculpt/CutFrame.h"
 #include "tests/reference/fields/DenseFields.h"
+#include "tests/reference/sculpt/ProtectedVoxels.h"
 #include "tests/reference/sculpt/Rays.h"
 
 #include <map>
@@ -48,7 +49,7 @@ private:
     const DenseArray<std::uint16_t>& m_codes;
     DenseArray<std::uint8_t> m_radiation; ///< as it was when the edit began
     DenseArray<std::uint8_t>& m_coverage;
-    const DenseArray<std::uint8_t>& m_labels; ///< of what is protected
+    ProtectedVoxels m_protected;
     core::CutFrame m_frame;
 };
 

@@ -28,7 +28,7 @@ Laser::Laser(const DenseArray<std::uint16_t>& codes, DenseArray<std::uint8_t> ra
     : m_codes(codes)
     , m_radiation(radiation)
     , m_coverage(fields.coverage(cut.layer))
-    , m_labels(fields.labels(cut.frame.protectedLabels.plane))
+    , m_protected(fields, cut.frame.protectedLabels)
     , m_cut(std::move(cut))
     , m_plane(codes, std::move(radiation), fields, m_cut.layer, m_cut.frame)
 {
@@ -235,8 +235,7 @@ void Laser::lay(const Beam& beam, std::int64_t depth)
                     >> 8;
                 if (d <= 0 || hidesVoxel(frame.hidden, voxel))
                     continue;
-                if (m_cut.laying == core::Laying::Carve
-                    && frame.protectedLabels.labels.test(m_labels.at(voxel)))
+                if (m_cut.laying == core::Laying::Carve && m_protected.hold(voxel))
                     continue;
                 const std::int64_t from = beam.exit - depth < frame.front ? 0 : beam.exit - depth;
                 const auto cut = std::uint8_t(m_cut.restore

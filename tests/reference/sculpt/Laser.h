@@ -4,6 +4,7 @@
 #include "core/sculpt/LaserCut.h"
 #include "tests/reference/fields/DenseFields.h"
 #include "tests/reference/sculpt/ElementPlane.h"
+#include "tests/reference/sculpt/ProtectedVoxels.h"
 
 #include <map>
 #include <optional>
@@ -46,7 +47,7 @@ private:
     const DenseArray<std::uint16_t>& m_codes;
     DenseArray<std::uint8_t> m_radiation; ///< as it was when the edit began
     DenseArray<std::uint8_t>& m_coverage;
-    const DenseArray<std::uint8_t>& m_labels; ///< of what is protected
+    ProtectedVoxels m_protected;
     core::LaserCut m_cut;
     ElementPlane m_plane;
     std::map<ElementPlane::Place, std::vector<std::int64_t>>

@@ -236,6 +236,13 @@ void mapLabels(
     });
 }
 
+void mapPlanes(
+    const DenseArray<std::uint16_t>& codes, DenseFields& fields, const core::MapPlanes& edit)
+{
+    for (const core::MapLabels& plane : edit.planes)
+        mapLabels(codes, fields, plane);
+}
+
 void writeBarriers(DenseFields& fields, const core::BarrierListed& edit)
 {
     forEachVoxel(fields.size(), [&](const glm::ivec3& voxel) {

@@ -40,6 +40,8 @@ void labelThreshold(const DenseArray<std::uint16_t>& codes, const DenseArray<std
     DenseFields& fields, const core::LabelThreshold& edit);
 void mapLabels(
     const DenseArray<std::uint16_t>& codes, DenseFields& fields, const core::MapLabels& edit);
+void mapPlanes(
+    const DenseArray<std::uint16_t>& codes, DenseFields& fields, const core::MapPlanes& edit);
 /// Of growth (core/growth/GrowthCommands.h), listed in the same way.
 void writeBarriers(DenseFields& fields, const core::BarrierListed& edit);
 void coverLabel(DenseFields& fields, const core::CoverLabel& edit);

@@ -600,7 +600,7 @@ HistoryTruth::Bricks HistoryTruth::grown(
     if (const auto* invert = edit.as<InvertSegment>())
         return after(before, *mapLabels(*invert, document), {}, nullptr);
     if (const auto* both = edit.as<CombineSegments>())
-        return after(before, *mapLabels(*both, document), {}, nullptr);
+        return after(before, *engineEdit(*both, document), {}, nullptr);
     if (const auto* clean = edit.as<CleanSegment>())
         return cleaned(before, *clean, document);
     if (const auto* between = edit.as<FillBetweenSlices>())

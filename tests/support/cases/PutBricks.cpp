@@ -145,7 +145,7 @@ void protectedLabelsAreNotCarved(Talk& talk)
 {
     talk.put({{labelKey, filled(3, inFirstHalf)}, {coverageKey, filled(100, inFirstHalf)}});
     LabelGuard guard;
-    guard.uncarved.set(3);
+    guard.uncarved.labels.set(3);
     talk.expectRefused(
         talk.put({{coverageKey, filled(101, inWhole)}}, guard), ErrorCode::SegmentProtected, 3);
     talk.expectRefused(
@@ -157,6 +157,17 @@ void protectedLabelsAreNotCarved(Talk& talk)
     talk.expect(!talk.put({{coverageKey, filled(255, inSecondHalf)}}, guard).error,
         "what is not protected may be carved");
     talk.expect(!talk.put({{coverageKey, {}}}, guard).error, "all may be filled");
+    // In a further plane, which must be named, and beside one of the first.
+    talk.put({{{Field::Labels, 2, 0}, filled(7, inSecondHalf)}});
+    guard.uncarved.labels.set(7);
+    talk.expect(!talk.put({{coverageKey, filled(9, inSecondHalf)}}, guard).error,
+        "a plane that is not named protects nothing");
+    guard.uncarved.planes.set(2);
+    talk.expectRefused(
+        talk.put({{coverageKey, filled(10, inSecondHalf)}}, guard), ErrorCode::SegmentProtected, 7);
+    talk.expectRefused(
+        talk.put({{coverageKey, filled(10, inFirstHalf)}}, guard), ErrorCode::SegmentProtected, 3);
+    talk.expectHeld(coverageKey, filled(9, inSecondHalf));
 }
 
 void whatIsNotWholeIsRefused(Talk& talk)

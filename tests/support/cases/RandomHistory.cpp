@@ -1150,6 +1150,9 @@ private:
             double(voxel / columns / rows)});
         if (chance(60))
             flood.within = SliceAxis(between(0, 2));
+        else if (voxel % 2 == 0)
+            flood.normalLps = glm::dvec3(
+                double(voxel % 7) - 3.0, double(voxel % 5) - 2.0, 1.0 + double(voxel % 3));
         flood.corners = chance(40);
         if (!flood.erase) {
             flood.tolerance = between(0, 300);

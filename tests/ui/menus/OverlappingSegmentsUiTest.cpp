@@ -176,6 +176,11 @@ private Q_SLOTS:
         QVERIFY(session.apply(
             core::SegmentToLayer{.segment = liver, .layer = 1, .outside = std::optional(true)}));
         fixture.settle();
+        // One of a further plane is protected like those of the first.
+        QVERIFY(session.apply(test::protectSegment(tumour)));
+        fixture.settle();
+        QCOMPARE(ui::whyNotCarved(session.document(), tumour),
+            QStringLiteral("'Tumour' is protected from sculpting"));
     }
 
     /// One after the other becomes active where they overlap; what is hidden is passed by.
@@ -245,6 +250,34 @@ private Q_SLOTS:
         QCOMPARE(fixture.voxels(tumour), std::int64_t(0));
         QCOMPARE(fixture.voxels(liver), std::int64_t(26 * 26 * 20));
         QVERIFY(fixture.labels(0) == before);
+    }
+
+    /// The menu merges it into the one below; what they cannot exchange says why.
+    void theOneAboveIsMerged()
+    {
+        Fixture fixture;
+        fixture.workspace.setActiveSegment(tumour);
+        QMenu& segments = fixture.window.segmentsMenu();
+        segments.popup(fixture.window.mapToGlobal(QPoint(40, 40)));
+        segments.close();
+        const auto* swap = segments.findChild<QMenu*>(QStringLiteral("swapSegments"));
+        const auto* merge = segments.findChild<QMenu*>(QStringLiteral("mergeSegments"));
+        QVERIFY(swap && merge);
+        QCOMPARE(swap->actions().size(), 1);
+        QVERIFY(!swap->actions().front()->isEnabled());
+        QCOMPARE(swap->actions().front()->toolTip(),
+            QStringLiteral("'Liver' lies on another label plane"));
+        QCOMPARE(merge->actions().size(), 1);
+        QVERIFY(merge->actions().front()->isEnabled());
+        // All of it is the liver's already.
+        const Labels before = fixture.labels(0);
+        merge->actions().front()->trigger();
+        fixture.settle();
+        QVERIFY(fixture.labels(0) == before);
+        QCOMPARE(fixture.voxels(tumour), std::int64_t(0));
+        QVERIFY(fixture.session().undo());
+        fixture.settle();
+        QCOMPARE(fixture.voxels(tumour), std::int64_t(12 * 12 * 14));
     }
 
     /// What is painted or erased of one leaves the other as it is, even where both are.

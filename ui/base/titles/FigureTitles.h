@@ -20,6 +20,7 @@ public:
         {Code::Voxels, QT_TR_N_NOOP("%1 voxels"), QT_TR_NOOP("1 voxel")},
         {Code::VoxelsGained, QT_TR_N_NOOP("+%1 voxels"), QT_TR_NOOP("+1 voxel")},
         {Code::VoxelsLost, QT_TR_N_NOOP("−%1 voxels"), QT_TR_NOOP("−1 voxel")},
+        {Code::VoxelsStay, QT_TR_N_NOOP("%1 voxels stay"), QT_TR_NOOP("1 voxel stays")},
         {Code::SeedVoxels, QT_TR_N_NOOP("%1 seed voxels"), QT_TR_NOOP("1 seed voxel")},
         {Code::SeedVoxelsGained, QT_TR_N_NOOP("+%1 seed voxels"), QT_TR_NOOP("+1 seed voxel")},
         {Code::SeedVoxelsLost, QT_TR_N_NOOP("−%1 seed voxels"), QT_TR_NOOP("−1 seed voxel")},

@@ -29,16 +29,19 @@ namespace ui {
 
 namespace {
 
-/// The axis across the voxels that a view shows as one slice; none: the slice lies oblique to them.
-/// A standard plane of the patient does so too if the volume was acquired tilted.
-std::optional<core::SliceAxis> shownAxis(
-    const core::VolumeGeometry& geometry, const ViewContext& view)
+/// Keeps an edit to the slice that a view shows: of the voxels, or oblique to them. A standard
+/// plane of the patient is oblique too if the volume was acquired tilted.
+void keepToSlice(
+    core::FloodFill& edit, const core::VolumeGeometry& geometry, const ViewContext& view)
 {
     const auto& slice = std::get<gpu::SliceScene>(view.scene);
     const glm::dvec3 normal = glm::normalize(glm::cross(slice.rightLps, slice.downLps));
     const std::optional<core::SlicePlane::OnGrid> onGrid =
         core::slicePlane(geometry, normal, slice.centreLps).onGrid;
-    return onGrid ? std::optional(core::SliceAxis(onGrid->axis)) : std::nullopt;
+    if (onGrid)
+        edit.within = core::SliceAxis(onGrid->axis);
+    else
+        edit.normalLps = normal;
 }
 
 /// The widgets of the option bar.
@@ -211,13 +214,10 @@ void FloodFillTool::press(const PointerSample& sample, const ViewContext& view)
         .within = {},
         .corners = m_settings.corners,
         .erase = m_erases};
-    if (!geometry.contains(glm::ivec3(glm::floor(geometry.toIndex(edit.placeLps) + 0.5))))
-        return m_workspace.say(tr("Click inside the volume"));
     if (!m_settings.in3D)
-        edit.within = shownAxis(geometry, view);
-    if (!m_settings.in3D && !edit.within)
-        return m_workspace.say(
-            tr("An oblique slice has no voxels of its own: choose “in 3D” to fill from here"));
+        keepToSlice(edit, geometry, view);
+    if (!core::firstVoxel(edit, geometry))
+        return m_workspace.say(tr("Click inside the volume"));
     if (m_erases && m_workspace.session()->document().segments.empty())
         return m_workspace.say(tr("There is no segment to erase"));
     // An impatient second click would do it all once more.
@@ -270,8 +270,7 @@ void FloodFillTool::paintOverlay(QPainter& painter, const ViewContext& view) con
     painter.setBrush(toolColour());
     painter.setPen(Qt::NoPen);
     painter.drawEllipse(cursor(), 2.0, 2.0);
-    const bool isPossible = m_settings.in3D || shownAxis(m_workspace.volume()->geometry, view);
-    QStringList lines{isPossible ? action(m_erases) : tr("on an oblique slice only “in 3D”")};
+    QStringList lines{action(m_erases)};
     const QString reach = m_settings.in3D ? tr("in 3D") : tr("in the slice");
     if (m_erases) {
         lines += reach;

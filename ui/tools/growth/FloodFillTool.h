@@ -32,7 +32,7 @@ public:
     [[nodiscard]] QWidget* createOptions(QWidget* parent) override;
     [[nodiscard]] QJsonObject settingsJson() const override;
     void applySettings(const QJsonObject& settings) override;
-    /// Works in slices. In an oblique one, which has no voxels of its own, only in 3D.
+    /// Works in slices, also in oblique ones.
     [[nodiscard]] bool worksIn(const ViewContext& view) const override;
 
     void press(const PointerSample& sample, const ViewContext& view) override;

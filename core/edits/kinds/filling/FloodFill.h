@@ -15,6 +15,7 @@
 namespace core {
 
 struct BrickBits;
+struct CapsuleFrame;
 struct RelabelListed;
 struct VolumeGeometry;
 struct VoxelEncoding;
@@ -27,9 +28,17 @@ struct VoxelEncoding;
 /// (core/islands/BrickFlood.h).
 struct FloodFill {
     int segment = 0; ///< label
-    glm::dvec3 placeLps{0.0}; ///< it begins with the voxel that contains this place
+    /// It begins with the voxel that contains this place; of an oblique slice with the voxel of the
+    /// slice that lies under it.
+    glm::dvec3 placeLps{0.0};
     /// Only within the slice across this axis; none: in all directions.
     std::optional<SliceAxis> within{};
+    /// Only within the slice through the place that is perpendicular to this direction, and oblique
+    /// to the grid. It is one voxel thick, like a disc of the brush (core/sculpt/CapsuleSweep.h,
+    /// rules 1 and 2). Voxels of it are neighbours as for a brush that follows edges
+    /// (core/sculpt/EdgeRegion.h, rule 3), and with `corners` also if they touch at all. Not given
+    /// with `within`.
+    std::optional<glm::dvec3> normalLps{};
     bool corners = false; ///< voxels are also neighbours if they share only an edge or a corner
     bool erase = false;
     /// How far values may differ from the one at the place, modality units; not used to erase.
@@ -44,7 +53,18 @@ Result<bool> apply(const FloodFill& edit, Document& document);
 [[nodiscard]] RowTitle rowTitle(const FloodFill& edit, const RowFacts& row);
 [[nodiscard]] EditDependencies dependencies(const FloodFill& edit, const DependencyFacts& row);
 
-/// The voxel in which it begins. Errors: InvalidField (outside the volume).
+/// Whether it stays within a slice.
+[[nodiscard]] inline bool isInSlice(const FloodFill& edit)
+{
+    return edit.within || edit.normalLps;
+}
+/// The oblique slice of an edit with `normalLps`, in an engine's integers. The first voxel belongs
+/// to it even if rounding puts it on the other side of its border. None: the edit has none, or no
+/// direction (check()).
+[[nodiscard]] std::optional<CapsuleFrame> obliqueSlice(
+    const FloodFill& edit, const VolumeGeometry& geometry);
+
+/// The voxel in which it begins. Errors: InvalidField (outside the volume, or no direction).
 [[nodiscard]] Result<glm::ivec3> firstVoxel(const FloodFill& edit, const VolumeGeometry& geometry);
 /// The codes within the tolerance.
 /// @param code that of the first voxel

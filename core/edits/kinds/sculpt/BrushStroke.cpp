@@ -47,7 +47,7 @@ Result<CapsuleCut> capsuleCut(const BrushStroke& stroke, const Document& documen
     cut.restore = stroke.restore;
     cut.frame = *frame;
     cut.hidden = integerHalfSpaces(stroke.hidden, document.volumes.front().geometry);
-    cut.protectedLabels = protectedLabelsOf(stroke.protectedSegments);
+    cut.protectedLabels = protectedLabelsOf(stroke.protectedSegments, document);
     return cut;
 }
 
@@ -71,12 +71,14 @@ RowTitle rowTitle(const BrushStroke& edit, const RowFacts& row)
 /// The coverage of its own layer in the bricks under the brush, and what it protects there.
 EditDependencies dependencies(const BrushStroke& edit, const DependencyFacts& row)
 {
-    const std::optional<std::uint8_t> labelsRead = labelsReadBy(edit);
+    const std::bitset<256> labelsRead = labelsReadBy(edit, row.document);
     dependsOn::Bricks bricks;
     for (const std::uint32_t brick : row.under(edit.path)) {
         bricks.keys.insert({Field::Coverage, std::uint8_t(edit.layer), brick});
-        if (labelsRead)
-            bricks.keys.insert({Field::Labels, *labelsRead, brick});
+        for (std::size_t plane = 0; plane < labelsRead.size(); ++plane) {
+            if (labelsRead[plane])
+                bricks.keys.insert({Field::Labels, std::uint8_t(plane), brick});
+        }
     }
     return bricks;
 }

@@ -47,7 +47,7 @@ EditDependencies reachesNothing()
 }
 
 EditDependencies swept(const CutFrame& frame, std::vector<glm::dvec2> path, double maskReachMm,
-    std::optional<std::uint8_t> labels, const DependencyFacts& row)
+    const std::bitset<256>& labels, const DependencyFacts& row)
 {
     dependsOn::SweptMask mask =
         sweptMask(frame, row.grid(), std::move(path), maskReachMm, row.trace);
@@ -56,7 +56,7 @@ EditDependencies swept(const CutFrame& frame, std::vector<glm::dvec2> path, doub
 }
 
 EditDependencies sweptOutline(const CutFrame& frame, const std::vector<glm::dvec2>& outline,
-    std::optional<std::uint8_t> labels, const DependencyFacts& row)
+    const std::bitset<256>& labels, const DependencyFacts& row)
 {
     glm::dvec2 low = outline.front();
     glm::dvec2 high = low;

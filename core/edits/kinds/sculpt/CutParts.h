@@ -10,8 +10,7 @@
 
 #include <glm/glm.hpp>
 
-#include <cstdint>
-#include <optional>
+#include <bitset>
 #include <vector>
 
 namespace core {
@@ -34,12 +33,14 @@ template <class Cut, class Command>
     return discardValue(command);
 }
 
-/// The plane whose labels a cut reads because it leaves segments uncut; none: it reads no labels.
-template <class Cut> [[nodiscard]] std::optional<std::uint8_t> labelsReadBy(const Cut& cut)
+/// The planes whose labels a cut reads because it leaves segments uncut.
+/// @param document as it was when the cut was carried out
+template <class Cut>
+[[nodiscard]] std::bitset<256> labelsReadBy(const Cut& cut, const Document& document)
 {
     if (cut.restore || !cut.protectedSegments)
-        return std::nullopt;
-    return protectedLabelsOf(cut.protectedSegments).plane;
+        return {};
+    return protectedLabelsOf(cut.protectedSegments, document).planes.to_ulong();
 }
 
 /// For a cut that cannot be computed.
@@ -51,10 +52,10 @@ template <class Cut> [[nodiscard]] std::optional<std::uint8_t> labelsReadBy(cons
 /// met (RowTrace::searchedTo).
 /// @param labels labelsReadBy()
 [[nodiscard]] EditDependencies swept(const CutFrame& frame, std::vector<glm::dvec2> path,
-    double maskReachMm, std::optional<std::uint8_t> labels, const DependencyFacts& row);
+    double maskReachMm, const std::bitset<256>& labels, const DependencyFacts& row);
 /// The same under the disc around a closed curve.
 [[nodiscard]] EditDependencies sweptOutline(const CutFrame& frame,
-    const std::vector<glm::dvec2>& outline, std::optional<std::uint8_t> labels,
+    const std::vector<glm::dvec2>& outline, const std::bitset<256>& labels,
     const DependencyFacts& row);
 [[nodiscard]] std::vector<glm::dvec2> pathOf(const std::vector<PenSample>& samples);
 

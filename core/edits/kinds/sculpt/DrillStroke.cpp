@@ -125,7 +125,8 @@ EditDependencies dependencies(const DrillStroke& edit, const DependencyFacts& ro
     const Result<DrillCut> cut = drillCut(edit, row.document);
     if (!cut)
         return reachesNothing();
-    return swept(cut->frame, pathOf(edit.samples), drillReachMm(*cut), labelsReadBy(edit), row);
+    return swept(cut->frame, pathOf(edit.samples), drillReachMm(*cut),
+        labelsReadBy(edit, row.document), row);
 }
 
 } // namespace core

@@ -145,7 +145,8 @@ EditDependencies dependencies(const LaserStroke& edit, const DependencyFacts& ro
     const Result<LaserCut> cut = laserCut(edit, row.document);
     if (!cut)
         return reachesNothing();
-    return swept(cut->frame, pathOf(edit.samples), laserReachMm(*cut), labelsReadBy(edit), row);
+    return swept(cut->frame, pathOf(edit.samples), laserReachMm(*cut),
+        labelsReadBy(edit, row.document), row);
 }
 
 } // namespace core

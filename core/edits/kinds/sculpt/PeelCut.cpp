@@ -125,7 +125,7 @@ EditDependencies dependencies(const PeelCut& edit, const DependencyFacts& row)
     const Result<ShellPeel> cut = shellPeel(edit, row.document);
     if (!cut)
         return reachesNothing();
-    return sweptOutline(cut->frame, edit.polygonMm, labelsReadBy(edit), row);
+    return sweptOutline(cut->frame, edit.polygonMm, labelsReadBy(edit, row.document), row);
 }
 
 } // namespace core

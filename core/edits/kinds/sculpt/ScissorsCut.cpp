@@ -102,7 +102,7 @@ EditDependencies dependencies(const ScissorsCut& edit, const DependencyFacts& ro
     const Result<OutlineCut> cut = outlineCut(edit, row.document);
     if (!cut)
         return reachesNothing();
-    return sweptOutline(cut->frame, edit.polygonMm, labelsReadBy(edit), row);
+    return sweptOutline(cut->frame, edit.polygonMm, labelsReadBy(edit, row.document), row);
 }
 
 } // namespace core

@@ -7,7 +7,6 @@
 #include "core/edits/answers/ListEdits.h"
 #include "core/edits/answers/RowDeeds.h"
 #include "core/edits/answers/RowFacts.h"
-#include "core/edits/engine/FirstPlane.h"
 
 namespace core {
 
@@ -23,12 +22,6 @@ Result<bool> apply(const ChangeSegment& edit, Document& document)
     Segment* segment = document.segment(edit.segment);
     if (!segment)
         return unknownSegment(edit.segment);
-    if (edit.uncarvable.value_or(false)) {
-        if (const Result<void> first = checkInFirstPlane(QStringLiteral("changeSegment.protected"),
-                *segment, Clause::saying("be protected from sculpting"));
-            !first)
-            return tl::unexpected(first.error());
-    }
     bool changed = assign(segment->name, edit.name);
     changed |= assign(segment->rgb, edit.rgb);
     changed |= assign(segment->code, edit.code);

@@ -17,7 +17,7 @@ using namespace rowWords;
 
 Result<void> check(const CombineSegments& edit, const Document& document)
 {
-    return discardValue(mapLabels(edit, document));
+    return discardValue(engineEdit(edit, document));
 }
 
 Result<bool> apply(const CombineSegments&, Document&)
@@ -47,6 +47,21 @@ tl::unexpected<Error> wrongWith(const Clause& reason)
     return failure(ErrorCode::InvalidField, QStringLiteral("combineSegments.with"), reason);
 }
 
+tl::unexpected<Error> insideAsWell()
+{
+    return failure(ErrorCode::InvalidField, QStringLiteral("combineSegments.editable.inside"),
+        Clause::saying("cannot be asked as well: what changes lies inside the other segment"));
+}
+
+/// Whether both planes of two segments are written.
+bool mergesPlanes(const CombineSegments& edit, const Document& document)
+{
+    const Segment* segment = document.segment(edit.segment);
+    const Segment* other = document.segment(edit.with);
+    return edit.how == CombineSegments::How::Merge && segment && other
+        && segment->plane != other->plane;
+}
+
 /// Within one label plane: both are written.
 Result<MapLabels> exchange(
     const CombineSegments& edit, const Segment& segment, const Document& document)
@@ -56,7 +71,8 @@ Result<MapLabels> exchange(
     if (!other)
         return tl::unexpected(other.error());
     if (segment.plane != (*other)->plane)
-        return wrongWith(Clause::saying("lies on another label plane than the segment"));
+        return wrongWith(Clause::saying("lies on another label plane than the segment, and in each "
+                                        "plane others may be in the way"));
     MapLabels map{.plane = segment.plane};
     map.becomes[(*other)->label] = segment.label;
     if (edit.how == CombineSegments::How::Swap)
@@ -83,8 +99,7 @@ Result<MapLabels> setOperation(
             == range.outside->end())
             range.outside->push_back(edit.with);
     } else if (range.inside) {
-        return failure(ErrorCode::InvalidField, QStringLiteral("combineSegments.editable.inside"),
-            Clause::saying("cannot be asked as well: what changes lies inside the other segment"));
+        return insideAsWell();
     } else {
         range.inside = {edit.with};
     }
@@ -112,8 +127,43 @@ Result<MapLabels> mapLabels(const CombineSegments& edit, const Document& documen
     return setOperation(edit, **segment, document);
 }
 
+Result<MapPlanes> mapPlanes(const CombineSegments& edit, const Document& document)
+{
+    const Result<const Segment*> segment =
+        unlockedSegment("combineSegments.segment", edit.segment, document);
+    if (!segment)
+        return tl::unexpected(segment.error());
+    const Result<const Segment*> other =
+        unlockedSegment("combineSegments.with", edit.with, document);
+    if (!other)
+        return tl::unexpected(other.error());
+    EditableRange range = edit.editable.value_or(EditableRange());
+    if (range.inside)
+        return insideAsWell();
+    const std::vector<int> outside = range.outside.value_or(std::vector<int>());
+    if (std::find(outside.begin(), outside.end(), edit.segment) != outside.end())
+        return failure(ErrorCode::InvalidField, QStringLiteral("combineSegments.editable.outside"),
+            Clause::saying("cannot name the segment: what it receives lies in it from then on"));
+    // First the segment takes what it can have, then the other loses what the segment has.
+    MapLabels taken{.plane = (*segment)->plane};
+    taken.becomes[0] = (*segment)->label;
+    MapLabels left{.plane = (*other)->plane};
+    left.becomes[(*other)->label] = 0;
+    range.inside = {edit.with};
+    Result<MapLabels> first = keepingTo(range, document, "combineSegments", std::move(taken));
+    if (!first)
+        return tl::unexpected(first.error());
+    range.inside = {edit.segment};
+    Result<MapLabels> second = keepingTo(range, document, "combineSegments", std::move(left));
+    if (!second)
+        return tl::unexpected(second.error());
+    return MapPlanes{.planes = {*std::move(first), *std::move(second)}};
+}
+
 Result<EngineEdit> engineEdit(const CombineSegments& edit, const Document& document)
 {
+    if (mergesPlanes(edit, document))
+        return engineEditFrom(mapPlanes(edit, document));
     return engineEditFrom(mapLabels(edit, document));
 }
 
@@ -121,6 +171,18 @@ std::unique_ptr<OpenStroke> openStroke(CombineSegments&)
 {
     return std::make_unique<OpenPreview>();
 }
+
+namespace {
+
+/// How many voxels stay with the other segment when it is merged into one of another plane.
+std::int64_t keptBy(const CombineSegments& edit, const RowFacts& row)
+{
+    return mergesPlanes(edit, row.document)
+        ? row.document.segment(edit.with)->voxels - row.flowOf(edit.with).lost
+        : 0;
+}
+
+} // namespace
 
 RowTitle rowTitle(const CombineSegments& edit, const RowFacts& row)
 {
@@ -142,14 +204,21 @@ RowTitle rowTitle(const CombineSegments& edit, const RowFacts& row)
         return {
             .code = RowTitleCode::IntersectSegments, .arguments = {own, other}, .then = {changed}};
     }
-    return {.code = RowTitleCode::MergeSegments, .arguments = {other, own}, .then = {changed}};
+    RowTitle merged{.code = RowTitleCode::MergeSegments,
+        .arguments = {other, own},
+        .then = {figure(RowTitleCode::FlowIn, flow.gained)}};
+    if (const std::int64_t kept = keptBy(edit, row); kept > 0)
+        merged.then.push_back(figure(RowTitleCode::VoxelsStay, kept));
+    return merged;
 }
 
 /// The voxels of both segments decide, and the seeds that lie there.
 EditDependencies dependencies(const CombineSegments& edit, const DependencyFacts& row)
 {
-    EditDependencies all =
-        row.alsoReading(edit.editable, dependsOn::Plane{.plane = row.planeOf(edit.segment)});
+    dependsOn::Plane written{.plane = row.planeOf(edit.segment)};
+    if (mergesPlanes(edit, row.document))
+        written.plane.reset(); // two of them
+    EditDependencies all = row.alsoReading(edit.editable, written);
     all.labelPlanes.set(row.planeOf(edit.with));
     return all;
 }

@@ -9,18 +9,24 @@
 namespace core {
 
 struct MapLabels;
+struct MapPlanes;
 
 /// Give a segment voxels of another, or take some away by it.
 ///
-/// Merging and swapping write to both segments: neither may be locked, and both must lie in one
-/// label plane, because two planes cannot be written in one step. The set operations write to the
-/// first segment alone and only read the other, which may be locked. Within one plane no voxel
-/// belongs to both, so there they would have no effect: they need segments of different planes.
-/// Each can stand open as a preview.
+/// Merging and swapping write to both segments: neither may be locked. Where they lie in different
+/// label planes, other segments may be in the way of either, each in its own plane. A merge then
+/// leaves with the other segment what the segment cannot have; a swap, of which it would be unclear
+/// who keeps what, is refused. The set operations write to the first segment alone and only read
+/// the other, which may be locked. Within one plane no voxel belongs to both, so there they would
+/// have no effect: they need segments of different planes. Each can
+/// stand open as a preview.
 struct CombineSegments {
     enum class How : std::uint8_t {
-        Merge, ///< the segment receives all voxels of the other, which stays in the list, empty
-        Swap, ///< each receives the voxels of the other
+        /// The segment receives all voxels of the other, which stays in the list, empty. Of a
+        /// segment of another plane it receives those that are free in its own plane; the other
+        /// keeps those that it receives not.
+        Merge,
+        Swap, ///< each receives the voxels of the other; in one plane
         Union, ///< the segment also receives the voxels of the other that are free in its plane
         Subtract, ///< it loses the voxels that the other has
         Intersect, ///< it keeps only the voxels that the other has
@@ -45,5 +51,9 @@ Result<bool> apply(const CombineSegments& edit, Document& document);
 /// segment with itself, a label plane that does not fit, an editable range inside segments where
 /// the operation itself has one).
 [[nodiscard]] Result<MapLabels> mapLabels(const CombineSegments& edit, const Document& document);
+/// The same for a merge of segments of two label planes, which mapLabels() refuses. Errors: also
+/// InvalidField for an editable range outside the segment, as what it receives lies in it from
+/// there on.
+[[nodiscard]] Result<MapPlanes> mapPlanes(const CombineSegments& edit, const Document& document);
 
 } // namespace core

@@ -30,6 +30,23 @@ BrickBits bitsOfLabel(const BrickImage& image, std::uint8_t label)
     return bits;
 }
 
+/// Those of these voxels of a brick that lie in an oblique slice, to which the first voxel always
+/// belongs.
+BrickBits inSlice(
+    const BrickBits& bits, const VoxelBox& box, const CapsuleFrame& slice, const glm::ivec3& first)
+{
+    constexpr int side = BrickGrid::side;
+    BrickBits kept;
+    bits.forEach([&](std::size_t offset) {
+        const auto at = int(offset);
+        const glm::ivec3 voxel =
+            box.minimum + glm::ivec3(at % side, at / side % side, at / (side * side));
+        if (voxel == first || isInSlab(slice, voxel))
+            kept.add(offset);
+    });
+    return kept;
+}
+
 } // namespace
 
 FloodOperation::FloodOperation(const FloodFill& edit, RowId again)
@@ -43,11 +60,15 @@ void FloodOperation::start(SessionState& state)
         return;
     const Volume& volume = state.document.volumes.front();
     const glm::ivec3 first = firstVoxel(fill(), volume.geometry).value();
+    const std::optional<CapsuleFrame> slice = obliqueSlice(fill(), volume.geometry);
+    BrickFlood::Rule rule{.corners = fill().corners, .within = fill().within};
+    if (slice)
+        rule.across = steepestAxis(*slice);
     m_work = std::make_shared<Work>(Work{.edit = fill(),
         .grid = BrickGrid{volume.geometry.size},
         .first = first,
-        .flood = BrickFlood(
-            volume.geometry.size, first, {.corners = fill().corners, .within = fill().within}),
+        .flood = BrickFlood(volume.geometry.size, first, rule),
+        .slice = slice,
         .encoding = volume.encoding});
     askNext(state);
 }
@@ -189,8 +210,10 @@ void FloodOperation::give(Work& work, const Reading& reading)
             }
         }
     }
-    for (const auto& [brick, its] : bits)
-        work.flood.give(brick, its);
+    for (const auto& [brick, its] : bits) {
+        const VoxelBox box = work.grid.boxOf(int(brick));
+        work.flood.give(brick, work.slice ? inSlice(its, box, *work.slice, work.first) : its);
+    }
 }
 
 } // namespace core

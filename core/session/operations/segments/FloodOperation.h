@@ -4,6 +4,7 @@
 #include "core/brick/BrickGrid.h"
 #include "core/edits/kinds/filling/FloodFill.h"
 #include "core/islands/BrickFlood.h"
+#include "core/sculpt/CapsuleSweep.h"
 #include "core/session/operations/segments/WorkedOutOperation.h"
 
 #include <cstdint>
@@ -15,8 +16,8 @@
 namespace core {
 
 /// Carries out a FloodFill. It reads what the region reaches, codes or labels, in blocks: within a
-/// slice, first one of 128² voxels around the place, in which most regions end, then blocks so
-/// large that most slices are a single one; in all directions, blocks of 64³ voxels. The side
+/// slice of the grid, first one of 128² voxels around the place, in which most regions end, then
+/// blocks so large that most slices are a single one; elsewhere, blocks of 64³ voxels. The side
 /// thread extends the region in them until it is complete; then the engine writes it, as one row.
 class FloodOperation final : public WorkedOutOperation {
 public:
@@ -41,6 +42,7 @@ private:
         BrickGrid grid;
         glm::ivec3 first;
         BrickFlood flood;
+        std::optional<CapsuleFrame> slice; ///< obliqueSlice()
         VoxelEncoding encoding;
         /// Codes within the tolerance; known from the first block on.
         std::optional<CodeInterval> interval{};

@@ -90,6 +90,14 @@ private Q_SLOTS:
         QVERIFY(std::abs(glm::dot(
                     glm::normalize(bench.planes()[3].normalLps), glm::dvec3(0.0, 0.0, 1.0)))
             < 0.01);
+        bench.run(FloodFill{.segment = 1,
+            .placeLps = lps({10.0, 9.0, 9.0}),
+            .normalLps = glm::dvec3(1.0, 0.0, 1.0),
+            .tolerance = 5.0});
+        QCOMPARE(bench.planes().size(), std::size_t(5));
+        QVERIFY(glm::dot(glm::normalize(bench.planes()[4].normalLps),
+                    glm::normalize(glm::dvec3(1.0, 0.0, 1.0)))
+            > 0.999);
     }
 
     /// What is undone or taken back was not drawn; one slice has nothing between it.

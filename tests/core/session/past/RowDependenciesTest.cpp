@@ -243,6 +243,14 @@ private Q_SLOTS:
             QVERIFY(!whole.covers({Field::Labels, 1, 3}));
             QVERIFY(!whole.covers({Field::Coverage, 1, 3}));
         }
+        // A merge of two label planes writes to both.
+        Document further = document;
+        further.segments.push_back({.label = 2, .plane = 1, .name = {}, .rgb = 0, .code = {}});
+        const RowDependencies merged(CombineSegments{.segment = 1, .with = 2}, further, {});
+        for (const std::uint8_t plane : {0, 1}) {
+            QVERIFY(merged.covers({Field::SeedWords, plane, 3}));
+            QVERIFY(merged.covers({Field::Labels, plane, 3}));
+        }
         const RowDependencies copied(CopySegment{.segment = 1, .plane = 2}, document, {});
         QVERIFY(copied.covers({Field::Labels, 0, 3}) && copied.covers({Field::Labels, 2, 3}));
         QVERIFY(copied.covers({Field::SeedWords, 2, 3}) && !copied.covers({Field::Labels, 1, 3}));
@@ -255,6 +263,21 @@ private Q_SLOTS:
             QVERIFY(everywhere.covers(key));
             QCOMPARE(inSlice.covers(key), grid.boxOf(brick).minimum.z == 16);
         }
+        // Of an oblique one: where x + y / 2 is about what it is at the place.
+        flood.within.reset();
+        const glm::dmat3 gradients = glm::transpose(glm::dmat3(geometry.worldToIndex()));
+        flood.normalLps = gradients[0] + 0.5 * gradients[1];
+        const RowDependencies inOblique(flood, document, {});
+        int beside = 0;
+        for (int brick = 0; brick < grid.brickCount(); ++brick) {
+            const VoxelBox box = grid.boxOf(brick);
+            const double least = box.minimum.x + 0.5 * box.minimum.y - 21.5;
+            const double greatest = box.maximum.x - 1 + 0.5 * (box.maximum.y - 1) - 21.5;
+            const bool covers = inOblique.covers({Field::Labels, 0, std::uint32_t(brick)});
+            QVERIFY(covers || least > 0.5 || greatest < -0.5);
+            beside += covers ? 0 : 1;
+        }
+        QVERIFY(beside >= 4);
         const RowDependencies visible(
             ThresholdSegment{.segment = 1, .onlyVisible = true}, document, {});
         QVERIFY(visible.covers({Field::SeedWords, 0, 3}) && visible.covers({Field::Labels, 0, 3}));

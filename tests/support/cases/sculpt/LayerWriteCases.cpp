@@ -121,6 +121,62 @@ EngineCase planeWrites(int number, const glm::ivec3& size)
     return made;
 }
 
+/// Tables for some of three planes, in any order, most of which keep to what another plane holds by
+/// then.
+core::MapPlanes randomMaps(Random& random)
+{
+    constexpr int planes = 3;
+    core::MapPlanes made;
+    const int begin = randomInt(random, 0, planes - 1);
+    const int step = randomInt(random, 1, planes - 1);
+    for (int i = 0; i < planes; ++i) {
+        if (i != 1 && random() % 4 == 0)
+            continue;
+        core::MapLabels map{.plane = std::uint8_t((begin + i * step) % planes)};
+        for (std::size_t label = 0; label < 6; ++label) {
+            if (random() % 3 == 0)
+                map.becomes[label] = std::uint8_t(randomInt(random, 0, 5));
+        }
+        if (random() % 4) {
+            core::EditableVoxels::PlaneLabels beside{
+                .plane = std::uint8_t((map.plane + 1 + random() % 2) % planes), .labels = {}};
+            for (int label = 1; label < 6; ++label)
+                beside.labels[std::size_t(label)] = random() % 2;
+            if (random() % 3)
+                map.editable.emplace().inside = {beside};
+            else
+                map.editable.emplace().outside = {beside};
+        }
+        made.planes.push_back(map);
+    }
+    return made;
+}
+
+EngineCase mapWrites(int number, const glm::ivec3& size)
+{
+    Random random(std::uint32_t(21950 + number));
+    EngineCase made{"labels mapped in several planes " + QByteArray::number(number),
+        constantVolume(size, tissueCode), {}};
+    for (int plane = 0; plane < 3; ++plane)
+        made.steps.push_back(
+            put(noise(size, random, {0, 0, 0, 1, 2, 5}), core::Field::Labels, std::uint8_t(plane)));
+    for (int edit = 0; edit < 6; ++edit) {
+        core::SeedPlacement seeds{.plane = std::uint8_t(edit % 3),
+            .label = std::uint8_t(randomInt(random, 1, 4)),
+            .voxels = {}};
+        appendSeeds(made.steps, seeds, 5, size, random);
+        appendWhole(made.steps, randomMaps(random), {},
+            edit == 2 ? core::Ending::Rollback : core::Ending::Commit);
+        if (edit == 4)
+            made.steps.push_back(Undo{});
+    }
+    for (int i = 0; i < 4; ++i)
+        made.steps.push_back(Undo{});
+    for (int i = 0; i < 3; ++i)
+        made.steps.push_back(Redo{});
+    return made;
+}
+
 EngineCase randomWrites(int number)
 {
     Random random(std::uint32_t(21000 + number));
@@ -309,6 +365,8 @@ std::vector<EngineCase> layerWriteCases(int randomCount)
     cases.push_back(listed);
     for (int number = 0; number < 2; ++number)
         cases.push_back(planeWrites(number, size));
+    for (int number = 0; number < 2; ++number)
+        cases.push_back(mapWrites(number, size));
 
     EngineCase refused{"layer writes that are refused", codes, {}};
     refused.steps.push_back(put(noise(size, random, {0, 255}), core::Field::Coverage, 1));
@@ -328,6 +386,12 @@ std::vector<EngineCase> layerWriteCases(int randomCount)
     appendWhole(refused.steps, core::LabelPlanes{{above, sound}});
     appendWhole(refused.steps, core::LabelPlanes{{sound, above, sound}});
     appendWhole(refused.steps, core::LabelPlanes{{sound, unsound}});
+    appendWhole(refused.steps, core::MapPlanes{});
+    appendWhole(refused.steps,
+        core::MapPlanes{{core::MapLabels{.plane = 1}, core::MapLabels{}, core::MapLabels{}}});
+    core::MapLabels unsoundMap;
+    unsoundMap.editable.emplace().outside = {{.plane = 1, .labels = {1}}}; // 0 is no segment
+    appendWhole(refused.steps, core::MapPlanes{{core::MapLabels{.plane = 1}, unsoundMap}});
     appendWhole(refused.steps, CoverLabel{.layer = 1});
     appendWhole(refused.steps, FoldLayer{.layer = 1, .into = 1});
     appendWhole(

@@ -27,8 +27,9 @@ Bytes randomLabels(const glm::ivec3& size, Random& random)
 
 core::ProtectedLabels randomProtected(Random& random)
 {
-    core::ProtectedLabels protectedLabels{
-        .plane = std::uint8_t(random() % 4 ? 0 : 1), .labels = {}};
+    core::ProtectedLabels protectedLabels;
+    if (random() % 2)
+        protectedLabels.planes = random() % 8; // of the first three, or of none
     for (std::size_t label = 0; label < 6; ++label)
         protectedLabels.labels[label] = random() % 3 == 0;
     protectedLabels.labels[255] = random() % 2;
@@ -83,7 +84,7 @@ std::vector<EngineCase> protectedCases(int randomCount)
         const core::Document scene = randomDocument(size, random, number % 2 != 0);
         EngineCase made{"spared labels " + QByteArray::number(number),
             number % 3 ? balls(size, 4, random) : constantVolume(size, tissueCode), {}};
-        for (const std::uint8_t plane : {std::uint8_t(0), std::uint8_t(1)})
+        for (const std::uint8_t plane : {std::uint8_t(0), std::uint8_t(1), std::uint8_t(2)})
             made.steps.push_back(core::EngineCommand(core::SwapBricks{
                 bricksOf(randomLabels(size, random), core::Field::Labels, plane)}));
         for (int cut = 0; cut < 5; ++cut)

@@ -225,6 +225,11 @@ void addDocumentStrokes(std::vector<StrokeCase>& cases, const StrokeScene& scene
         mergeSegments});
     cases.push_back(
         {"merge an empty segment into another", volume, {first, second}, mergeSegments});
+    cases.push_back({"merge a segment of another label plane", volume, {apart}, mergeSegments});
+    cases.push_back({"growth after a merge of two label planes", volume,
+        {apart, seeds, some, core::CombineSegments{.segment = 1, .with = 2}}, all});
+    cases.push_back({"undo only a merge of two label planes", volume,
+        {apart, paint, mergeSegments, drill}, revertRows({3})});
     cases.push_back(
         {"swap two that have grown", volume, {first, seeds, second, others, some}, swap});
     cases.push_back({"growth after a merge of segments", volume,

@@ -221,6 +221,14 @@ void addFillingStrokes(std::vector<StrokeCase>& cases, const StrokeScene& scene)
     flood.corners = true;
     cases.push_back({"flood fill across rows, over corners", volume, {first}, flood});
     flood.within.reset();
+    core::FloodFill tilted = flood;
+    const glm::dmat3 along = geometry.direction();
+    tilted.normalLps = 3.0 * along[0] - 2.0 * along[1] + 4.0 * along[2];
+    cases.push_back({"flood fill in an oblique slice, over corners", volume, {first}, tilted});
+    tilted.corners = false;
+    cases.push_back({"flood fill in an oblique slice", volume, {first, low}, tilted});
+    cases.push_back({"undo only a flood fill in an oblique slice", volume,
+        {first, scene.paint, tilted, scene.drill}, revertRows({3})});
     cases.push_back({"flood fill in all directions", volume, {first, low}, flood});
     core::FloodFill over = flood;
     over.segment = 2;

@@ -22,6 +22,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <memory>
 #include <set>
 #include <vector>
@@ -219,26 +220,39 @@ private Q_SLOTS:
         QVERIFY(!fixture.tool.worksIn(fixture.views.volume().context()));
     }
 
-    /// An oblique slice has no voxels of its own: what is filled from there is filled in 3D.
-    void fromAnObliqueSliceItFillsIn3D()
+    /// Of an oblique slice it fills the voxels in it, and in 3D it goes on from there.
+    void anObliqueSliceIsFilled()
     {
         Fixture fixture;
         ui::ViewContext oblique = fixture.views.axial().context();
         auto& scene = std::get<gpu::SliceScene>(oblique.scene);
         scene.downLps = glm::normalize(scene.downLps + glm::dvec3(0.0, 0.0, 0.3));
+        const glm::dvec3 normal = glm::normalize(glm::cross(scene.rightLps, scene.downLps));
         QVERIFY(fixture.tool.worksIn(oblique));
         ui::PointerSample sample;
         sample.position = oblique.toPixel(fixture.place({20.0, 20.0, 20.0}));
-        QSignalSpy said(&fixture.workspace, &ui::Workspace::said);
         fixture.tool.press(sample, oblique);
-        QCOMPARE(said.size(), 1);
-        QVERIFY(said.back().front().toString().contains(QStringLiteral("choose “in 3D”")));
-        QCOMPARE(fixture.rows(), std::size_t(0));
+        QVERIFY(fixture.session().settle());
+        QCOMPARE(fixture.rows(), std::size_t(2)); // a segment for it, and the fill
+        const core::FloodFill inSlice = fixture.lastEdit();
+        QVERIFY(!inSlice.within && inSlice.normalLps);
+        QVERIFY(std::abs(std::abs(glm::dot(*inSlice.normalLps, normal)) - 1.0) < 1e-4);
+        const Labels filled = fixture.labels();
+        QVERIFY(filled == Fixture::filledBy(inSlice));
+        QVERIFY(std::count(filled.begin(), filled.end(), 1) > 40);
+
+        sample.modifiers = Qt::ControlModifier;
+        fixture.tool.press(sample, oblique);
+        QVERIFY(fixture.session().settle());
+        QVERIFY(fixture.lastEdit().erase && fixture.lastEdit().normalLps);
+        const Labels erased = fixture.labels();
+        QCOMPARE(std::count(erased.begin(), erased.end(), 1), std::ptrdiff_t(0));
+
+        sample.modifiers = {};
         fixture.tool.setSettings({.in3D = true, .corners = false, .tolerance = 10.0});
         fixture.tool.press(sample, oblique);
         QVERIFY(fixture.session().settle());
-        QCOMPARE(fixture.rows(), std::size_t(2));
-        QVERIFY(!fixture.lastEdit().within);
+        QVERIFY(!fixture.lastEdit().within && !fixture.lastEdit().normalLps);
         QCOMPARE(fixture.labels(), Fixture::filledBy(fixture.lastEdit()));
     }
 
@@ -252,14 +266,26 @@ private Q_SLOTS:
         fixture.workspace.setActiveTool(&tool);
         tool.setSettings({.in3D = false, .corners = false, .tolerance = 10.0});
         const glm::dvec3 middle(32.0, 24.0, 20.0);
-        QSignalSpy said(&fixture.workspace, &ui::Workspace::said);
         fixture.workspace.setCrosshairLps(fixture.place(middle));
         ui::ImageView& axial = fixture.window.views().axial();
         test::WindowFixture::click(axial, fixture.pixel(axial, middle));
         QVERIFY(fixture.session().settle());
-        QCOMPARE(fixture.rows(), std::size_t(0));
-        QCOMPARE(said.size(), 1);
-        QVERIFY(said.back().front().toString().contains(QStringLiteral("choose “in 3D”")));
+        QCOMPARE(fixture.rows(), std::size_t(2)); // a segment for it, and the fill
+        const auto lastEdit = [&fixture] {
+            return fixture.session().history().rows().back().edit.get<core::FloodFill>();
+        };
+        QVERIFY(!lastEdit().within && lastEdit().normalLps);
+        // Codes grow with the column: the fill takes 21 columns, one voxel of each in each row.
+        const std::set<std::array<int, 3>> shown = fixture.voxels();
+        QCOMPARE(shown.size(), std::size_t(21) * std::size_t(geometry.size.y));
+        const glm::dmat3 steps(geometry.indexToWorld);
+        for (const auto& [x, y, z] : shown) {
+            QVERIFY(std::abs(x - 32) <= 10);
+            const glm::dvec3 away = fixture.place(glm::dvec3(x, y, z)) - lastEdit().placeLps;
+            QVERIFY(std::abs(away.z) <= std::abs(steps[2].z) / 2.0 + 0.01);
+        }
+        QVERIFY(fixture.session().undo() && fixture.session().settle());
+        QVERIFY(fixture.voxels().empty());
 
         ui::ViewContext acquired = axial.context();
         auto& scene = std::get<gpu::SliceScene>(acquired.scene);
@@ -270,9 +296,7 @@ private Q_SLOTS:
         sample.position = acquired.toPixel(fixture.place(middle));
         tool.press(sample, acquired);
         QVERIFY(fixture.session().settle());
-        QCOMPARE(fixture.rows(), std::size_t(2)); // a segment for it, and the fill
-        const auto edit = fixture.session().history().rows().back().edit.get<core::FloodFill>();
-        QVERIFY(edit.within == core::SliceAxis::K);
+        QVERIFY(lastEdit().within == core::SliceAxis::K);
         // Codes grow with the column: the fill takes 21 columns of one slice.
         const std::set<std::array<int, 3>> filled = fixture.voxels();
         QCOMPARE(filled.size(), std::size_t(21) * std::size_t(geometry.size.y));

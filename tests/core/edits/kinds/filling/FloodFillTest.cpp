@@ -14,6 +14,8 @@
 #include <QTest>
 
 #include <algorithm>
+#include <cmath>
+#include <cstdlib>
 #include <optional>
 #include <random>
 #include <vector>
@@ -197,6 +199,122 @@ private Q_SLOTS:
         QCOMPARE(anew.session->stateHash(), bench.session->stateHash());
     }
 
+    /// An oblique slice has one voxel in each column along the axis that it is steepest to: it
+    /// fills like a picture of these columns.
+    void anObliqueSliceIsAPicture_data()
+    {
+        QTest::addColumn<bool>("corners");
+        QTest::newRow("faces") << false;
+        QTest::newRow("corners") << true;
+    }
+    void anObliqueSliceIsAPicture()
+    {
+        QFETCH(const bool, corners);
+        LoadedVolume study = test::smallStudy();
+        std::mt19937 random(5);
+        for (std::uint16_t& code : study.codes)
+            code = random() % 4 == 0 ? 0 : 1000;
+        const glm::ivec3 first(20, 18, 17);
+        study.codes[test::smallIndexOf(first)] = 1000;
+        const glm::ivec3 size = study.volume.geometry.size;
+        // By these steps it rises from column to column, of what it rises from voxel to voxel along
+        // k: no voxel lies anywhere near its border.
+        const auto heightOf = [&](int x, int y) {
+            return int(std::lround(first.z - 0.2 * (x - first.x) - 0.4 * (y - first.y)));
+        };
+        std::vector<bool> found(std::size_t(size.x) * std::size_t(size.y), false);
+        const auto columnOf = [&](const glm::ivec3& voxel) {
+            return std::size_t(voxel.y) * std::size_t(size.x) + std::size_t(voxel.x);
+        };
+        std::vector<glm::ivec3> queue{first};
+        found[columnOf(first)] = true;
+        for (std::size_t next = 0; next < queue.size(); ++next) {
+            for (int step = 0; step < 9; ++step) {
+                const glm::ivec3 from = queue[next];
+                const int x = from.x + step % 3 - 1;
+                const int y = from.y + step / 3 - 1;
+                if (x < 0 || y < 0 || x >= size.x || y >= size.y)
+                    continue;
+                const glm::ivec3 to(x, y, heightOf(x, y));
+                const bool isBeside = x == from.x || y == from.y;
+                if ((!isBeside && !corners) || std::abs(to.z - from.z) > 1 || to.z < 0
+                    || to.z >= size.z || found[columnOf(to)]
+                    || study.codes[test::smallIndexOf(to)] == 0)
+                    continue;
+                found[columnOf(to)] = true;
+                queue.push_back(to);
+            }
+        }
+        QVERIFY2(queue.size() > 300, qPrintable(QString::number(queue.size())));
+
+        Bench bench(study);
+        const FloodFill edit{.segment = 1,
+            .placeLps = bench.geometry().toWorld(glm::dvec3(first)),
+            .normalLps = glm::dvec3(3.0, 6.0, 10.0), // spacing 1, 1, 1.5 mm
+            .corners = corners,
+            .tolerance = 10.0};
+        const Labels before = bench.labels();
+        bench.run(edit);
+        Labels expected = before;
+        for (const glm::ivec3& voxel : queue)
+            expected[test::smallIndexOf(voxel)] = 1;
+        const Labels after = bench.labels();
+        QVERIFY(after == expected);
+        QVERIFY(after == bench.expectedAfter(edit, before));
+        QVERIFY2(
+            bench.rows().back().name.startsWith(QStringLiteral("Flood fill 'Organ' in a slice, +")),
+            qPrintable(bench.rows().back().name));
+    }
+
+    /// Slices of all directions through noise, also such as lie along the grid: against the oracle,
+    /// back and forth, taken away again in another slice, and from scratch.
+    void obliqueSlicesReplay()
+    {
+        std::mt19937 random(9);
+        const auto below = [&](int limit) { return int(random() % std::uint32_t(limit)); };
+        Bench bench(noisyStudy(4));
+        bench.run(test::addSegment("Other"));
+        bench.run(test::paintAt(2, {bench.geometry().toWorld({16.0, 18.0, 16.0})}, 4.0));
+        for (int step = 0; step < 12; ++step) {
+            const glm::dvec3 voxel{
+                double(10 + below(20)), double(9 + below(18)), double(9 + below(16))};
+            const glm::dvec3 normal{
+                double(below(200) - 100), double(below(200) - 100), double(below(99) + 1)};
+            FloodFill edit{.segment = 1,
+                .placeLps = bench.geometry().toWorld(voxel),
+                .normalLps = step % 4 == 0 ? glm::dvec3(0.0, 0.0, 1.0) : normal,
+                .corners = below(2) == 0,
+                .tolerance = 10.0 * (1 + below(3)),
+                .overwriteUnlocked = below(2) == 0};
+            const Labels before = bench.labels();
+            const QByteArray hash = bench.session->stateHash();
+            bench.run(edit);
+            const Labels after = bench.labels();
+            QVERIFY(after == bench.expectedAfter(edit, before));
+            const QByteArray changed = bench.session->stateHash();
+            if (before != after) {
+                QVERIFY(bench.session->undo() && bench.session->settle());
+                QCOMPARE(bench.session->stateHash(), hash);
+                QVERIFY(bench.session->redo() && bench.session->settle());
+                QCOMPARE(bench.session->stateHash(), changed);
+            }
+            if (after[test::smallIndexOf(glm::ivec3(voxel))] != 1 || step % 3 != 0)
+                continue;
+            edit.erase = true;
+            edit.tolerance = 0.0;
+            edit.overwriteUnlocked = false;
+            edit.normalLps = glm::dvec3(3.0, 7.0, -2.0);
+            bench.run(edit);
+            const Labels left = bench.labels();
+            QVERIFY(left != after && left == bench.expectedAfter(edit, after));
+        }
+        QVERIFY(bench.rows().size() > 6);
+        Bench anew(noisyStudy(4), true);
+        for (std::size_t row = 1; row < bench.rows().size(); ++row)
+            anew.run(bench.rows()[row].edit);
+        QCOMPARE(anew.session->stateHash(), bench.session->stateHash());
+    }
+
     /// In a slice, what lies beyond the block around the place, too.
     void readsOn_data()
     {
@@ -240,6 +358,14 @@ private Q_SLOTS:
         QVERIFY(bench.tried(outside).startsWith(QStringLiteral("floodFill.placeLps: ")));
         const FloodFill negative{.segment = 1, .placeLps = inBrain(), .tolerance = -1.0};
         QVERIFY(bench.tried(negative).startsWith(QStringLiteral("floodFill.tolerance: ")));
+        FloodFill oblique{.segment = 1, .placeLps = inBrain(), .normalLps = glm::dvec3(0.0)};
+        QVERIFY(bench.tried(oblique).startsWith(QStringLiteral("floodFill.normalLps: ")));
+        oblique.normalLps = glm::dvec3(1.0, 2.0, 3.0);
+        oblique.within = SliceAxis::K;
+        QVERIFY(bench.tried(oblique).startsWith(QStringLiteral("floodFill.normalLps: ")));
+        oblique.within.reset();
+        oblique.placeLps = glm::dvec3(1e4);
+        QVERIFY(bench.tried(oblique).startsWith(QStringLiteral("floodFill.placeLps: ")));
         // There is nothing of the segment where something is to be taken away.
         const Result<void> asked =
             bench.session->apply(FloodFill{.segment = 1, .placeLps = inBrain(), .erase = true});

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/edits/kinds/segments/CombineSegments.h"
 #include "core/brick/VoxelRuns.h"
+#include "core/edits/kinds/segments/ImportMask.h"
 #include "core/growth/SeedWord.h"
 #include "core/session/EditSession.h"
 #include "tests/support/faults/FailingLog.h"
@@ -60,8 +61,8 @@ std::uint8_t after(const CombineSegments& edit, std::uint8_t held)
     return held == edit.segment && edit.how == How::Swap ? std::uint8_t(edit.with) : held;
 }
 
-/// Three segments that lie about at random.
-Edit randomMatter(std::mt19937& random)
+/// Three segments that lie about at random, in one label plane.
+Edit randomMatter(std::mt19937& random, int plane)
 {
     const glm::ivec3& size = test::smallStudy().volume.geometry.size;
     std::array<VoxelRuns, 3> runs;
@@ -71,7 +72,27 @@ Edit randomMatter(std::mt19937& random)
         if (dice < runs.size())
             runs.at(dice).append(voxel, 1);
     }
-    return test::matterImport(size, runs);
+    Edit matter = test::matterImport(size, runs);
+    if (plane != 0)
+        matter.as<ImportMask>()->planes = std::vector<int>(runs.size(), plane);
+    return matter;
+}
+
+/// "A" in one label plane, "B" and "C" in another, all at random.
+Edit overlappingMatter(std::mt19937& random, const std::vector<int>& planes)
+{
+    const glm::ivec3& size = test::smallStudy().volume.geometry.size;
+    std::vector<test::MaskPart> parts{
+        {QStringLiteral("A"), {}}, {QStringLiteral("B"), {}}, {QStringLiteral("C"), {}}};
+    const auto voxels = std::uint64_t(size.x) * std::uint64_t(size.y) * std::uint64_t(size.z);
+    for (std::uint64_t voxel = 0; voxel < voxels; ++voxel) {
+        if (random() % 2)
+            parts[0].voxels.append(voxel, 1);
+        const std::size_t dice = random() % 4;
+        if (dice == 1 || dice == 2)
+            parts[dice].voxels.append(voxel, 1);
+    }
+    return test::maskImport(QStringLiteral("overlaps.seg.nrrd"), size, parts, planes);
 }
 
 } // namespace
@@ -194,11 +215,12 @@ private Q_SLOTS:
     {
         for (std::uint32_t seed = 1; seed <= 4; ++seed) {
             std::mt19937 random(seed);
-            const Edit matter = randomMatter(random);
+            const int plane = seed % 2 == 0 ? 2 : 0;
+            const Edit matter = randomMatter(random, plane);
             Bench bench;
             bench.run(matter);
             const QByteArray beginning = bench.session->stateHash();
-            std::vector<std::uint8_t> expected = bench.labels();
+            std::vector<std::uint8_t> expected = bench.labels(plane);
             for (int step = 0; step < 8; ++step) {
                 CombineSegments edit{.segment = 1 + int(random() % 3)};
                 edit.with = 1 + (edit.segment + int(random() % 2)) % 3;
@@ -207,7 +229,7 @@ private Q_SLOTS:
                 bench.run(edit);
                 for (std::uint8_t& held : expected)
                     held = after(edit, held);
-                QVERIFY(bench.labels() == expected);
+                QVERIFY(bench.labels(plane) == expected);
                 for (const int label : {1, 2, 3})
                     QCOMPARE(bench.session->document().segment(label)->voxels,
                         std::int64_t(std::count(expected.begin(), expected.end(), label)));
@@ -221,6 +243,98 @@ private Q_SLOTS:
             QVERIFY(bench.session->goTo(1) && bench.session->settle());
             QCOMPARE(bench.session->stateHash(), beginning);
         }
+    }
+
+    /// Of two label planes, whichever comes first: the segment receives what is free in its plane,
+    /// the other keeps the rest, voxel by voxel.
+    void mergesAcrossPlanes_data()
+    {
+        QTest::addColumn<std::vector<int>>("planes"); // of A, B and C
+        QTest::addColumn<int>("into");
+        QTest::newRow("into a plane that is free") << std::vector<int>{0, 1, 1} << 1;
+        QTest::newRow("into one where another lies") << std::vector<int>{0, 1, 1} << 2;
+        QTest::newRow("from the upper plane") << std::vector<int>{3, 1, 1} << 2;
+    }
+    void mergesAcrossPlanes()
+    {
+        QFETCH(const std::vector<int>, planes);
+        QFETCH(const int, into);
+        const int from = 3 - into;
+        const int own = planes[std::size_t(into - 1)];
+        const int other = planes[std::size_t(from - 1)];
+        std::mt19937 random(3);
+        const Edit matter = overlappingMatter(random, planes);
+        Bench bench;
+        bench.run(matter);
+        std::vector<std::uint8_t> mine = bench.labels(own);
+        std::vector<std::uint8_t> theirs = bench.labels(other);
+        const QByteArray hash = bench.session->stateHash();
+        std::int64_t gained = 0;
+        std::int64_t kept = 0;
+        for (std::size_t i = 0; i < mine.size(); ++i) {
+            if (theirs[i] != from)
+                continue;
+            gained += mine[i] == 0 ? 1 : 0;
+            if (mine[i] == 0)
+                mine[i] = std::uint8_t(into);
+            if (mine[i] == into)
+                theirs[i] = 0;
+            else
+                ++kept;
+        }
+        QVERIFY(gained > 1000 && (kept > 1000) == (into == 2));
+        const CombineSegments edit{.segment = into, .with = from};
+        bench.run(edit);
+        QVERIFY(bench.labels(own) == mine);
+        QVERIFY(bench.labels(other) == theirs);
+        const Document& document = bench.session->document();
+        QCOMPARE(document.segment(into)->voxels, bench.voxels(into, own));
+        QCOMPARE(document.segment(from)->voxels, kept);
+        QString name = (into == 1 ? QStringLiteral("Merge segment 'B' into 'A', +%1 voxels")
+                                  : QStringLiteral("Merge segment 'A' into 'B', +%1 voxels"))
+                           .arg(spaced(gained));
+        if (kept > 0)
+            name += QStringLiteral(", %1 voxels stay").arg(spaced(kept));
+        QCOMPARE(bench.rows().back().name, name);
+
+        const QByteArray merged = bench.session->stateHash();
+        QVERIFY(bench.session->undo() && bench.session->settle());
+        QCOMPARE(bench.session->stateHash(), hash);
+        QVERIFY(bench.session->redo() && bench.session->settle());
+        QCOMPARE(bench.session->stateHash(), merged);
+        Bench anew(true);
+        anew.run(matter);
+        anew.run(edit);
+        QCOMPARE(anew.session->stateHash(), merged);
+        // What is left of it cannot be given now either: no step.
+        const std::size_t rows = bench.rows().size();
+        bench.run(edit);
+        QCOMPARE(bench.rows().size(), rows);
+    }
+
+    /// What lies outside the range stays with the other one.
+    void aMergeAcrossPlanesKeepsToTheRange()
+    {
+        std::mt19937 random(8);
+        Bench bench;
+        bench.run(overlappingMatter(random, {0, 1, 1}));
+        const std::vector<std::uint8_t> mine = bench.labels(0);
+        const std::vector<std::uint8_t> theirs = bench.labels(1);
+        CombineSegments edit{.segment = 1, .with = 2};
+        edit.editable.emplace().upper = 100.0; // not the bone
+        bench.run(edit);
+        const LoadedVolume study = test::smallStudy();
+        const std::vector<std::uint8_t> mineNow = bench.labels(0);
+        const std::vector<std::uint8_t> theirsNow = bench.labels(1);
+        int spared = 0;
+        for (std::size_t i = 0; i < mine.size(); ++i) {
+            const bool isMeant =
+                theirs[i] == 2 && study.volume.encoding.value(study.codes[i]) < 100;
+            QCOMPARE(int(mineNow[i]), isMeant ? 1 : int(mine[i]));
+            QCOMPARE(int(theirsNow[i]), isMeant ? 0 : int(theirs[i]));
+            spared += theirsNow[i] == 2 ? 1 : 0;
+        }
+        QVERIFY(spared > 100);
     }
 };
 

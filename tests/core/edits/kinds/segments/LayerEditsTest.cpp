@@ -164,13 +164,62 @@ private Q_SLOTS:
                     .error()
                     .code;
             };
-            QCOMPARE(code(1, 4), ErrorCode::InvalidField); // another plane
-            QCOMPARE(code(255, 7), ErrorCode::InvalidField);
+            if (how == How::Swap) { // of another plane
+                QCOMPARE(code(1, 4), ErrorCode::InvalidField);
+                QCOMPARE(code(255, 7), ErrorCode::InvalidField);
+            }
             QCOMPARE(code(1, 3), ErrorCode::SegmentLocked);
             QCOMPARE(code(3, 1), ErrorCode::SegmentLocked);
             QCOMPARE(code(1, 2), ErrorCode::UnknownSegment);
             QVERIFY(checkAgainst(document, CombineSegments{.segment = 7, .with = 1, .how = how}));
         }
+    }
+
+    /// The segment's plane comes first, whichever that is; what is asked of the other one is asked
+    /// as of an editable range.
+    void mergesOfTwoPlanes()
+    {
+        test::Random random{7};
+        Document document = test::randomDocument({9, 9, 9}, random, false);
+        document.segments = {{.label = 3, .name = QStringLiteral("Locked"), .locked = true},
+            {.label = 4, .plane = 1, .name = QStringLiteral("Elsewhere")},
+            {.label = 7, .name = QStringLiteral("Here")}};
+        for (const auto& [into, from] : {std::pair{4, 7}, std::pair{7, 4}}) {
+            const CombineSegments edit{.segment = into, .with = from};
+            const Result<EngineEdit> command = engineEdit(edit, document);
+            QVERIFY(command && std::holds_alternative<MapPlanes>(*command));
+            const std::vector<MapLabels>& planes = std::get<MapPlanes>(*command).planes;
+            QCOMPARE(planes.size(), std::size_t(2));
+            for (const bool first : {true, false}) {
+                const MapLabels& map = planes[first ? 0 : 1];
+                const int own = first ? into : from;
+                const int beside = first ? from : into;
+                QCOMPARE(int(map.plane), own == 4 ? 1 : 0);
+                for (std::size_t label = 0; label < 256; ++label) {
+                    const std::size_t expected = first && label == 0 ? std::size_t(own)
+                        : !first && label == std::size_t(own)        ? 0
+                                                                     : label;
+                    QCOMPARE(std::size_t(map.becomes[label]), expected);
+                }
+                QVERIFY(map.editable && map.editable->inside && map.editable->outside.empty());
+                QCOMPARE(map.editable->inside->size(), std::size_t(1));
+                QCOMPARE(int(map.editable->inside->front().plane), beside == 4 ? 1 : 0);
+                QVERIFY(map.editable->inside->front().labels.count() == 1
+                    && map.editable->inside->front().labels[std::size_t(beside)]);
+            }
+        }
+        const auto code = [&](CombineSegments edit) {
+            return checkAgainst(document, edit).error().code;
+        };
+        QCOMPARE(code({.segment = 4, .with = 3}), ErrorCode::SegmentLocked);
+        QCOMPARE(code({.segment = 3, .with = 4}), ErrorCode::SegmentLocked);
+        const EditableRange inside{.inside = std::vector<int>{7}};
+        QCOMPARE(code({.segment = 4, .with = 7, .editable = inside}), ErrorCode::InvalidField);
+        const EditableRange outside{.outside = std::vector<int>{4}};
+        QCOMPARE(code({.segment = 4, .with = 7, .editable = outside}), ErrorCode::InvalidField);
+        const EditableRange other{.outside = std::vector<int>{3}};
+        QVERIFY(
+            checkAgainst(document, CombineSegments{.segment = 4, .with = 7, .editable = other}));
     }
 };
 

@@ -2,6 +2,7 @@
 #include "core/edits/kinds/segments/ReshapeSegment.h"
 #include "core/edits/kinds/segments/ChangeSegment.h"
 #include "core/edits/kinds/segments/CleanSegment.h"
+#include "core/edits/kinds/segments/ImportMask.h"
 #include "core/session/EditSession.h"
 #include "core/session/SegmentWork.h"
 #include "core/sessionfile/SessionSalvage.h"
@@ -290,6 +291,36 @@ private Q_SLOTS:
         for (std::size_t row = 1; row < bench.rows().size(); ++row)
             QCOMPARE(anew.tried(bench.rows()[row].edit), QString());
         QCOMPARE(anew.session->stateHash(), bench.session->stateHash());
+    }
+
+    /// In a further label plane it comes to the same, whoever lies across it in the first one.
+    void smoothedTogetherInAFurtherPlane()
+    {
+        std::mt19937 random(21);
+        const Edit matter = randomMatter(random);
+        Edit above = matter;
+        above.as<ImportMask>()->planes = std::vector<int>{2, 2};
+        Bench plain(false, matter);
+        Bench further(false, above);
+        further.run(test::addSegment("Across"));
+        further.run(test::paintAt(3, {smallGrid().toWorld({16.0, 16.0, 14.0})}, 8.0));
+        const Labels across = further.labels(0);
+        const Labels before = plain.labels();
+        QVERIFY(further.labels(2) == before);
+        ReshapeSegment joint{.segment = 2,
+            .operation = ShapeOperation::Gaussian,
+            .mm = 1.5,
+            .with = std::vector<int>{1}};
+        plain.run(joint);
+        QVERIFY(plain.labels() != before);
+        const QByteArray hash = further.session->stateHash();
+        further.run(joint);
+        QVERIFY(further.labels(2) == plain.labels());
+        QVERIFY(further.labels(0) == across);
+        QVERIFY(further.session->undo() && further.session->settle());
+        QCOMPARE(further.session->stateHash(), hash);
+        joint.with = std::vector<int>{1, 3};
+        QVERIFY(further.tried(joint).contains(QStringLiteral("another label plane")));
     }
 
     /// Two blocks that touch: their common border stays closed, the outer edges are rounded, undo
