@@ -46,8 +46,8 @@ SplitPart part(const char* name)
 } // namespace
 
 /// What it costs to divide, copy and combine segments, to take back one of several steps, and to
-/// make pieces, counted as by WorkOfStepsGlTest. Inverting is left out: it changes nearly every
-/// voxel of the volume.
+/// make pieces, counted as by WorkOfStepsGlTest. What it costs to invert one is in
+/// WorkOfInvertingGlTest.
 class WorkOfPartsGlTest : public test::WorkTest {
     Q_OBJECT
 
