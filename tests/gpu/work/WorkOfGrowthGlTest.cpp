@@ -35,10 +35,11 @@ glm::dvec3 at(double x, double y, double z)
 }
 
 /// Of all that it reaches of the ball.
-Edit growth(std::optional<int> steps)
+Edit growth(std::optional<int> steps, int connectivity)
 {
     return test::growBy({.lower = Ball::threshold,
                             .upper = Ball::valueAt(0.0),
+                            .connectivity = connectivity,
                             .segments = std::vector<int>{organ}},
         steps);
 }
@@ -99,9 +100,10 @@ void WorkOfGrowthGlTest::shareOut(CountedSession& counts)
 void WorkOfGrowthGlTest::leak(CountedSession& counts)
 {
     counts.prepare(test::seedAt(organ, {at(-8.0, 0.0, 0.0)}));
-    counts.prepare(growth(4));
+    counts.prepare(growth(4, 6));
     counts.step("resuming a growth", ResumeGrowth{.steps = 2});
-    counts.prepare(growth(std::nullopt));
+    // Over corners too, it comes to all of the hole in the same generation.
+    counts.prepare(growth(std::nullopt, 26));
     counts.step("plug of a leak", PlugLeak{.pointLps = at(14.0, 0.0, 0.0)});
     counts.step("undo of a plug", [&] { return bool(counts.session().undo()); });
 }
