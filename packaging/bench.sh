@@ -48,6 +48,7 @@ if [ "$*" = --smoke ] || [ "$*" = "--smoke --record" ]; then
     [ "$*" = --smoke ] || export BURIN_RECORD_WORK=1
     status=0
     for counted in WorkOfStepsGlTest WorkOfLabelsGlTest WorkOfPartsGlTest WorkOfShapesGlTest \
+        WorkOfWholesGlTest WorkOfInvertingGlTest WorkOfGrowthGlTest WorkOfQuestionsGlTest \
         WorkOfPicturesGlTest; do
         "$burinBuild/tests/gpu_work_test" "$counted" || status=1
     done

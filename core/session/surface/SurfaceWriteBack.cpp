@@ -31,16 +31,6 @@ void forEachRowPiece(const VoxelRuns& voxels, const glm::ivec3& size, const Visi
     }
 }
 
-/// By row, slices after one another.
-std::vector<Columns> rowsOf(const VoxelRuns& voxels, const glm::ivec3& size)
-{
-    std::vector<Columns> rows(std::size_t(size.y) * std::size_t(size.z));
-    forEachRowPiece(voxels, size, [&rows](std::uint64_t row, std::uint64_t from, std::uint64_t to) {
-        rows[std::size_t(row)].emplace_back(from, to);
-    });
-    return rows;
-}
-
 /// Sorted, those that touch joined.
 Columns joined(Columns columns)
 {
@@ -76,6 +66,36 @@ VoxelBox boxAround(const VoxelRuns& voxels, const glm::ivec3& size, int margin)
     return {.minimum = glm::max(least - margin, glm::ivec3(0)),
         .maximum = glm::min(most + 1 + margin, size)};
 }
+
+/// The columns of voxels, by row, in the box of all rows that have any and of their neighbours.
+class RowsOfBox {
+public:
+    /// @param voxels not empty
+    RowsOfBox(const VoxelRuns& voxels, const glm::ivec3& size)
+        : m_box(boxAround(voxels, size, 1))
+        , m_rows(std::size_t(m_box.maximum.y - m_box.minimum.y)
+              * std::size_t(m_box.maximum.z - m_box.minimum.z))
+    {
+        forEachRowPiece(voxels, size, [&](std::uint64_t row, std::uint64_t from, std::uint64_t to) {
+            const auto rowsOfSlice = std::uint64_t(size.y);
+            m_rows[placeOf(int(row % rowsOfSlice), int(row / rowsOfSlice))].emplace_back(from, to);
+        });
+    }
+
+    [[nodiscard]] const VoxelBox& box() const { return m_box; }
+    /// @pre the row lies in the box
+    [[nodiscard]] const Columns& at(int y, int z) const { return m_rows[placeOf(y, z)]; }
+
+private:
+    [[nodiscard]] std::size_t placeOf(int y, int z) const
+    {
+        return std::size_t(z - m_box.minimum.z) * std::size_t(m_box.maximum.y - m_box.minimum.y)
+            + std::size_t(y - m_box.minimum.y);
+    }
+
+    VoxelBox m_box;
+    std::vector<Columns> m_rows;
+};
 
 /// The voxels around what a surface was moved over, a byte each.
 class MovedBox {
@@ -214,16 +234,19 @@ RelabelListed writeBackOf(const EnclosedVoxels& enclosed, const std::vector<std:
 
 VoxelRuns shellAround(const VoxelRuns& inside, const glm::ivec3& size)
 {
-    const std::vector<Columns> rows = rowsOf(inside, size);
-    const auto width = std::uint64_t(size.x);
     VoxelRuns shell;
-    for (int z = 0; z < size.z; ++z) {
-        for (int y = 0; y < size.y; ++y) {
+    if (inside.empty())
+        return shell;
+    const RowsOfBox rows(inside, size);
+    const VoxelBox& box = rows.box();
+    const auto width = std::uint64_t(size.x);
+    for (int z = box.minimum.z; z < box.maximum.z; ++z) {
+        for (int y = box.minimum.y; y < box.maximum.y; ++y) {
             Columns near;
-            for (int k = std::max(z - 1, 0); k < std::min(z + 2, size.z); ++k) {
-                for (int j = std::max(y - 1, 0); j < std::min(y + 2, size.y); ++j) {
-                    for (const auto& [from, to] :
-                        rows[std::size_t(k) * std::size_t(size.y) + std::size_t(j)])
+            for (int k = std::max(z - 1, box.minimum.z); k < std::min(z + 2, box.maximum.z); ++k) {
+                for (int j = std::max(y - 1, box.minimum.y); j < std::min(y + 2, box.maximum.y);
+                     ++j) {
+                    for (const auto& [from, to] : rows.at(j, k))
                         near.emplace_back(from == 0 ? 0 : from - 1, std::min(to + 1, width));
                 }
             }
@@ -233,10 +256,11 @@ VoxelRuns shellAround(const VoxelRuns& inside, const glm::ivec3& size)
                     shell.append(row * width + from, to - from);
             };
             // What is inside in this row lies wholly within what is near.
-            auto hole = rows[row].begin();
+            const Columns& held = rows.at(y, z);
+            auto hole = held.begin();
             for (const auto& [from, to] : joined(std::move(near))) {
                 std::uint64_t next = from;
-                for (; hole != rows[row].end() && hole->second <= to; ++hole) {
+                for (; hole != held.end() && hole->second <= to; ++hole) {
                     appendOutside(next, hole->first);
                     next = hole->second;
                 }

@@ -41,7 +41,7 @@ constexpr int writeBackRimVoxels = 2;
     const std::vector<std::uint8_t>& labels, const glm::ivec3& size, const LabelTarget& target);
 
 /// The voxels that are not inside but have a neighbour (26) that is: every path from inside to
-/// outside passes one, whatever the connectivity. Cost ∝ the runs and the rows of the volume.
+/// outside passes one, whatever the connectivity. Cost ∝ the runs and the rows of their box.
 [[nodiscard]] VoxelRuns shellAround(const VoxelRuns& inside, const glm::ivec3& size);
 /// The bricks that contain any of these voxels.
 [[nodiscard]] std::vector<BarrierListed::Brick> placesOf(

@@ -13,9 +13,7 @@
 #include "core/edits/kinds/values/ThresholdSegment.h"
 #include "core/session/EditSession.h"
 #include "core/session/questions/VoxelQuestions.h"
-#include "tests/support/faults/FailingLog.h"
-#include "tests/support/fixtures/CountedSession.h"
-#include "tests/support/fixtures/EditEngineFixture.h"
+#include "tests/support/fixtures/WorkTest.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/GradedBall.h"
 #include "tests/support/scenes/PlainEdits.h"
@@ -28,7 +26,6 @@ namespace workOfLabelsGlTest {
 
 using namespace core;
 using test::CountedSession;
-using test::CountedWork;
 using Ball = test::GradedBall;
 
 namespace {
@@ -76,24 +73,19 @@ bool nudge(EditSession& session, const glm::dvec3& place, const glm::dvec3& to)
 
 /// What the tools cost that fill a segment, move its border or work on all of it, counted as by
 /// WorkOfStepsGlTest.
-class WorkOfLabelsGlTest : public QObject {
+class WorkOfLabelsGlTest : public test::WorkTest {
     Q_OBJECT
 
 private Q_SLOTS:
-    void initTestCase() { QVERIFY2(m_gpu.isReady(), m_gpu.why()); }
-    void init() { test::failOnUnexpectedMessages(); }
-    void cleanup() { QCOMPARE(m_gpu.newErrors(), 0); }
     void growsWithTheVolumeOnlyWhereItHasTo();
 
 private:
-    /// The steps, each for the second time: the first one makes programs and buffers.
-    std::vector<CountedWork> stepsIn(int side);
+    void prepare(CountedSession& counts) override;
+    void takeSteps(CountedSession& counts, int round) override;
     void fill(CountedSession& counts, const glm::dvec3& place);
     void threshold(CountedSession& counts);
     void workOnAll(CountedSession& counts);
     void refine(CountedSession& counts);
-
-    test::EditEngineFixture m_gpu;
 };
 
 void WorkOfLabelsGlTest::fill(CountedSession& counts, const glm::dvec3& place)
@@ -168,49 +160,28 @@ void WorkOfLabelsGlTest::refine(CountedSession& counts)
     counts.step("writing a surface back", WriteBack{.rules = newestSurfaceRules});
 }
 
-std::vector<CountedWork> WorkOfLabelsGlTest::stepsIn(int side)
+void WorkOfLabelsGlTest::prepare(CountedSession& counts)
 {
-    CountedSession counts(m_gpu, side);
-    if (!counts.isOpen())
-        return {};
     counts.prepare(test::newSegment(QStringLiteral("A")));
-    const RowId beginning = counts.session().history().position();
-    for (int round = 0; round < 2; ++round) {
-        counts.forget();
-        fill(counts, Ball::middle + glm::dvec3(9.0 - 18.0 * round, 0.0, 4.0));
-        threshold(counts);
-        workOnAll(counts);
-        refine(counts);
-        counts.step(
-            "back through the history", [&] { return bool(counts.session().goTo(beginning)); });
-    }
-    return counts.counted();
+}
+
+void WorkOfLabelsGlTest::takeSteps(CountedSession& counts, int round)
+{
+    fill(counts, Ball::middle + glm::dvec3(9.0 - 18.0 * round, 0.0, 4.0));
+    threshold(counts);
+    workOnAll(counts);
+    refine(counts);
 }
 
 void WorkOfLabelsGlTest::growsWithTheVolumeOnlyWhereItHasTo()
 {
-    const std::vector<CountedWork> small = stepsIn(test::smallWorkSide);
-    const std::vector<CountedWork> large = stepsIn(test::largeWorkSide);
     // Lists of bricks, among which those are found that are concerned.
     const QByteArrayList listing{"segment scissors", "scissors that erase", "drag of a threshold"};
-    // What works on all of a segment reads its plane in portions (LabelReader), of which a dispatch
-    // fetches what is not empty, and has a byte in memory for each voxel of the volume.
-    const QByteArrayList onAll{"margin", "smoothing by a ball", "smoothing by a Gaussian",
+    const QByteArrayList all{"margin", "smoothing by a ball", "smoothing by a Gaussian",
         "smaller margin", "islands", "contour", "laying a surface", "writing a surface back"};
-    const auto voxelsOf = [](int side) { return std::int64_t(side) * side * side; };
-    // Of each brick that a portion asks for, in lists that are gone with its answer.
-    constexpr std::int64_t portionBytes = 32;
-    const auto bricksOf = [](int side) { return BrickGrid{glm::ivec3(side)}.brickCount(); };
-    const QStringList wrong =
-        test::grownWork(m_gpu, QStringLiteral("labels"), small, large, [&](const QByteArray& name) {
-            test::MoreWork more{.tables = listing.contains(name) || onAll.contains(name)};
-            if (onAll.contains(name)) {
-                more.dispatches = 1;
-                more.bytesAllocated = voxelsOf(test::largeWorkSide) - voxelsOf(test::smallWorkSide)
-                    + portionBytes * bricksOf(test::largeWorkSide);
-            }
-            return more;
-        });
+    const QStringList wrong = grown(QStringLiteral("labels"), [&](const QByteArray& name) {
+        return all.contains(name) ? onAll(1) : test::MoreWork{.tables = listing.contains(name)};
+    });
     QVERIFY2(wrong.isEmpty(), qPrintable(wrong.join(QLatin1Char('\n'))));
 }
 

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/brick/BrickGrid.h"
 #include "core/edits/kinds/filling/FillBetweenSlices.h"
 #include "core/edits/kinds/filling/MirrorSegment.h"
 #include "core/edits/kinds/pieces/ChangePiece.h"
@@ -12,23 +11,19 @@
 #include "core/edits/kinds/splitting/SplitIslands.h"
 #include "core/edits/kinds/splitting/SplitSegment.h"
 #include "core/session/EditSession.h"
-#include "tests/support/faults/FailingLog.h"
-#include "tests/support/fixtures/CountedSession.h"
-#include "tests/support/fixtures/EditEngineFixture.h"
+#include "tests/support/fixtures/WorkTest.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/GradedBall.h"
 #include "tests/support/scenes/PlainEdits.h"
 
 #include <QtTest>
 
-#include <cmath>
 #include <vector>
 
 namespace workOfPartsGlTest {
 
 using namespace core;
 using test::CountedSession;
-using test::CountedWork;
 using Ball = test::GradedBall;
 using How = CombineSegments::How;
 
@@ -51,27 +46,22 @@ SplitPart part(const char* name)
 } // namespace
 
 /// What it costs to divide, copy and combine segments, to take back one of several steps, and to
-/// make pieces, counted as by WorkOfStepsGlTest. Inverting is left out: it changes nearly every
-/// voxel of the volume.
-class WorkOfPartsGlTest : public QObject {
+/// make pieces, counted as by WorkOfStepsGlTest. What it costs to invert one is in
+/// WorkOfInvertingGlTest.
+class WorkOfPartsGlTest : public test::WorkTest {
     Q_OBJECT
 
 private Q_SLOTS:
-    void initTestCase() { QVERIFY2(m_gpu.isReady(), m_gpu.why()); }
-    void init() { test::failOnUnexpectedMessages(); }
-    void cleanup() { QCOMPARE(m_gpu.newErrors(), 0); }
     void growsWithTheVolumeOnlyWhereItHasTo();
 
 private:
-    /// The steps, each for the second time: the first one makes programs and buffers.
-    std::vector<CountedWork> stepsIn(int side);
+    void prepare(CountedSession& counts) override;
+    void takeSteps(CountedSession& counts, int round) override;
     void divide(CountedSession& counts);
     void combine(CountedSession& counts);
     void fillBetween(CountedSession& counts);
     void takeBack(CountedSession& counts);
     void makePieces(CountedSession& counts);
-
-    test::EditEngineFixture m_gpu;
 };
 
 void WorkOfPartsGlTest::divide(CountedSession& counts)
@@ -155,57 +145,41 @@ void WorkOfPartsGlTest::makePieces(CountedSession& counts)
             .pose = {.offsetMm = {0.0, 30.0, 0.0}}});
 }
 
-std::vector<CountedWork> WorkOfPartsGlTest::stepsIn(int side)
+void WorkOfPartsGlTest::prepare(CountedSession& counts)
 {
-    CountedSession counts(m_gpu, side);
-    if (!counts.isOpen())
-        return {};
     counts.prepare(test::newSegment(QStringLiteral("Organ")));
     counts.prepare(test::paintAt(organ, {Ball::middle}, 12.0));
-    const RowId beginning = counts.session().history().position();
-    for (int round = 0; round < 2; ++round) {
-        counts.forget();
-        divide(counts);
-        combine(counts);
-        fillBetween(counts);
-        takeBack(counts);
-        makePieces(counts);
-        counts.step(
-            "back through the history", [&] { return bool(counts.session().goTo(beginning)); });
-    }
-    return counts.counted();
+}
+
+void WorkOfPartsGlTest::takeSteps(CountedSession& counts, int /*round*/)
+{
+    divide(counts);
+    combine(counts);
+    fillBetween(counts);
+    takeBack(counts);
+    makePieces(counts);
 }
 
 void WorkOfPartsGlTest::growsWithTheVolumeOnlyWhereItHasTo()
 {
-    const std::vector<CountedWork> small = stepsIn(test::smallWorkSide);
-    const std::vector<CountedWork> large = stepsIn(test::largeWorkSide);
     // Lists of bricks, among which those are found that are concerned.
     const QByteArrayList listing{"copy", "union", "back through the history"};
-    // As in WorkOfLabelsGlTest; each layer of bricks is a portion of the large volume.
-    const QByteArrayList onAll{"split by a plane", "split along a line", "split within a curve",
+    // Each layer of bricks is a portion of the large volume.
+    const QByteArrayList all{"split by a plane", "split along a line", "split within a curve",
         "split into islands", "mirror", "between slices", "between planes"};
     // Besides, pictures of what lies along each line of sight, in each slice, or in each plane.
     const QByteArrayList pictured{"split along a line", "between slices", "between planes"};
     constexpr int pictureBytes = 64;
-    const auto grown = [](int dimensions) {
-        return std::int64_t(std::pow(test::largeWorkSide, dimensions))
-            - std::int64_t(std::pow(test::smallWorkSide, dimensions));
-    };
-    // Of each brick that a portion asks for, in lists that are gone with its answer.
-    constexpr std::int64_t portionBytes = 32;
-    const std::int64_t bricks = BrickGrid{glm::ivec3(test::largeWorkSide)}.brickCount();
-    const QStringList wrong =
-        test::grownWork(m_gpu, QStringLiteral("parts"), small, large, [&](const QByteArray& name) {
-            test::MoreWork more{.tables = listing.contains(name) || onAll.contains(name)};
-            if (onAll.contains(name)) {
-                more.dispatches = 3;
-                more.bytesAllocated = portionBytes * bricks
-                    + (name == "between slices" ? 2 : 1) * grown(3)
-                    + (pictured.contains(name) ? pictureBytes * grown(2) : 0);
-            }
-            return more;
-        });
+    const QStringList wrong = grown(QStringLiteral("parts"), [&](const QByteArray& name) {
+        if (!all.contains(name))
+            return test::MoreWork{.tables = listing.contains(name)};
+        test::MoreWork more = onAll(3);
+        if (name == "between slices")
+            more.bytesAllocated += moreVoxels();
+        if (pictured.contains(name))
+            more.bytesAllocated += pictureBytes * morePixels();
+        return more;
+    });
     QVERIFY2(wrong.isEmpty(), qPrintable(wrong.join(QLatin1Char('\n'))));
 }
 

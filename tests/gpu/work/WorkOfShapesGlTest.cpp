@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/brick/BrickGrid.h"
 #include "core/edits/kinds/segments/CleanSegment.h"
 #include "core/edits/kinds/segments/ReshapeSegment.h"
 #include "core/edits/kinds/surface/ApplyTemplate.h"
@@ -11,9 +10,7 @@
 #include "core/edits/kinds/surface/PointDrag.h"
 #include "core/edits/kinds/surface/SmoothSurface.h"
 #include "core/session/EditSession.h"
-#include "tests/support/faults/FailingLog.h"
-#include "tests/support/fixtures/CountedSession.h"
-#include "tests/support/fixtures/EditEngineFixture.h"
+#include "tests/support/fixtures/WorkTest.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/GradedBall.h"
 #include "tests/support/scenes/PlainEdits.h"
@@ -26,7 +23,6 @@ namespace workOfShapesGlTest {
 
 using namespace core;
 using test::CountedSession;
-using test::CountedWork;
 using Ball = test::GradedBall;
 
 namespace {
@@ -61,23 +57,18 @@ std::vector<glm::dvec3> lobeAlong(const glm::dvec3& direction)
 /// What it costs to clean a segment up, to give it another shape and to refine its surface with
 /// each of the tools, counted as by WorkOfStepsGlTest. Margins, smoothing, laying and writing back
 /// are in WorkOfLabelsGlTest.
-class WorkOfShapesGlTest : public QObject {
+class WorkOfShapesGlTest : public test::WorkTest {
     Q_OBJECT
 
 private Q_SLOTS:
-    void initTestCase() { QVERIFY2(m_gpu.isReady(), m_gpu.why()); }
-    void init() { test::failOnUnexpectedMessages(); }
-    void cleanup() { QCOMPARE(m_gpu.newErrors(), 0); }
     void growsWithTheVolumeOnlyWhereItHasTo();
 
 private:
-    /// The steps, each for the second time: the first one makes programs and buffers.
-    std::vector<CountedWork> stepsIn(int side);
+    void prepare(CountedSession& counts) override;
+    void takeSteps(CountedSession& counts, int round) override;
     void refine(CountedSession& counts);
     void cleanUp(CountedSession& counts);
     void reshape(CountedSession& counts);
-
-    test::EditEngineFixture m_gpu;
 };
 
 void WorkOfShapesGlTest::refine(CountedSession& counts)
@@ -135,47 +126,29 @@ void WorkOfShapesGlTest::reshape(CountedSession& counts)
     step("hollow", ShapeOperation::Hollow, 3.0);
 }
 
-std::vector<CountedWork> WorkOfShapesGlTest::stepsIn(int side)
+void WorkOfShapesGlTest::prepare(CountedSession& counts)
 {
-    CountedSession counts(m_gpu, side);
-    if (!counts.isOpen())
-        return {};
     for (const char* name : {"Organ", "Other"})
         counts.prepare(test::newSegment(QLatin1String(name)));
-    const RowId beginning = counts.session().history().position();
-    for (int round = 0; round < 2; ++round) {
-        counts.forget();
-        refine(counts);
-        cleanUp(counts);
-        reshape(counts);
-        counts.step(
-            "back through the history", [&] { return bool(counts.session().goTo(beginning)); });
-    }
-    return counts.counted();
+}
+
+void WorkOfShapesGlTest::takeSteps(CountedSession& counts, int /*round*/)
+{
+    refine(counts);
+    cleanUp(counts);
+    reshape(counts);
 }
 
 void WorkOfShapesGlTest::growsWithTheVolumeOnlyWhereItHasTo()
 {
-    const std::vector<CountedWork> small = stepsIn(test::smallWorkSide);
-    const std::vector<CountedWork> large = stepsIn(test::largeWorkSide);
-    // As in WorkOfLabelsGlTest: what works on all of a segment reads its plane in portions and has
-    // a byte in memory for each voxel of the volume. Tools of the surface know no volume.
-    const QByteArrayList onAll{"filling holes", "removing small islands", "opening", "closing",
+    // Tools of the surface know no volume.
+    const QByteArrayList all{"filling holes", "removing small islands", "opening", "closing",
         "wrap", "joint smoothing", "hollow"};
-    const auto voxelsOf = [](int side) { return std::int64_t(side) * side * side; };
-    constexpr std::int64_t portionBytes = 32;
-    const std::int64_t bricks = BrickGrid{glm::ivec3(test::largeWorkSide)}.brickCount();
-    const QStringList wrong =
-        test::grownWork(m_gpu, QStringLiteral("shapes"), small, large, [&](const QByteArray& name) {
-            test::MoreWork more{
-                .tables = onAll.contains(name) || name == "back through the history"};
-            if (onAll.contains(name)) {
-                more.dispatches = 2; // the segment lies in two portions
-                more.bytesAllocated = voxelsOf(test::largeWorkSide) - voxelsOf(test::smallWorkSide)
-                    + portionBytes * bricks;
-            }
-            return more;
-        });
+    const QStringList wrong = grown(QStringLiteral("shapes"), [&](const QByteArray& name) {
+        return all.contains(name) // the segment lies in two portions
+            ? onAll(2)
+            : test::MoreWork{.tables = name == "back through the history"};
+    });
     QVERIFY2(wrong.isEmpty(), qPrintable(wrong.join(QLatin1Char('\n'))));
 }
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/base/MemoryReserve.h"
-#include "core/brick/BrickGrid.h"
 #include "core/edits/kinds/Edit.h"
 #include "core/edits/kinds/chunks/ChunkToggle.h"
 #include "core/edits/kinds/chunks/DivideSegment.h"
@@ -12,9 +11,7 @@
 #include "core/edits/kinds/segments/FillOutline.h"
 #include "core/session/EditSession.h"
 #include "core/session/SessionChunks.h"
-#include "tests/support/faults/FailingLog.h"
-#include "tests/support/fixtures/CountedSession.h"
-#include "tests/support/fixtures/EditEngineFixture.h"
+#include "tests/support/fixtures/WorkTest.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/CutEdits.h"
 #include "tests/support/scenes/GradedBall.h"
@@ -89,7 +86,6 @@ namespace workOfStepsGlTest {
 
 using namespace core;
 using test::CountedSession;
-using test::CountedWork;
 using Ball = test::GradedBall;
 
 namespace {
@@ -106,27 +102,24 @@ std::vector<glm::dvec2> squareAround(const glm::dvec2& place, double halfMm)
 /// What a step of the hand costs does not depend on how large the volume is: it is counted in calls
 /// and bytes, in a small volume and in a large one that hold the same; and in the small one it is
 /// not more than was recorded. Who needs more records it, and says why in the commit.
-class WorkOfStepsGlTest : public QObject {
+class WorkOfStepsGlTest : public test::WorkTest {
     Q_OBJECT
 
 private Q_SLOTS:
-    void initTestCase() { QVERIFY2(m_gpu.isReady(), m_gpu.why()); }
-    void init() { test::failOnUnexpectedMessages(); }
-    void cleanup() { QCOMPARE(m_gpu.newErrors(), 0); }
     void doesNotGrowWithTheVolume();
 
 private:
-    /// The steps, each for the second time: the first one makes programs and buffers.
-    std::vector<CountedWork> stepsIn(int side);
-
-    test::EditEngineFixture m_gpu;
+    void prepare(CountedSession& counts) override;
+    void takeSteps(CountedSession& counts, int round) override;
 };
 
-std::vector<CountedWork> WorkOfStepsGlTest::stepsIn(int side)
+void WorkOfStepsGlTest::prepare(CountedSession& counts)
 {
-    CountedSession counts(m_gpu, side);
-    if (!counts.isOpen())
-        return {};
+    counts.prepare(test::newSegment(QStringLiteral("A")));
+}
+
+void WorkOfStepsGlTest::takeSteps(CountedSession& counts, int round)
+{
     EditSession& known = counts.session();
     const auto step = [&](const char* name, const std::function<bool()>& taken) {
         counts.step(name, taken);
@@ -141,117 +134,103 @@ std::vector<CountedWork> WorkOfStepsGlTest::stepsIn(int side)
                 {.xMm = x + 2.0, .yMm = 1.7, .pressure = 1.0, .tSeconds = 0.1}}};
     };
     const glm::dvec3 middle = Ball::middle;
-    counts.prepare(test::newSegment(QStringLiteral("A")));
-    const RowId beginning = known.history().position();
-    for (int round = 0; round < 2; ++round) {
-        counts.forget();
-        const double aside = round * 6.0;
-        step("paint", [&] { return apply(test::paintAt(1, {middle + glm::dvec3(aside)}, 4.0)); });
-        step("undo of paint", [&] { return bool(known.undo()); });
-        step("redo of paint", [&] { return bool(known.redo()); });
-        step("erase", [&] { return apply(test::eraseAt(1, {middle + glm::dvec3(aside)}, 3.0)); });
-        step("drill", [&] { return apply(test::drillWith(penAt(aside))); });
-        step("undo of drill", [&] { return bool(known.undo()); });
-        step("redo of drill", [&] { return bool(known.redo()); });
-        step("laser", [&] { return apply(test::laserWith(penAt(-aside - 4.0))); });
-        step("carve", [&] { return apply(test::carveAt({middle - glm::dvec3(aside)}, 4.0)); });
-        step("seeds", [&] { return apply(test::seedAt(1, {middle - glm::dvec3(aside)})); });
-        step("grow", [&] { return apply(test::growBetween(500.0, 2000.0, 5)); });
-        step("shrink", [&] { return apply(ShrinkSteps{.steps = 3}); });
-        step("undo of shrink", [&] { return bool(known.undo()); });
+    const double aside = round * 6.0;
+    step("paint", [&] { return apply(test::paintAt(1, {middle + glm::dvec3(aside)}, 4.0)); });
+    step("undo of paint", [&] { return bool(known.undo()); });
+    step("redo of paint", [&] { return bool(known.redo()); });
+    step("erase", [&] { return apply(test::eraseAt(1, {middle + glm::dvec3(aside)}, 3.0)); });
+    step("drill", [&] { return apply(test::drillWith(penAt(aside))); });
+    step("undo of drill", [&] { return bool(known.undo()); });
+    step("redo of drill", [&] { return bool(known.redo()); });
+    step("laser", [&] { return apply(test::laserWith(penAt(-aside - 4.0))); });
+    step("carve", [&] { return apply(test::carveAt({middle - glm::dvec3(aside)}, 4.0)); });
+    step("seeds", [&] { return apply(test::seedAt(1, {middle - glm::dvec3(aside)})); });
+    step("grow", [&] { return apply(test::growBetween(500.0, 2000.0, 5)); });
+    step("shrink", [&] { return apply(ShrinkSteps{.steps = 3}); });
+    step("undo of shrink", [&] { return bool(known.undo()); });
 
-        step("barrier", [&] {
-            return apply(BarrierStroke{
-                .path = {.radiusMm = 2.0, .pointsLps = {middle + glm::dvec3(0.0, 0.0, 18.0)}}});
-        });
-        step("peel", [&] {
-            return apply(test::peelWith(
-                {.view = Ball::front(), .depthMm = 3.0, .surfaceThreshold = Ball::threshold},
-                squareAround({0.0, 12.0}, 4.0)));
-        });
-        step("scissors", [&] {
-            return apply(ScissorsCut{.view = Ball::front(),
-                .polygonMm = squareAround({10.0, -11.0}, 3.0),
-                .depthMm = 4.0,
-                .surfaceThreshold = Ball::threshold});
-        });
-        step("outline", [&] {
-            return apply(FillOutline{.segment = 1,
-                .originLps = middle - glm::dvec3(0.0, 0.0, 10.0),
-                .polygonMm = squareAround({0.0, 0.0}, 6.0)});
-        });
-        step("paint along edges", [&] {
-            return apply(
-                test::paintAlongEdgesAt(1, {middle + glm::dvec3(14.0, 0.0, 0.0)}, 4.0, 60.0));
-        });
+    step("barrier", [&] {
+        return apply(BarrierStroke{
+            .path = {.radiusMm = 2.0, .pointsLps = {middle + glm::dvec3(0.0, 0.0, 18.0)}}});
+    });
+    step("peel", [&] {
+        return apply(test::peelWith(
+            {.view = Ball::front(), .depthMm = 3.0, .surfaceThreshold = Ball::threshold},
+            squareAround({0.0, 12.0}, 4.0)));
+    });
+    step("scissors", [&] {
+        return apply(ScissorsCut{.view = Ball::front(),
+            .polygonMm = squareAround({10.0, -11.0}, 3.0),
+            .depthMm = 4.0,
+            .surfaceThreshold = Ball::threshold});
+    });
+    step("outline", [&] {
+        return apply(FillOutline{.segment = 1,
+            .originLps = middle - glm::dvec3(0.0, 0.0, 10.0),
+            .polygonMm = squareAround({0.0, 0.0}, 6.0)});
+    });
+    step("paint along edges", [&] {
+        return apply(test::paintAlongEdgesAt(1, {middle + glm::dvec3(14.0, 0.0, 0.0)}, 4.0, 60.0));
+    });
 
-        // Parts of steps: what one event of a slider costs.
-        counts.prepare(test::growBetween(500.0, 2000.0, 12));
-        counts.tell([&] { counts.begin(ShrinkSteps{.steps = 0}); });
-        counts.event("scrub of a growth", [&] { known.extend(ToSteps{3}); });
-        counts.end(Ending::Rollback);
-        ChangeInterval change;
-        change.criteria.lower = 600.0;
-        change.criteria.upper = 2000.0;
-        counts.tell([&] {
-            counts.begin(change);
-            known.extend(GrowAdvance{.steps = 1});
-        });
-        const auto interval = [&known](double lower) {
-            known.extend(ToInterval{.lower = lower, .upper = 2000.0});
-            known.extend(GrowAdvance{.steps = 1});
-        };
-        const auto told = [&](double lower) {
-            counts.tell([&] { interval(lower); });
-            m_gpu.rest();
-        };
-        // Once before it counts: the memory of bricks doubles when it is full, however large a
-        // volume.
-        told(Ball::valueAt(11.0));
-        told(600.0);
-        counts.event("narrower interval", [&] { interval(Ball::valueAt(11.0)); });
-        counts.event("wider interval", [&] { interval(600.0); });
-        told(Ball::valueAt(11.0));
-        counts.end(Ending::Commit);
-        if (!known.history().rows().back().edit.is<ChangeInterval>())
-            qWarning("the interval took nothing away");
-        step("cut of a growth", [&] {
-            return apply(
-                ShrinkAt{.pointsLps = {middle - glm::dvec3(aside) + glm::dvec3(6.0, 0.0, 0.0)}});
-        });
+    // Parts of steps: what one event of a slider costs.
+    counts.prepare(test::growBetween(500.0, 2000.0, 12));
+    counts.tell([&] { counts.begin(ShrinkSteps{.steps = 0}); });
+    counts.event("scrub of a growth", [&] { known.extend(ToSteps{3}); });
+    counts.end(Ending::Rollback);
+    ChangeInterval change;
+    change.criteria.lower = 600.0;
+    change.criteria.upper = 2000.0;
+    counts.tell([&] {
+        counts.begin(change);
+        known.extend(GrowAdvance{.steps = 1});
+    });
+    const auto interval = [&known](double lower) {
+        known.extend(ToInterval{.lower = lower, .upper = 2000.0});
+        known.extend(GrowAdvance{.steps = 1});
+    };
+    const auto told = [&](double lower) {
+        counts.tell([&] { interval(lower); });
+        gpu().rest();
+    };
+    // Once before it counts: the memory of bricks doubles when it is full, however large a volume.
+    told(Ball::valueAt(11.0));
+    told(600.0);
+    counts.event("narrower interval", [&] { interval(Ball::valueAt(11.0)); });
+    counts.event("wider interval", [&] { interval(600.0); });
+    told(Ball::valueAt(11.0));
+    counts.end(Ending::Commit);
+    if (!known.history().rows().back().edit.is<ChangeInterval>())
+        qWarning("the interval took nothing away");
+    step("cut of a growth", [&] {
+        return apply(
+            ShrinkAt{.pointsLps = {middle - glm::dvec3(aside) + glm::dvec3(6.0, 0.0, 0.0)}});
+    });
 
-        counts.prepare(DivideSegment{.segment = 1, .marginMm = 6.0});
-        while (!known.chunks().map() && !known.chunks().whyNot()) {
-            m_gpu.engine().finish();
-            known.poll();
-            QThread::msleep(1);
-        }
-        step("chunk", [&] {
-            return apply(ChunkToggle{
-                .segment = 1, .chunks = 6, .pointsLps = {middle + glm::dvec3(10.0, 4.0, 0.0)}});
-        });
-        step("undo of a chunk", [&] { return bool(known.undo()); });
-        step("back through the history", [&] { return bool(known.goTo(beginning)); });
+    counts.prepare(DivideSegment{.segment = 1, .marginMm = 6.0});
+    while (!known.chunks().map() && !known.chunks().whyNot()) {
+        gpu().engine().finish();
+        known.poll();
+        QThread::msleep(1);
     }
-    return counts.counted();
+    step("chunk", [&] {
+        return apply(ChunkToggle{
+            .segment = 1, .chunks = 6, .pointsLps = {middle + glm::dvec3(10.0, 4.0, 0.0)}});
+    });
+    step("undo of a chunk", [&] { return bool(known.undo()); });
 }
 
 void WorkOfStepsGlTest::doesNotGrowWithTheVolume()
 {
-    const std::vector<CountedWork> small = stepsIn(test::smallWorkSide);
-    const std::vector<CountedWork> large = stepsIn(test::largeWorkSide);
     // A front that is wide is held as bits of the whole volume (FrontBits), three a voxel.
-    const auto bytesOfBits = [](int side) {
-        return BrickGrid{glm::ivec3(side)}.brickCount() * 1600;
-    };
-    const QStringList wrong =
-        test::grownWork(m_gpu, QStringLiteral("steps"), small, large, [&](const QByteArray& name) {
-            test::MoreWork more{.tables = true};
-            if (name == "wider interval")
-                more.bytesWithin =
-                    bytesOfBits(test::largeWorkSide) - bytesOfBits(test::smallWorkSide);
-            return more;
-        });
+    constexpr int bytesOfBits = 1600;
+    const QStringList wrong = grown(QStringLiteral("steps"), [](const QByteArray& name) {
+        test::MoreWork more{.tables = true};
+        if (name == "wider interval")
+            more.bytesWithin =
+                bytesOfBits * (bricksOf(test::largeWorkSide) - bricksOf(test::smallWorkSide));
+        return more;
+    });
     QVERIFY2(wrong.isEmpty(), qPrintable(wrong.join(QLatin1Char('\n'))));
 }
 
