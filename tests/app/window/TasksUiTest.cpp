@@ -7,7 +7,7 @@
 #include "tests/support/fixtures/ApplicationFixture.h"
 #include "tests/support/fixtures/WindowFixture.h"
 #include "tests/support/program/TestProgram.h"
-#include "tests/support/scenes/MadeScans.h"
+#include "tests/support/series/MadeScans.h"
 #include "tests/support/scenes/SmallStudy.h"
 #include "ui/frame/MendingStrip.h"
 #include "ui/frame/PanelSection.h"

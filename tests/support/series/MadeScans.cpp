@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tests/support/scenes/MadeScans.h"
+#include "tests/support/series/MadeScans.h"
 
 #include "core/demo/HeadPhantom.h"
 #include "core/demo/Noise.h"
