@@ -63,6 +63,7 @@ public:
     [[nodiscard]] FieldTextures textures(core::Field field, std::uint8_t plane);
     /// The paged field, or null for the dense label planes.
     [[nodiscard]] BrickField* paged(core::Field field, std::uint8_t plane);
+    /// Whether the brick may hold anything. Makes no label plane.
     [[nodiscard]] bool hasData(const core::BrickKey& key);
     /// Bricks in which any label plane was ever written, ascending. They include all bricks that
     /// hold labels.

@@ -10,6 +10,7 @@
 #include "core/session/past/RecentGrowth.h"
 #include "core/session/past/SeedStrokes.h"
 
+#include <algorithm>
 #include <iterator>
 #include <utility>
 
@@ -65,8 +66,10 @@ void VoxelOperation::start(SessionState& state)
         m_waiting.insert(m_waiting.begin(), std::make_move_iterator(told.begin()),
             std::make_move_iterator(told.end()));
     }
-    if (isWhole())
+    if (isWhole()) {
         m_ending = Ending::Commit;
+        keepNothing(state);
+    }
     if (m_ending)
         liftPen();
     askBefore(state, *edit);
@@ -113,8 +116,20 @@ void VoxelOperation::end(SessionState& state, Ending ending)
     if (!open())
         return;
     m_ending = ending;
+    if (ending == Ending::Commit)
+        keepNothing(state);
     liftPen();
     submitWaiting(state);
+}
+
+/// What becomes a row leaves nothing for a next preview, not even if it is aborted.
+void VoxelOperation::keepNothing(const SessionState& state)
+{
+    if (!m_stroke || !m_manner.keepsForNext)
+        return;
+    Result<OpenStroke::Told> told = m_stroke->extend(ForgetPreview{}, state.document);
+    if (told)
+        std::move(told->begin(), told->end(), std::back_inserter(m_waiting));
 }
 
 /// What the end of a stroke still owes; one that has not started yet pays when it does.

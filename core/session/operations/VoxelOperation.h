@@ -51,6 +51,7 @@ private:
     [[nodiscard]] bool isWhole() const { return m_kind == Kind::Whole; }
     void askBefore(SessionState& state, const EngineEdit& edit);
     void takeBefore(const EngineResult& result);
+    void keepNothing(const SessionState& state);
     void liftPen();
     void submitWaiting(SessionState& state);
     void finish(SessionState& state, EngineResult&& result);

@@ -33,6 +33,8 @@ public:
     void abort(SessionState&) override;
     [[nodiscard]] bool isAbortable() const override;
     [[nodiscard]] int percent(const SessionState&) const override { return m_watch->percent; }
+    /// What imports hold is looked at once: that is soon done, and the step was asked for.
+    [[nodiscard]] bool isAwaitedAtEnd() const override { return true; }
 
 private:
     [[nodiscard]] Result<void> checkRows(const SessionState& state) const;

@@ -2,6 +2,7 @@
 #include "gpu/fields/textures/ShownLabels.h"
 
 #include "core/document/Document.h"
+#include "gpu/fields/BrickImages.h"
 #include "tests/reference/fields/Radiation.h"
 #include "tests/support/fixtures/frames/FrameTest.h"
 #include "tests/support/program/TestProgram.h"
@@ -10,6 +11,8 @@
 
 #include <algorithm>
 #include <random>
+#include <span>
+#include <vector>
 
 namespace shownLabelsGlTest {
 
@@ -162,6 +165,16 @@ private Q_SLOTS:
         m_fixture->edits.fields->setShownLabels(shown, shown);
         QVERIFY(!m_fixture->edits.fields->segmentationStale());
         QCOMPARE(m_fixture->edits.fields->bytes(), bytes);
+        // Nobody makes a further plane by asking what it holds.
+        VoxelFields& fields = *m_fixture->edits.fields;
+        const std::vector<std::uint32_t> labelled = fields.labelledBricks();
+        QVERIFY(!labelled.empty());
+        const core::BrickKey further{core::Field::Labels, 1, labelled.front()};
+        QVERIFY(fields.hasData({core::Field::Labels, 0, labelled.front()}));
+        QVERIFY(!fields.hasData(further));
+        QVERIFY(readImages(fields, std::span(&further, 1)).front().empty());
+        QCOMPARE(fields.bytes(), bytes);
+        QCOMPARE(m_fixture->volume.labelPlanes().size(), std::size_t(1));
         // A further plane costs itself, and what is seen of both.
         (void)m_fixture->edits.fields->labels(1);
         QCOMPARE(m_fixture->edits.fields->bytes(), bytes + 2 * m_fixture->volume.labels().bytes());

@@ -4,6 +4,7 @@
 #include "core/session/EditSession.h"
 #include "core/session/questions/VoxelQuestions.h"
 #include "tests/reference/DelayedEngine.h"
+#include "tests/reference/PassingEngine.h"
 #include "tests/reference/ReferenceEngine.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/program/TestProgram.h"
@@ -14,6 +15,8 @@
 
 #include <map>
 #include <set>
+#include <utility>
+#include <variant>
 
 namespace growFromSeedsTest {
 
@@ -25,6 +28,16 @@ struct Bench {
     explicit Bench(bool delayed = false)
         : late(inner, 11)
         , engine(delayed ? static_cast<EditEngine&>(late) : inner)
+    {
+        begin();
+    }
+    explicit Bench(EditEngine& other)
+        : late(inner, 11)
+        , engine(other)
+    {
+        begin();
+    }
+    void begin()
     {
         session = *EditSession::create(engine, test::smallStudy(), {});
         for (const Edit& edit : {Edit(test::addSegment("Brain")), Edit(test::addSegment("Bone")),
@@ -62,6 +75,18 @@ struct Bench {
     reference::DelayedEngine late;
     EditEngine& engine; ///< the session's
     std::unique_ptr<EditSession> session;
+};
+
+/// Counts how often it is told to keep nothing for a next preview.
+class CountingEngine final : public reference::PassingEngine {
+public:
+    Ticket submit(EngineCommand command) override
+    {
+        const auto* told = std::get_if<ExtendEdit>(&command);
+        forgotten += told && std::holds_alternative<ForgetSpread>(told->extension) ? 1 : 0;
+        return PassingEngine::submit(std::move(command));
+    }
+    int forgotten = 0;
 };
 
 /// The whole of the small study.
@@ -159,6 +184,26 @@ private Q_SLOTS:
         QVERIFY(shown.session->undo());
         QVERIFY(shown.session->settle());
         QCOMPARE(int(shown.seenAt(middle)), 0);
+    }
+
+    /// What becomes a row keeps nothing for a next preview, for it may be aborted when its costs
+    /// are known; what is rolled back does.
+    void whatIsAppliedKeepsNothing()
+    {
+        CountingEngine engine;
+        Bench bench(engine);
+        EditSession& session = *bench.session;
+        bench.run(everywhere());
+        QCOMPARE(engine.forgotten, 1);
+        QVERIFY(session.undo() && session.settle());
+        QVERIFY(session.begin(everywhere()));
+        session.end(Ending::Rollback);
+        QVERIFY(session.settle());
+        QCOMPARE(engine.forgotten, 1);
+        QVERIFY(session.begin(everywhere()));
+        session.end(Ending::Commit);
+        QVERIFY(session.settle());
+        QCOMPARE(engine.forgotten, 2);
     }
 
     void aClosingSessionTakesThePreviewBack()

@@ -11,6 +11,7 @@
 #include "tests/support/scenes/SmallStudy.h"
 #include "tests/support/scenes/sessions/SessionBench.h"
 
+#include <QTemporaryDir>
 #include <QTest>
 
 namespace revertImportTest {
@@ -157,6 +158,23 @@ private Q_SLOTS:
         QCOMPARE(bench.session->stateHash(), before);
         bench.run(RevertRows{{2}});
         QCOMPARE(bench.rows().size(), std::size_t(4));
+    }
+
+    /// Aborted is only what somebody aborts: in a session that ends meanwhile it is a step.
+    void isAwaitedAtTheEnd()
+    {
+        const QTemporaryDir folder;
+        const QString file = folder.filePath(QStringLiteral("session.burin"));
+        test::SessionBench bench(false, test::smallStudy(), file);
+        for (const Edit& edit : {test::addSegment("A"), paintLow(), importOf({farBox})})
+            bench.run(edit);
+        QVERIFY(bench.session->apply(RevertRows{{2}}));
+        QVERIFY(bench.session->segmentWork().percent());
+        bench.session.reset();
+        const auto opened = EditSession::open(bench.inner, test::smallStudy(), file);
+        QVERIFY(opened);
+        QCOMPARE((*opened)->history().rows().size(), std::size_t(4));
+        QVERIFY((*opened)->history().rows().back().edit.is<RevertRows>());
     }
 
     /// Nothing is to be worked out where there is no import.
