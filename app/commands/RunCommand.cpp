@@ -13,6 +13,7 @@
 #include "app/steps/TracedRun.h"
 #include "core/base/Guarded.h"
 #include "core/base/files/FileInUse.h"
+#include "core/base/files/FollowedFile.h"
 #include "core/base/files/StagedFile.h"
 #include "core/edits/document/DocumentEdits.h"
 #include "core/edits/kinds/Edit.h"
@@ -329,6 +330,7 @@ int run(core::Recipe recipe, const Arguments& arguments, CommandTermination& ter
     if (const Result<void> opened = steady.open(first, again); !opened)
         return reportFailure(goesOn ? opened.error() : ofTarget(opened.error(), place, file));
     openFile = steady.session().file();
+    const core::FollowedFile made(openFile);
     termination.setClosing([replaces, place, file] {
         closeSessions();
         if (replaces)
@@ -363,7 +365,9 @@ int run(core::Recipe recipe, const Arguments& arguments, CommandTermination& ter
         const bool promised = steady.rowCount() > rowsBefore;
         steady.close();
         if (!goesOn && !promised) {
-            core::removeSession(place);
+            // Another program may have renamed it, and given its name to something else.
+            if (made.isAt(place))
+                core::removeSession(place);
         } else if (replaces) {
             keepUnfinished(place, file);
         } else if (!plan.damaged.isEmpty() && !promised) {
@@ -395,9 +399,15 @@ int run(core::Recipe recipe, const Arguments& arguments, CommandTermination& ter
     if (!exported)
         return reportFailure(exported.error());
     termination.setClosing({});
-    if (steady.isOpen())
+    std::optional<core::Error> trouble;
+    if (steady.isOpen()) {
         steady.session().storage().finishWriting();
+        trouble = steady.session().storage().trouble();
+    }
     steady.close();
+    // It could not be followed to its new name, where its last writes lie beside it.
+    if (trouble && !made.isAt(openFile))
+        return reportFailure(*trouble);
     if (const QString why = whyNotOneFile(openFile); !why.isEmpty())
         return reportFailure({core::ErrorCode::FileUnwritable, {openFile, why}});
     // The steps stand, but not where they were meant to.
