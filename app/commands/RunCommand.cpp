@@ -288,14 +288,16 @@ int run(core::Recipe recipe, const Arguments& arguments, CommandTermination& ter
         return other ? std::move(other) : std::move(study);
     };
     QString openFile = place; ///< of the session, closed or open
-    const auto follow = [author = arguments.value("author"), &openFile](
+    core::FollowedFile made; ///< that file
+    const auto follow = [author = arguments.value("author"), &openFile, &made](
                             core::EditSession& session) {
         session.setOrigin([author] { return core::presentOrigin(author); });
         // What the disk does not take is said by the step that waits for it.
-        session.setErrorListener([&openFile](const core::Error& error) {
+        session.setErrorListener([&openFile, &made](const core::Error& error) {
             if (error.code != core::ErrorCode::SessionMoved)
                 return;
             openFile = error.arguments.value(0);
+            made = core::FollowedFile(openFile);
             std::fprintf(stderr, "burin: %s\n", qUtf8Printable(ui::errorText(error)));
         });
     };
@@ -318,6 +320,9 @@ int run(core::Recipe recipe, const Arguments& arguments, CommandTermination& ter
         return std::move(continued->session);
     };
     const auto again = [&](gpu::GpuEngine& engine) -> Result<SteadySession::Session> {
+        // Where it went as it was closed, nobody was told; its name may be another one's by now.
+        if (const QString now = made.path(); !made.isAt(openFile) && !now.isEmpty())
+            openFile = now;
         Result<core::LoadedVolume> study = readStudy(openFile);
         if (!study)
             return tl::unexpected(study.error());
@@ -330,7 +335,7 @@ int run(core::Recipe recipe, const Arguments& arguments, CommandTermination& ter
     if (const Result<void> opened = steady.open(first, again); !opened)
         return reportFailure(goesOn ? opened.error() : ofTarget(opened.error(), place, file));
     openFile = steady.session().file();
-    const core::FollowedFile made(openFile);
+    made = core::FollowedFile(openFile);
     termination.setClosing([replaces, place, file] {
         closeSessions();
         if (replaces)
