@@ -13,6 +13,7 @@
 #include "app/steps/TracedRun.h"
 #include "core/base/Guarded.h"
 #include "core/base/files/FileInUse.h"
+#include "core/base/files/FollowedFile.h"
 #include "core/base/files/StagedFile.h"
 #include "core/edits/document/DocumentEdits.h"
 #include "core/edits/kinds/Edit.h"
@@ -287,14 +288,16 @@ int run(core::Recipe recipe, const Arguments& arguments, CommandTermination& ter
         return other ? std::move(other) : std::move(study);
     };
     QString openFile = place; ///< of the session, closed or open
-    const auto follow = [author = arguments.value("author"), &openFile](
+    core::FollowedFile made; ///< that file
+    const auto follow = [author = arguments.value("author"), &openFile, &made](
                             core::EditSession& session) {
         session.setOrigin([author] { return core::presentOrigin(author); });
         // What the disk does not take is said by the step that waits for it.
-        session.setErrorListener([&openFile](const core::Error& error) {
+        session.setErrorListener([&openFile, &made](const core::Error& error) {
             if (error.code != core::ErrorCode::SessionMoved)
                 return;
             openFile = error.arguments.value(0);
+            made = core::FollowedFile(openFile);
             std::fprintf(stderr, "burin: %s\n", qUtf8Printable(ui::errorText(error)));
         });
     };
@@ -317,6 +320,9 @@ int run(core::Recipe recipe, const Arguments& arguments, CommandTermination& ter
         return std::move(continued->session);
     };
     const auto again = [&](gpu::GpuEngine& engine) -> Result<SteadySession::Session> {
+        // Where it went as it was closed, nobody was told; its name may be another one's by now.
+        if (const QString now = made.path(); !made.isAt(openFile) && !now.isEmpty())
+            openFile = now;
         Result<core::LoadedVolume> study = readStudy(openFile);
         if (!study)
             return tl::unexpected(study.error());
@@ -329,6 +335,7 @@ int run(core::Recipe recipe, const Arguments& arguments, CommandTermination& ter
     if (const Result<void> opened = steady.open(first, again); !opened)
         return reportFailure(goesOn ? opened.error() : ofTarget(opened.error(), place, file));
     openFile = steady.session().file();
+    made = core::FollowedFile(openFile);
     termination.setClosing([replaces, place, file] {
         closeSessions();
         if (replaces)
@@ -363,7 +370,9 @@ int run(core::Recipe recipe, const Arguments& arguments, CommandTermination& ter
         const bool promised = steady.rowCount() > rowsBefore;
         steady.close();
         if (!goesOn && !promised) {
-            core::removeSession(place);
+            // Another program may have renamed it, and given its name to something else.
+            if (made.isAt(place))
+                core::removeSession(place);
         } else if (replaces) {
             keepUnfinished(place, file);
         } else if (!plan.damaged.isEmpty() && !promised) {
@@ -395,9 +404,15 @@ int run(core::Recipe recipe, const Arguments& arguments, CommandTermination& ter
     if (!exported)
         return reportFailure(exported.error());
     termination.setClosing({});
-    if (steady.isOpen())
+    std::optional<core::Error> trouble;
+    if (steady.isOpen()) {
         steady.session().storage().finishWriting();
+        trouble = steady.session().storage().trouble();
+    }
     steady.close();
+    // It could not be followed to its new name, where its last writes lie beside it.
+    if (trouble && !made.isAt(openFile))
+        return reportFailure(*trouble);
     if (const QString why = whyNotOneFile(openFile); !why.isEmpty())
         return reportFailure({core::ErrorCode::FileUnwritable, {openFile, why}});
     // The steps stand, but not where they were meant to.

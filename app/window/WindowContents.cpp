@@ -210,8 +210,8 @@ ui::MendingSteps& addMending(ui::MainWindow& window, ui::ComparePanel& panel)
         .run = [steps] { steps->setWanted(!steps->isWanted()); },
         .checked = [steps] { return steps->isWanted(); }});
     actions.fill(window.segmentsMenu(),
-        {QString(), QStringLiteral("file.importMask"), QStringLiteral("mending.look"), QStringLiteral("mending.compare"),
-            QStringLiteral("mending.strip")});
+        {QString(), QStringLiteral("file.importMask"), QStringLiteral("mending.look"),
+            QStringLiteral("mending.compare"), QStringLiteral("mending.strip")});
     QObject::connect(steps, &ui::MendingSteps::changed, &actions, &ui::Actions::refresh);
     using Step = ui::MendingStrip::Step;
     QObject::connect(

@@ -85,13 +85,21 @@ void SessionDatabase::leaveWalOfLostName()
     bool isWhole = false;
     for (int i = 0; !isWhole && i < closingTries; ++i)
         static_cast<void>(guarded([&] { isWhole = gather(); }));
-    const QString file = m_followed.path();
     if (isWhole)
-        leaveName();
-    else if (!file.isEmpty())
-        moveSessionPart(m_wal, file + QLatin1String("-wal"));
-    else if (QFileInfo::exists(m_file))
-        moveSessionPart(m_wal, m_wal.path() + QLatin1String(".left"));
+        return leaveName();
+    const QString file = m_followed.path();
+    if (!file.isEmpty() && moveSessionPart(m_wal, file + QLatin1String("-wal")))
+        return;
+    const QString wal = walOf(m_file);
+    if (!QFileInfo::exists(m_file) || !m_wal.isAt(wal))
+        return;
+    // What was left there earlier, and is nobody's either, keeps its name.
+    constexpr int mostLeft = 1000;
+    for (int i = 1; i <= mostLeft; ++i) {
+        const QString number = i == 1 ? QString() : QString::number(i);
+        if (moveSessionPart(m_wal, wal + QLatin1String(".left") + number))
+            return;
+    }
 }
 
 Result<std::unique_ptr<SessionDatabase>> SessionDatabase::create(

@@ -3,6 +3,7 @@
 #include "core/sessionfile/records/SessionUse.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/fixtures/CommandFixture.h"
+#include "tests/support/program/FileBytes.h"
 #include "tests/support/program/Sanitizer.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/PlainEdits.h"
@@ -14,7 +15,14 @@
 #include <QProcess>
 #include <QTest>
 
+#include <algorithm>
+#include <array>
 #include <csignal>
+
+#include <fcntl.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 namespace runGoesOnGlTest {
 
@@ -22,6 +30,38 @@ using test::burin;
 using test::key;
 using test::Outcome;
 using test::toJson;
+
+/// A pipe that is full: whoever writes into it waits until it is drained.
+class FullPipe {
+public:
+    explicit FullPipe(const QString& path)
+    {
+        const QByteArray name = QFile::encodeName(path);
+        if (::mkfifo(name.constData(), S_IRUSR | S_IWUSR) == 0)
+            m_descriptor = ::open(name.constData(), O_RDWR | O_NONBLOCK | O_CLOEXEC);
+        if (m_descriptor < 0)
+            qFatal("cannot make a pipe");
+        const std::array<char, 4096> zeros{};
+        while (::write(m_descriptor, zeros.data(), zeros.size()) > 0) { }
+    }
+    FullPipe(const FullPipe&) = delete;
+    FullPipe& operator=(const FullPipe&) = delete;
+    ~FullPipe() { ::close(m_descriptor); }
+    /// What others have written so far.
+    QByteArray drain()
+    {
+        std::array<char, 4096> some{};
+        QByteArray all;
+        for (ssize_t count = 1; count > 0;) {
+            count = ::read(m_descriptor, some.data(), some.size());
+            all.append(some.data(), std::max<qsizetype>(0, count));
+        }
+        return all.replace(QByteArray(1, '\0'), QByteArray());
+    }
+
+private:
+    int m_descriptor = -1;
+};
 
 /// Where `burin run` goes on: after which row of a session, and in which file.
 class RunGoesOnGlTest : public QObject, protected test::CommandFixture {
@@ -119,6 +159,78 @@ private Q_SLOTS:
         const auto contents = core::checkSession(path("b.burin"));
         QVERIFY(contents && contents->isWhole() && contents->leftOpen.isEmpty());
         QCOMPARE(contents->rows.size(), edits.size());
+    }
+
+    /// Renamed when all is done, on a disk that takes nothing any more.
+    void thatItCouldNotFollowIsTold()
+    {
+        FullPipe output(path("output"));
+        QProcess process;
+        process.setStandardOutputFile(path("output"));
+        // The process takes it over: what it cannot write is to fail, and not to end it.
+        const auto before = std::signal(SIGXFSZ, SIG_IGN);
+        process.start(QStringLiteral(BURIN_PROGRAM),
+            {key("run"), recipe("r.json", {{key("edits"), toJson({test::addSegment("A")})}}),
+                key("--study"), study(), key("--session"), path("a.burin")});
+        QVERIFY(process.waitForStarted(patienceMs));
+        std::signal(SIGXFSZ, before);
+        // The step is on disk, and its line waits for us.
+        QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(path("a.burin-wal")), patienceMs);
+        const auto isStepThere = [this] {
+            const auto contents = core::checkSession(path("a.burin"));
+            return contents && contents->rows.size() == 1
+                && !contents->rows.front().stateHash.isEmpty();
+        };
+        QTRY_VERIFY_WITH_TIMEOUT(isStepThere(), patienceMs);
+        // Were it sooner, the step would be refused for the same reason.
+        QTest::qWait(200);
+        QVERIFY(QFile::rename(path("a.burin"), path("b.burin")));
+        rlimit limit{};
+        const auto pid = pid_t(process.processId());
+        QCOMPARE(::prlimit(pid, RLIMIT_FSIZE, nullptr, &limit), 0);
+        limit.rlim_cur = 1;
+        QCOMPARE(::prlimit(pid, RLIMIT_FSIZE, &limit, nullptr), 0);
+        static_cast<void>(output.drain());
+        QVERIFY(process.waitForFinished(patienceMs));
+        const QString complaint = QString::fromUtf8(process.readAllStandardError());
+        QVERIFY2(process.exitStatus() == QProcess::NormalExit && process.exitCode() == 1,
+            qPrintable(complaint));
+        QVERIFY2(complaint.contains(path("b.burin"))
+                && complaint.contains(key("another program renamed or moved 'a.burin'")),
+            qPrintable(complaint));
+        QCOMPARE(QDir(path("")).entryList({key("*.burin*")}, QDir::Files),
+            QStringList({key("b.burin"), key("b.burin-wal")}));
+        const auto contents = core::checkSession(path("b.burin"));
+        QVERIFY(contents && contents->isWhole());
+        QCOMPARE(contents->rows.size(), std::size_t(1));
+    }
+
+    /// Renamed and replaced before anything was done; then nothing can be done.
+    void whatHasItsNameNowStays()
+    {
+        FullPipe complaint(path("complaint"));
+        QProcess process;
+        process.setStandardErrorFile(path("complaint"));
+        process.start(QStringLiteral(BURIN_PROGRAM),
+            {key("run"), recipe("r.json", {{key("edits"), QJsonArray{test::goTo(99)}}}),
+                key("--study"), study(), key("--session"), path("a.burin"), key("--facts")});
+        QByteArray output;
+        while (!output.contains('\n') && process.waitForReadyRead(patienceMs))
+            output += process.readAllStandardOutput();
+        QVERIFY2(output.contains("renderer"), output.constData());
+        // Why the step is refused waits for us, and the session for it.
+        QVERIFY(QFile::rename(path("a.burin"), path("b.burin")));
+        QFile other(path("a.burin"));
+        QVERIFY(other.open(QIODevice::WriteOnly));
+        other.write("of somebody else");
+        other.close();
+        static_cast<void>(complaint.drain());
+        QVERIFY(process.waitForFinished(patienceMs));
+        const QByteArray said = complaint.drain();
+        QVERIFY2(process.exitStatus() == QProcess::NormalExit && process.exitCode() == 1,
+            said.constData());
+        QCOMPARE(test::bytesOf(path("a.burin")), QByteArray("of somebody else"));
+        QVERIFY(QFile::exists(path("b.burin")));
     }
 };
 

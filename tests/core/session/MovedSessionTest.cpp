@@ -242,16 +242,38 @@ private Q_SLOTS:
         QCOMPARE(files(), expected);
     }
 
-    /// What lies beside a session that nobody finds any more is not taken for another one's.
+    /// What lies beside a session that nobody finds any more, or to which it cannot go, is not
+    /// taken for another one's.
+    void whatHasItsNameNowStaysWhole_data()
+    {
+        QTest::addColumn<QString>("event");
+        QTest::addColumn<QString>("stray"); ///< what others have left
+        QTest::addColumn<QString>("left"); ///< what lay beside the session
+        QTest::newRow("once") << QStringLiteral("replaced") << QString()
+                              << QStringLiteral("in/a.burin-wal.left");
+        QTest::newRow("twice") << QStringLiteral("replaced")
+                               << QStringLiteral("in/a.burin-wal.left")
+                               << QStringLiteral("in/a.burin-wal.left2");
+        QTest::newRow("its new name is taken")
+            << QStringLiteral("renamed and replaced") << QStringLiteral("in/b.burin-wal")
+            << QStringLiteral("in/a.burin-wal.left");
+    }
     void whatHasItsNameNowStaysWhole()
     {
-        happens(QStringLiteral("replaced"));
+        QFETCH(QString, event);
+        QFETCH(QString, stray);
+        QFETCH(QString, left);
+        if (!stray.isEmpty())
+            write(path(stray));
+        happens(event);
         {
             const test::FileSizeLimit limit(1);
             m_session.reset();
         }
         QCOMPARE(strayPartOf(original()), QString());
-        QVERIFY(QFile::exists(original() + QStringLiteral("-wal.left")));
+        QVERIFY2(QFile::exists(path(left)), qPrintable(files().join(u' ')));
+        if (!stray.isEmpty())
+            QCOMPARE(test::bytesOf(path(stray)), QByteArray(4096, 'x'));
         const auto contents = checkSession(original());
         QVERIFY(contents && contents->isWhole() && contents->leftOpen.isEmpty());
         QCOMPARE(test::bytesOf(original()), test::bytesOf(path(QStringLiteral("other.burin"))));
