@@ -39,6 +39,10 @@ public:
         core::ClipRegion clip = workspace.clip();
         clip.box.maximum.x -= 4.0;
         workspace.setClip(clip);
+        ui::Workspace::GrowSettings growth = workspace.growSettings();
+        growth.boxed = true;
+        growth.box = core::GrowBox{.fromLps = glm::dvec3(-8.0), .toLps = glm::dvec3(8.0)};
+        workspace.setGrowSettings(growth);
         ui::Workspace::VolumeDisplay display = workspace.volumeDisplay();
         display.context = gpu::Context::Translucent;
         workspace.setVolumeDisplay(display);
@@ -95,6 +99,7 @@ void NextStudyUiTest::nothingOfTheLastOneIsDrawn()
     used.openTheNext();
     QVERIFY(used.workspace.clip() == fresh.workspace.clip());
     QVERIFY(!used.workspace.pointedLps());
+    QVERIFY(!used.workspace.growSettings().boxed && !used.workspace.growSettings().box);
     QVERIFY(used.workspace.plane().look() == fresh.workspace.plane().look());
     const auto before = fresh.window.views().views();
     const auto after = used.window.views().views();
