@@ -201,6 +201,14 @@ std::vector<Combination> combinationsIn(
             };
             QObject::connect(sub->menuAction(), &QAction::hovered, sub,
                 [pointed = choice.pointedAt] { pointed(nullptr); });
+            // A key that leads back out of it does not tell so; nor is an entry chosen then.
+            QObject::connect(
+                sub, &QMenu::aboutToHide, sub,
+                [&menu, sub, pointed = choice.pointedAt] {
+                    if (menu.isVisible() && menu.activeAction() == sub->menuAction())
+                        pointed(nullptr);
+                },
+                Qt::QueuedConnection);
         }
         return made;
     };

@@ -344,6 +344,13 @@ bool ImageView::event(QEvent* event)
     case QEvent::FocusOut:
         m_pointer.forgetKeys();
         break;
+    case QEvent::ShortcutOverride:
+        // What is under the pen goes before what the window would abort (SegmentWorkWatch).
+        if (static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape && m_pointer.takesEscape()) {
+            event->accept();
+            return true;
+        }
+        break;
     default:
         break;
     }

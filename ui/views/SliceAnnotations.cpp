@@ -108,7 +108,7 @@ void SliceView::paintColours(QPainter& painter, const gpu::SliceScene& slice) co
     const auto end = [&](double value) {
         return valueText(value, volume.unit, volume.maximum - volume.minimum);
     };
-    paintColourBar(painter, rect(),
+    paintColourBar(painter, textRect(),
         {.map = slice.colours,
             .inverted = slice.inverted,
             .upper = end(ramp.middle + half),

@@ -77,6 +77,11 @@ public:
     /// Where the pointer is over this view; none if it is elsewhere.
     [[nodiscard]] const std::optional<QPointF>& position() const { return m_pointer; }
     [[nodiscard]] bool isAtWork() const { return m_dragging || m_gesture == Gesture::Tool; }
+    /// Whether Esc takes back what the pointer draws.
+    [[nodiscard]] bool takesEscape() const
+    {
+        return m_gesture == Gesture::Tool || m_gesture == Gesture::Box;
+    }
     /// The active tool if it works in such a view; else null.
     [[nodiscard]] Tool* toolIn(const ViewContext& context) const;
 

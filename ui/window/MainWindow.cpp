@@ -456,8 +456,12 @@ void MainWindow::closeStudy()
     // What is on its way goes first; a study that stayed open meanwhile stays.
     if (m_opener.busy())
         return m_opener.cancel();
+    const QString said = m_messages->sentence();
     if (!mayLoseUnwrittenSteps(m_workspace, *this, *m_saver))
         return;
+    // What was said before is about the study; what comes up as it is closed is to be read.
+    if (m_messages->sentence() == said)
+        m_messages->dismiss();
     m_workspace.setSession(nullptr);
 }
 

@@ -85,6 +85,11 @@ void Workspace::setSession(std::unique_ptr<core::EditSession> session)
     m_pointedLps.reset();
     m_atTolerance.reset();
     m_editable = {};
+    // A box is a place in a study, which would bound growth in the next one, too.
+    GrowSettings growth = m_grow;
+    growth.boxed = false;
+    growth.box.reset();
+    const bool hadBox = growth != std::exchange(m_grow, growth);
     m_measured.clear();
     m_activeSegment = 0;
     m_activeLayer = 0;
@@ -108,6 +113,8 @@ void Workspace::setSession(std::unique_ptr<core::EditSession> session)
     Q_EMIT windowLevelChanged();
     Q_EMIT volumeDisplayChanged();
     Q_EMIT clipChanged();
+    if (hadBox)
+        Q_EMIT growSettingsChanged();
     Q_EMIT editableChanged();
     Q_EMIT viewOptionsChanged();
     Q_EMIT activeSegmentChanged();

@@ -66,8 +66,12 @@ void MessageBarUiTest::messagesLieOverThePictures()
 void MessageBarUiTest::onTheStartPageTheyHideNothing()
 {
     test::WindowFixture fixture(test::headFirstSupine());
-    fixture.window.closeStudy();
     ui::MessageBar& bar = fixture.window.messages();
+    // What was said of a study goes with it, and what could be done there.
+    bar.show(
+        ui::MessageBar::Kind::Caution, QStringLiteral("Imported."), QStringLiteral("Undo"), [] {});
+    fixture.window.closeStudy();
+    QVERIFY(!bar.isVisible());
     bar.show(ui::MessageBar::Kind::Error, QStringLiteral("There is no such folder."));
     const auto* start = fixture.window.findChild<ui::StartPage*>();
     QVERIFY(start && start->isVisible());

@@ -10,6 +10,8 @@
 #include "tests/support/scenes/PlainEdits.h"
 #include "tests/support/scenes/SmallStudy.h"
 #include "ui/frame/LoadingBar.h"
+#include "ui/tools/view/MeasureTool.h"
+#include "ui/views/ViewGrid.h"
 
 #include <QLabel>
 #include <QPushButton>
@@ -92,6 +94,34 @@ private Q_SLOTS:
         QTRY_VERIFY(!fixture.bar->isVisible());
         QCOMPARE(fixture.session().history().rows().size(), rows);
         QCOMPARE(fixture.session().stateHash(), fixture.before);
+    }
+
+    /// What is being drawn goes first: Esc is meant for what is under the pen.
+    void whatIsUnderThePenGoesFirst()
+    {
+        Fixture fixture;
+        ui::MeasureTool tool(fixture.workspace);
+        fixture.workspace.setActiveTool(&tool);
+        fixture.window.activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(&fixture.window));
+        QVERIFY(fixture.session().apply(core::MirrorSegment{.segment = 1}));
+        QTRY_VERIFY(fixture.bar->isVisible());
+        ui::ImageView& view = fixture.window.views().axial();
+        const QPointF middle = view.rect().toRectF().center();
+        test::WindowFixture::mouse(view, QEvent::MouseButtonPress, middle);
+        test::WindowFixture::mouse(view, QEvent::MouseMove, middle + QPointF(30.0, 10.0));
+        QVERIFY(view.pointerIsAtWork());
+        QTest::keyClick(&view, Qt::Key_Escape);
+        QVERIFY(!view.pointerIsAtWork());
+        QVERIFY(fixture.session().segmentWork().percent());
+        test::WindowFixture::mouse(view, QEvent::MouseButtonRelease, middle + QPointF(30.0, 10.0));
+        QVERIFY(fixture.session().document().measurements.empty());
+        QSignalSpy failed(&fixture.workspace, &ui::Workspace::failed);
+        QTest::keyClick(&view, Qt::Key_Escape);
+        QVERIFY(!fixture.session().segmentWork().percent());
+        static_cast<void>(fixture.session().settle());
+        QCOMPARE(fixture.session().stateHash(), fixture.before);
+        fixture.workspace.setActiveTool(nullptr);
     }
 
     void whatIsDoneSoonShowsNoBar()

@@ -56,6 +56,7 @@ private Q_SLOTS:
     void mipAndPlaneTakeThem();
     void theContextMenuOffersThem();
     void aBarSaysWhichColourIsWhichValue();
+    void theBarKeepsBelowTheLetter();
     void aLowViewHasNoBar();
     void anotherStudyIsGrey();
 };
@@ -147,6 +148,22 @@ void SliceColoursUiTest::aBarSaysWhichColourIsWhichValue()
     // Without colours the view is as it was.
     action(fixture, ColourMap::Grey).trigger();
     QCOMPARE(seen(axial), before);
+}
+
+/// Which goes down where something covers the top of the view.
+void SliceColoursUiTest::theBarKeepsBelowTheLetter()
+{
+    test::WindowFixture fixture(test::headFirstSupine());
+    ui::SliceView& axial = fixture.window.views().axial();
+    action(fixture, ColourMap::HotIron).trigger();
+    for (const int covered : {0, 40}) {
+        axial.setCoveredTop(covered);
+        const QRect place = ui::colourBarPlace(axial.rect().adjusted(0, covered, 0, 0));
+        QVERIFY(!place.isEmpty());
+        const QImage image = seen(axial);
+        QCOMPARE(image.pixel(place.center().x(), place.top()), entry(ColourMap::HotIron, 255));
+        QCOMPARE(image.pixel(place.center().x(), place.bottom()), entry(ColourMap::HotIron, 0));
+    }
 }
 
 void SliceColoursUiTest::aLowViewHasNoBar()

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "core/edits/kinds/views/Measurements.h"
 #include "core/session/EditSession.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/fixtures/SurfaceWindow.h"
@@ -24,6 +25,7 @@ public:
     UsedWindow()
     {
         apply(test::WorkspaceFixture::middleSeed(1));
+        apply(core::AddMeasurement{.fromLps = glm::dvec3(-5.0), .toLps = glm::dvec3(5.0)});
         settle();
         ui::CuttingPlane::Look plane = workspace.plane().look();
         plane.shown = true;
@@ -39,6 +41,15 @@ public:
         core::ClipRegion clip = workspace.clip();
         clip.box.maximum.x -= 4.0;
         workspace.setClip(clip);
+        ui::Workspace::GrowSettings growth = workspace.growSettings();
+        growth.boxed = true;
+        growth.box = core::GrowBox{.fromLps = glm::dvec3(-8.0), .toLps = glm::dvec3(8.0)};
+        workspace.setGrowSettings(growth);
+        workspace.setEditableSettings({.on = true});
+        workspace.setWarnAfter(2);
+        workspace.setSegmentOpacity(1, 50);
+        workspace.refinement().addContour(
+            {glm::dvec3(8.0, -4.0, 0.0), glm::dvec3(12.0, 0.0, 0.0), glm::dvec3(8.0, 4.0, 0.0)});
         ui::Workspace::VolumeDisplay display = workspace.volumeDisplay();
         display.context = gpu::Context::Translucent;
         workspace.setVolumeDisplay(display);
@@ -95,6 +106,9 @@ void NextStudyUiTest::nothingOfTheLastOneIsDrawn()
     used.openTheNext();
     QVERIFY(used.workspace.clip() == fresh.workspace.clip());
     QVERIFY(!used.workspace.pointedLps());
+    QVERIFY(!used.workspace.growSettings().boxed && !used.workspace.growSettings().box);
+    QVERIFY(!used.workspace.editableSettings().on);
+    QVERIFY(used.workspace.refinement().contours().empty());
     QVERIFY(used.workspace.plane().look() == fresh.workspace.plane().look());
     const auto before = fresh.window.views().views();
     const auto after = used.window.views().views();

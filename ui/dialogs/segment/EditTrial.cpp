@@ -54,6 +54,12 @@ bool EditTrial::isOpen() const
     return m_shown && open && open->kind() == m_shown->kind();
 }
 
+bool EditTrial::isShown() const
+{
+    const core::EditSession* session = m_workspace.session();
+    return isOpen() || (m_wanted && session && !session->transactionOpen());
+}
+
 /// Whether that edit is the one that is shown, or being worked out.
 bool EditTrial::isOf(const core::Edit& edit) const
 {

@@ -55,8 +55,9 @@ public:
     /// nothing is computed again.
     /// @return whether it stands open
     [[nodiscard]] bool handOver(const core::Edit& edit);
-    /// Whether a preview is there, or on its way.
-    [[nodiscard]] bool isShown() const { return m_wanted || isOpen(); }
+    /// Whether a preview is there, or on its way. One that waits for a stroke or a growth to end is
+    /// neither.
+    [[nodiscard]] bool isShown() const;
     /// How many voxels the segment has in the preview that is shown; none until they are counted.
     [[nodiscard]] std::optional<std::int64_t> voxels() const;
     /// Whether a preview is on its way, or its voxels are being counted.

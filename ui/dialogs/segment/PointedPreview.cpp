@@ -24,6 +24,13 @@ bool comesByKeyboard(const QObject& widget, const QFocusEvent& event)
         || qobject_cast<const QAbstractSpinBox*>(&widget);
 }
 
+/// Whether it is one, or its line.
+bool isOfNumberField(const QObject& object)
+{
+    return qobject_cast<const QAbstractSpinBox*>(&object)
+        || qobject_cast<const QAbstractSpinBox*>(object.parent());
+}
+
 } // namespace
 
 PointedPreview::PointedPreview(PreviewRow& row)
@@ -43,10 +50,7 @@ void PointedPreview::setPointedAt(QWidget* widget)
     if (m_pointedAt == widget)
         return;
     m_pointedAt = widget;
-    if (widget)
-        qApp->installEventFilter(this);
-    else
-        qApp->removeEventFilter(this);
+    hearKeys();
     pointAnew();
 }
 
@@ -55,7 +59,27 @@ void PointedPreview::setFocused(QWidget* widget)
     if (m_focused == widget)
         return;
     m_focused = widget;
+    hearKeys();
     pointAnew();
+}
+
+void PointedPreview::pointAtEntry(const std::optional<core::Edit>& edit)
+{
+    if (!edit && !m_entry)
+        return;
+    m_entry = edit;
+    hearKeys();
+    pointAnew();
+}
+
+/// And of a pen, wherever they go. Those of number fields are heard before the window takes them
+/// (FieldManners): who comes last is asked first.
+void PointedPreview::hearKeys()
+{
+    if (m_pointedAt || m_focused || m_entry)
+        qApp->installEventFilter(this);
+    else
+        qApp->removeEventFilter(this);
 }
 
 bool PointedPreview::eventFilter(QObject* watched, QEvent* event)
@@ -110,17 +134,24 @@ bool PointedPreview::isPenElsewhere(QObject& receiver, const QEvent& event) cons
 
 /// Before it is pressed, such a key is asked for, lest it be a shortcut, which would undo a step.
 /// A field first takes back what was typed into it; what it leaves goes on to those around it.
+/// Number fields leave undo to the window.
 bool PointedPreview::takesBack(QObject& receiver, QEvent& event)
 {
     const bool isAsked = event.type() == QEvent::ShortcutOverride;
     if ((!isAsked && event.type() != QEvent::KeyPress) || !m_row.isPreviewing())
         return false;
-    if (!receiver.isWidgetType() || qobject_cast<const QAbstractSpinBox*>(&receiver)
-        || qobject_cast<const QLineEdit*>(&receiver))
-        return false;
     const auto& key = static_cast<const QKeyEvent&>(event);
-    if (key.key() != Qt::Key_Escape && !key.matches(QKeySequence::Undo))
+    const bool isEscape = key.key() == Qt::Key_Escape;
+    const bool isUndo = key.matches(QKeySequence::Undo);
+    const bool isNumber = isOfNumberField(receiver);
+    if (!receiver.isWidgetType() || (!isEscape && !isUndo) || (isEscape && isNumber)
+        || (!isNumber && qobject_cast<const QLineEdit*>(&receiver)))
         return false;
+    if (isEscape && m_entry) {
+        if (!isAsked)
+            rest();
+        return false; // it closes the menu, too
+    }
     event.accept();
     if (!isAsked)
         rest();
@@ -129,6 +160,8 @@ bool PointedPreview::takesBack(QObject& receiver, QEvent& event)
 
 void PointedPreview::follow()
 {
+    if (m_entry)
+        return m_row.preview(m_rests ? std::nullopt : m_entry);
     QWidget* const meant = m_pointedAt ? m_pointedAt : m_focused;
     const auto asked = m_rests ? m_watched.end() : m_watched.find(meant);
     m_row.preview(asked == m_watched.end() ? std::nullopt : asked->second());

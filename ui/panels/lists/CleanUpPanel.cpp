@@ -95,8 +95,13 @@ CleanUpPanel::CleanUpPanel(Workspace& workspace, QWidget* parent)
     grid->addWidget(
         new EditableButton(workspace, this, EditableButton::In::Column), grid->rowCount(), 0, 1, 2);
     setUpParts(*grid);
+    // It lists segments of the study, and would preview what they do in the next one.
+    connect(&m_workspace, &Workspace::sessionClosing, m_combineMenu, &QMenu::close);
+    connect(&m_workspace, &Workspace::sessionChanged, m_combineMenu, &QMenu::close);
     connect(&m_workspace, &Workspace::sessionChanged, this, [this] {
         m_isSetByHand = false;
+        m_pointed->pointAtEntry(std::nullopt);
+        m_combined = 0;
         refresh();
     });
     connect(&m_workspace, &Workspace::activeSegmentChanged, this, [this] {
@@ -256,7 +261,7 @@ void CleanUpPanel::followPreview()
 void CleanUpPanel::previewCombined(const core::CombineSegments* edit)
 {
     m_combined = edit ? edit->segment : 0;
-    m_preview->preview(edit ? std::optional<core::Edit>(*edit) : std::nullopt);
+    m_pointed->pointAtEntry(edit ? std::optional<core::Edit>(*edit) : std::nullopt);
     m_preview->showState(toldSegment());
 }
 

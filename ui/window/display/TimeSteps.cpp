@@ -60,6 +60,7 @@ void TimeSteps::openPoint(int time)
     const QString& series = volume.alternatives->key;
     const QString key = time == 0 ? series : QStringLiteral("%1@%2").arg(series).arg(time + 1);
     m_look = m_display.composed();
+    m_growth = m_workspace.growSettings();
     m_opener.open(volume.sourcePath, core::withRepair(key, volume.repair));
     m_awaited = key;
     m_awaitedText =
@@ -127,9 +128,16 @@ void TimeSteps::takeAlong()
     if (m_isPlaying)
         m_next.start();
     QJsonObject look = std::exchange(m_look, {});
-    if (!m_workspace.session()->display().kept().isEmpty())
+    const bool isNew = m_workspace.session()->display().kept().isEmpty();
+    if (!isNew)
         look.remove(QStringLiteral("volume"));
     m_display.applyLook(look);
+    if (!isNew)
+        return;
+    Workspace::GrowSettings growth = m_workspace.growSettings();
+    growth.boxed = m_growth.boxed;
+    growth.box = m_growth.box;
+    m_workspace.setGrowSettings(growth);
 }
 
 } // namespace ui

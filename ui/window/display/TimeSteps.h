@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "ui/settings/GrowSettings.h"
+
 #include <QJsonObject>
 #include <QObject>
 #include <QString>
@@ -61,6 +63,7 @@ private:
     QString m_awaited; ///< series key of the point that is being opened; empty: none
     QString m_awaitedText; ///< which point that is, in words
     QJsonObject m_look; ///< what the user looked at in the point before
+    GrowSettings m_growth; ///< of that point, whose box goes along
     bool m_isPlaying = false;
     std::size_t m_rowsAtFirst = 0; ///< number of the history's rows when the point was opened
     QTimer m_next;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/edits/kinds/segments/AddSegment.h"
+#include "core/edits/kinds/segments/CleanSegment.h"
 #include "core/edits/kinds/segments/CombineSegments.h"
 #include "core/edits/kinds/segments/InvertSegment.h"
 #include "core/edits/kinds/splitting/SplitSegment.h"
@@ -10,14 +11,18 @@
 #include "tests/support/scenes/SmallStudy.h"
 #include "ui/base/NumberText.h"
 #include "ui/panels/lists/CleanUpPanel.h"
+#include "ui/views/ViewGrid.h"
 #include "ui/workspace/CuttingPlane.h"
 
 #include <QCheckBox>
+#include <QDoubleSpinBox>
 #include <QEnterEvent>
 #include <QLabel>
 #include <QMenu>
 #include <QPushButton>
 #include <QSettings>
+#include <QShortcut>
+#include <QSignalSpy>
 #include <QTimer>
 #include <QtTest>
 
@@ -205,6 +210,43 @@ private Q_SLOTS:
         }
     }
 
+    /// Nor does a field have them, which leaves undo to the window.
+    void keysTakeItBackInTheFieldOfAButton()
+    {
+        Fixture fixture;
+        QVERIFY(fixture.addDabs());
+        const core::RowId position = fixture.session().history().position();
+        auto& size = *fixture.panel->findChild<QDoubleSpinBox*>(QStringLiteral("cleanUp.smallMm3"));
+        fixture.window.activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(&fixture.window));
+        size.setFocus(Qt::MouseFocusReason);
+        QTRY_VERIFY(fixture.previews<core::CleanSegment>());
+        QTest::keyClick(&size, Qt::Key_Z, Qt::ControlModifier);
+        QVERIFY(!fixture.session().openEdit() && fixture.session().settle());
+        QCOMPARE(fixture.session().history().position(), position);
+    }
+
+    /// What waits for a growth to end leaves the keys to that.
+    void keysAreThoseOfWhatStandsOpen()
+    {
+        Fixture fixture;
+        QVERIFY(fixture.addDabs());
+        const glm::dvec3 place = fixture.workspace.volume()->geometry.toWorld({20.0, 20.0, 10.0});
+        QVERIFY(fixture.session().begin(test::paintAt(1, {place}, 2.0)));
+        QVERIFY(fixture.session().transactionOpen() && !fixture.session().openIsPreview());
+        restOn(fixture.button("segments.invert"));
+        QTest::qWait(500);
+        QVERIFY(!fixture.session().isOpen<core::InvertSegment>());
+        QShortcut escape(QKeySequence(Qt::Key_Escape), &fixture.window);
+        QSignalSpy escaped(&escape, &QShortcut::activated);
+        fixture.window.activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(&fixture.window));
+        QTest::keyClick(&fixture.window.views().axial(), Qt::Key_Escape);
+        QCOMPARE(escaped.size(), 1);
+        fixture.session().end(core::Ending::Rollback);
+        QVERIFY(fixture.session().settle());
+    }
+
     /// The new segment is seen in its colour, and is there once it is a step.
     void aSplitByThePlane()
     {
@@ -299,6 +341,27 @@ private Q_SLOTS:
         QCOMPARE(fixture.voxels(1), before + change);
         QVERIFY(fixture.session().undo() && fixture.session().settle());
         QCOMPARE(fixture.session().stateHash(), hash);
+    }
+
+    /// Keys that lead out of a menu take back what an entry of it would do; the study takes the
+    /// whole menu along, whose segments are not those of the next one.
+    void theMenuLeavesNothing()
+    {
+        Fixture fixture;
+        QVERIFY(fixture.addDabs());
+        const QString expected = fixture.more(2, fixture.voxels(1));
+        const std::size_t rows = fixture.rows();
+        const QString other = QStringLiteral("Other");
+        fixture.entry("mergeSegments", other).hover();
+        QTRY_COMPARE(fixture.now(), expected);
+        QTest::keyClick(&fixture.combinations(), Qt::Key_Z, Qt::ControlModifier);
+        QVERIFY(!fixture.session().openEdit() && fixture.session().settle());
+        QVERIFY(fixture.combinations().isVisible());
+        QCOMPARE(fixture.rows(), rows);
+        fixture.entry("mergeSegments", other).hover();
+        QTRY_COMPARE(fixture.now(), expected);
+        fixture.workspace.setSession(nullptr);
+        QVERIFY(!fixture.combinations().isVisible());
     }
 
     /// It is told how large the segment becomes that receives the voxels.

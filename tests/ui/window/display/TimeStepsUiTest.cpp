@@ -110,6 +110,10 @@ private Q_SLOTS:
         stage.mode = gpu::RenderMode::Mip;
         workspace().setVolumeDisplay(stage);
         window().views().axial().setPlace({.centreLps = crosshair, .mmPerPixel = 0.125});
+        ui::Workspace::GrowSettings growth = workspace().growSettings();
+        growth.boxed = true;
+        growth.box = core::GrowBox{.fromLps = crosshair - 1.0, .toLps = crosshair + 1.0};
+        workspace().setGrowSettings(growth);
 
         // To a point that was never open: all of the look goes along, nothing that was drawn.
         step("file.nextTime", 2);
@@ -118,6 +122,8 @@ private Q_SLOTS:
         QVERIFY(action("file.previousTime").isEnabled());
         QVERIFY(session().document().segments.empty());
         QVERIFY(glm::distance(workspace().crosshairLps(), crosshair) < 1e-9);
+        QVERIFY(workspace().growSettings().boxed);
+        QVERIFY(workspace().growSettings().box == growth.box);
         QCOMPARE(workspace().windowLevel(), (core::WindowLevel{-1015.0, 30.0}));
         QVERIFY(workspace().viewOptions().colours == gpu::ColourMap::HotIron);
         QVERIFY(workspace().volumeDisplay().mode == gpu::RenderMode::Mip);
