@@ -257,6 +257,9 @@ private Q_SLOTS:
     void smoothAndAttract()
     {
         openVentricle();
+        apply(
+            core::CleanSegment{.segment = 1, .rule = core::IslandRule::RemoveSmall, .mm3 = 300.0});
+        apply(core::CleanSegment{.segment = 1, .rule = core::IslandRule::FillHoles});
         const core::RowId ragged = session().history().position();
         std::vector<QImage> panels;
         ui::VolumeView& stage = window().views().volume();
@@ -274,6 +277,8 @@ private Q_SLOTS:
         panels.push_back(panel(stage));
 
         QVERIFY(session().goTo(ragged));
+        apply(core::ReshapeSegment{
+            .segment = 1, .operation = core::ShapeOperation::Median, .mm = 2.0});
         apply(
             core::ReshapeSegment{.segment = 1, .operation = core::ShapeOperation::Grow, .mm = 2.0});
         apply(lay);
