@@ -4,9 +4,9 @@
 #include "core/edits/kinds/segments/ReshapeSegment.h"
 #include "core/engine/EngineCommands.h"
 #include "core/session/questions/VoxelQuestions.h"
+#include "tests/benchmarks/common/Desk.h"
 #include "tests/benchmarks/common/PeerReport.h"
 #include "tests/benchmarks/common/TorsoVolume.h"
-#include "tests/benchmarks/own/Desk.h"
 #include "tests/peers/ItkDistances.h"
 #include "tests/support/scenes/PlainEdits.h"
 

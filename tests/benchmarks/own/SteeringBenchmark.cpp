@@ -5,7 +5,7 @@
 #include "gpu/engine/GpuEngine.h"
 #include "tests/benchmarks/common/PeerReport.h"
 #include "tests/benchmarks/common/RowTimes.h"
-#include "tests/benchmarks/own/WatchedViews.h"
+#include "tests/benchmarks/common/WatchedViews.h"
 
 #include <algorithm>
 #include <array>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tests/benchmarks/own/WatchedViews.h"
+#include "tests/benchmarks/common/WatchedViews.h"
 
 #include <algorithm>
 #include <utility>

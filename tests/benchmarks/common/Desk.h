@@ -4,7 +4,7 @@
 #include "core/session/EditSession.h"
 #include "core/volume/Volume.h"
 #include "gpu/engine/GpuEngine.h"
-#include "tests/benchmarks/own/WatchedViews.h"
+#include "tests/benchmarks/common/WatchedViews.h"
 
 #include <QByteArray>
 

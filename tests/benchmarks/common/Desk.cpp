@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tests/benchmarks/own/Desk.h"
+#include "tests/benchmarks/common/Desk.h"
 
 #include <chrono>
 #include <utility>
