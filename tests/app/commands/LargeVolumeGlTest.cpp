@@ -160,7 +160,7 @@ QJsonObject recipeFor(const Large& large, const QTemporaryDir& folder)
                 QJsonArray{QJsonObject{{key("edit"), key("addSegment")}, {key("name"), key("Box")},
                                {key("color"), key("#e8dcc0")}},
                     QJsonObject{{key("edit"), key("seed")}, {key("segment"), 1},
-                        {key("pointsLps"), QJsonArray{vectorOf(seed)}}},
+                        {key("pointsLps"), QJsonArray{QJsonValue(vectorOf(seed))}}},
                     grow(large.nearest()), drill, grow(key("toClosure"))}},
         // Numbers last: they read the study's values, which are kept for what follows.
         {key("export"),

@@ -50,7 +50,7 @@ void WorkOfInvertingGlTest::costsSoMuchForEachBrick()
     // once.
     constexpr int bricksOfDispatch = 64;
     constexpr std::int64_t madeOnce = 64 * std::int64_t(BrickGrid::voxelsPerBrick);
-    const QStringList wrong = grown(QStringLiteral("inverting"), [&](const QByteArray&) {
+    const QStringList wrong = grown(QString(), [&](const QByteArray&) {
         return test::MoreWork{.tables = true,
             .dispatches = 16 + int(bricksOf(test::largeWorkSide)) / bricksOfDispatch,
             .bytesWithin = madeOnce,

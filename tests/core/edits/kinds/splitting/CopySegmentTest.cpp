@@ -289,14 +289,14 @@ private Q_SLOTS:
                 .study = {},
                 .steps = {test::addSegment("One"),
                     AddSegment{.name = QStringLiteral("Over"), .plane = 1}, copy,
-                    CombineSegments{.segment = 3, .with = 2}},
+                    CombineSegments{.segment = 3, .with = 2, .how = CombineSegments::How::Swap}},
                 .entries = {},
                 .withoutSurface = {},
                 .exports = {}};
             return bool(checkRecipe(recipe, document, false));
         };
         CopySegment copy = copyOf(1);
-        QVERIFY(isSound(copy)); // it may lie beside the other one, and be merged with it
+        QVERIFY(isSound(copy)); // it may lie beside the other one, and be swapped with it
         copy.plane = 1;
         QVERIFY(isSound(copy));
         copy.plane = 2;
