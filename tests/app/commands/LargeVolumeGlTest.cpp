@@ -150,7 +150,7 @@ QJsonObject recipeFor(const Large& large, const QTemporaryDir& folder)
             QJsonObject{{key("shape"), key("circle")}, {key("radiusMm"), large.drillRadius()}}},
         {key("depthMm"), large.drillDepth()},
         {key("surface"), QJsonObject{{key("threshold"), (dark + bright) / 2}}},
-        {key("samples"), QJsonArray{QJsonArray{0, 0, 1, 0}}}};
+        {key("samples"), QJsonArray{QJsonValue(QJsonArray{0, 0, 1, 0})}}};
     const auto target = [&folder](const char* format, const char* file) {
         return QJsonObject{{key("format"), key(format)}, {key("file"), folder.filePath(key(file))}};
     };
