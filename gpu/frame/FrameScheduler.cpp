@@ -151,6 +151,13 @@ void FrameScheduler::begin(ViewProgress& view, FrameRequest request)
 {
     const bool same = view.request.sizePixels == request.sizePixels
         && view.request.scene == request.scene && view.request.segments == request.segments;
+    // A coarse picture under way is finished first: a hand that moves asks anew while it is drawn,
+    // again and again, and would see none.
+    if (!same && view.drawsCoarse() && view.request.sizePixels == request.sizePixels) {
+        view.awaited = std::move(request);
+        return;
+    }
+    view.awaited.reset();
     std::bitset<256> shown;
     std::bitset<256> translucent;
     for (std::size_t label = 1; label < 256; ++label) {
@@ -200,8 +207,10 @@ void FrameScheduler::takeChanges()
 {
     // What changed since the volume was opened (a session that continues) stays to be taken in.
     if (m_volume.takeReplaced()) {
-        for (auto& [id, view] : m_views)
+        for (auto& [id, view] : m_views) {
             view.restart();
+            beginAwaited(view);
+        }
     }
     if (!m_volume.isDrawable())
         return;
@@ -352,6 +361,13 @@ void FrameScheduler::finishPicture(ViewProgress& view)
         warmUp(view);
     if (view.stale)
         view.restart();
+    beginAwaited(view);
+}
+
+void FrameScheduler::beginAwaited(ViewProgress& view)
+{
+    if (std::optional<FrameRequest> request = std::exchange(view.awaited, std::nullopt))
+        begin(view, *std::move(request));
 }
 
 void FrameScheduler::warmUp(ViewProgress& view)

@@ -79,6 +79,8 @@ private:
     void giveUp(const core::Error& why);
     void takeRequests();
     void begin(ViewProgress& view, FrameRequest request);
+    /// Begins what was requested while a coarse picture was drawn.
+    void beginAwaited(ViewProgress& view);
     void showPieces(const VolumeScene& scene);
     void takeChanges();
     void takeSurface();

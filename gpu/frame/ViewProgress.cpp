@@ -29,7 +29,7 @@ void ViewProgress::restart()
 void ViewProgress::changed()
 {
     // A coarse picture under way is finished first, or a long edit would never show.
-    if (stage == Stage::Coarse && tiles)
+    if (drawsCoarse())
         stale = true;
     else
         restart();
@@ -40,6 +40,7 @@ void ViewProgress::giveUp()
     stage = Stage::Done;
     tiles.reset();
     stale = false;
+    awaited.reset();
     failed = true;
     begun.reset();
     targets = {};

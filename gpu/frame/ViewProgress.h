@@ -21,6 +21,8 @@ struct ViewProgress {
     int sample = 0; ///< which of the summed pictures of stage Refine is drawn
     std::optional<TilePlan> tiles; ///< tiles of the picture being drawn; none if it has not begun
     bool stale = false; ///< the content changed while its coarse picture was drawn
+    /// What is wanted once the coarse picture under way is finished; none: nothing else.
+    std::optional<FrameRequest> awaited;
     bool failed = false; ///< its last picture did
     double milliseconds = 0.0;
     std::optional<core::Trace::Clock::time_point> begun; ///< when the picture being drawn was
@@ -38,6 +40,8 @@ struct ViewProgress {
     /// next request, be it the same.
     void giveUp();
 
+    /// Whether a coarse picture has begun.
+    [[nodiscard]] bool drawsCoarse() const { return stage == Stage::Coarse && tiles; }
     /// Whether there is a picture to draw now.
     /// @param editing edits are running; only coarse pictures are drawn meanwhile
     [[nodiscard]] bool wants(bool editing) const;

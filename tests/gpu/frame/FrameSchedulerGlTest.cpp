@@ -158,6 +158,33 @@ private Q_SLOTS:
         QCOMPARE(frames.back().sizePixels, request.sizePixels);
     }
 
+    /// A hand asks for another picture before the last one is finished, time and again.
+    void whoMovesOnSeesPictures()
+    {
+        FrameRequest request = volumeRequest(1, {480, 420});
+        request.interacting = true;
+        constexpr int moves = 80;
+        for (int move = 0; move < moves; ++move) {
+            std::get<VolumeScene>(request.scene).heightMm = 60.0 - 0.1 * move;
+            m_fixture->scheduler.request(request);
+            static_cast<void>(m_fixture->scheduler.work(false));
+        }
+        // Fewer than moves, since a picture takes several slices.
+        QVERIFY2(m_fixture->scheduler.counters().frames >= 3,
+            qPrintable(QString::number(m_fixture->scheduler.counters().frames)));
+        request.interacting = false;
+        m_fixture->scheduler.request(request);
+        const std::vector<Frame> frames = m_fixture->settle();
+        double last = 60.1;
+        for (const Frame& frame : frames) {
+            const double heightMm = std::get<VolumeScene>(frame.scene).heightMm;
+            QVERIFY(heightMm <= last);
+            last = heightMm;
+        }
+        QCOMPARE(last, 60.0 - 0.1 * (moves - 1));
+        QCOMPARE(frames.back().quality, Frame::Quality::Refined);
+    }
+
     void picturesDoNotDependOnHowTheyWereCut()
     {
         const Frame first = m_fixture->draw(volumeRequest(1).scene, {233, 122});
