@@ -46,9 +46,9 @@ void WorkOfInvertingGlTest::costsSoMuchForEachBrick()
     // and compared, and one of them is written.
     constexpr int groups = 5;
     constexpr std::int64_t bytes = 6 * std::int64_t(BrickGrid::voxelsPerBrick);
-    // Slices of up to 1024 bricks take several dispatches each; and buffers that are made
-    // once.
-    constexpr int bricksOfDispatch = 64;
+    // A slice has 64 bricks at least, how many more depends on the time that they take, and some
+    // dispatches; and there are buffers that are made once.
+    constexpr int bricksOfDispatch = 16;
     constexpr std::int64_t madeOnce = 64 * std::int64_t(BrickGrid::voxelsPerBrick);
     const QStringList wrong = grown(QString(), [&](const QByteArray&) {
         return test::MoreWork{.tables = true,
