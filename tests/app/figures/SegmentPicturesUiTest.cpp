@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "core/brick/ThreadWithoutVoxels.h"
 #include "core/brick/VoxelRuns.h"
 #include "core/edits/kinds/segments/CleanSegment.h"
 #include "core/edits/kinds/segments/ImportMask.h"
@@ -414,12 +415,15 @@ private Q_SLOTS:
         core::ReadImport read{.edit = mask, .notes = {}};
         std::vector<core::MaskSegment> segments;
         const glm::ivec3 size = *mask.size;
-        for (const core::ImportedSegment& each : *mask.segments)
-            segments.push_back({.name = each.name,
-                .rgb = {},
-                .code = {},
-                .voxels =
-                    *core::unpackedRuns(each.voxels, std::uint64_t(size.x) * size.y * size.z)});
+        {
+            const core::VoxelsAllowed unpacks; // it is the test that looks, not the window
+            for (const core::ImportedSegment& each : *mask.segments)
+                segments.push_back({.name = each.name,
+                    .rgb = {},
+                    .code = {},
+                    .voxels =
+                        *core::unpackedRuns(each.voxels, std::uint64_t(size.x) * size.y * size.z)});
+        }
         read.overlaps = core::overlapsOf(segments);
         read.planes = {0, 1};
         ui::MaskOrderDialog asked(read, workspace().volume()->geometry, &window());
