@@ -6,47 +6,37 @@
 #include "core/session/questions/VoxelQuestions.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/fixtures/Pen.h"
-#include "tests/support/fixtures/WindowFixture.h"
+#include "tests/support/fixtures/panels/CleanUpWindow.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/PlainEdits.h"
 #include "tests/support/scenes/SmallStudy.h"
 #include "ui/base/NumberText.h"
 #include "ui/dialogs/segment/ReshapeDialog.h"
-#include "ui/panels/lists/CleanUpPanel.h"
 #include "ui/views/SliceView.h"
 #include "ui/views/ViewGrid.h"
 #include "ui/workspace/CuttingPlane.h"
 
 #include <QCheckBox>
 #include <QDoubleSpinBox>
-#include <QEnterEvent>
 #include <QLabel>
 #include <QPushButton>
 #include <QSettings>
 #include <QSignalSpy>
-#include <QTimer>
 #include <QtTest>
 
 #include <cmath>
 
 namespace pointedPreviewUiTest {
 
+using test::pointAt;
+using test::pointAway;
+
 namespace {
 
-/// With the panel Clean up, whose buttons are previewed.
-struct Fixture : test::WindowFixture {
+struct Fixture : test::CleanUpWindow {
     Fixture()
-        : WindowFixture(test::smallStudy())
-        , panel(new ui::CleanUpPanel(workspace))
+        : CleanUpWindow(Answers::ByThemselves)
     {
-        window.addPanel(panel);
-        window.showPanels(true);
-        // As the engine's thread wakes the window in the program.
-        QObject::connect(&wakeUp, &QTimer::timeout, [this] {
-            if (core::EditSession* open = workspace.session())
-                open->poll();
-        });
-        wakeUp.start(10);
     }
     /// Two dabs of one segment, the larger one with a hole, and a segment without voxels.
     [[nodiscard]] bool addDabs()
@@ -65,45 +55,9 @@ struct Fixture : test::WindowFixture {
         previewBox().setChecked(true);
         return hole > 0 && one > hole && QTest::qWaitFor([this] { return panel->isVisible(); });
     }
-    [[nodiscard]] std::int64_t voxels(int label)
-    {
-        return session().document().segment(label)->voxels;
-    }
-    [[nodiscard]] QPushButton& button(const QByteArray& id)
-    {
-        auto* found =
-            panel->findChild<QPushButton*>(QStringLiteral("cleanUp.segments.") + QLatin1String(id));
-        if (!found)
-            qFatal("no button %s", id.constData());
-        return *found;
-    }
-    [[nodiscard]] QCheckBox& previewBox()
-    {
-        return *panel->findChild<QCheckBox*>(QStringLiteral("cleanUpPreview"));
-    }
     [[nodiscard]] QDoubleSpinBox& smallMm3()
     {
         return *panel->findChild<QDoubleSpinBox*>(QStringLiteral("cleanUp.smallMm3"));
-    }
-    /// What it says of the segment's size.
-    [[nodiscard]] QString now()
-    {
-        return panel->findChild<QLabel*>(QStringLiteral("cleanUpNow"))->text();
-    }
-    /// What it says where so many voxels more, or less, are previewed.
-    [[nodiscard]] QString more(std::int64_t count)
-    {
-        const std::int64_t before = voxels(1);
-        return QStringLiteral("%1 → %2\n%3%4 voxel%5")
-            .arg(sizeOf(before), sizeOf(before + count),
-                count < 0 ? QString(ui::minusSign) : QStringLiteral("+"),
-                ui::countText(std::abs(count)),
-                std::abs(count) == 1 ? QString() : QStringLiteral("s"));
-    }
-    [[nodiscard]] QString sizeOf(std::int64_t count)
-    {
-        return ui::volumeText(
-            double(count) * workspace.volume()->geometry.voxelVolumeMm3() / 1000.0);
     }
     /// The rule that is previewed in the views.
     [[nodiscard]] bool previews(core::IslandRule rule)
@@ -118,24 +72,9 @@ struct Fixture : test::WindowFixture {
         return std::ceil(double(one) * workspace.volume()->geometry.voxelVolumeMm3()) + 1.0;
     }
 
-    ui::CleanUpPanel* panel;
-    QTimer wakeUp;
     std::int64_t one = 0; ///< voxels of the smaller dab
     std::int64_t hole = 0; ///< voxels of the hole in the other one
 };
-
-/// The pointer comes to rest on a widget, or goes away from it.
-void pointAt(QWidget& widget)
-{
-    const QPointF middle = widget.rect().center();
-    QEnterEvent event(middle, middle, widget.mapToGlobal(middle));
-    QCoreApplication::sendEvent(&widget, &event);
-}
-void pointAway(QWidget& widget)
-{
-    QEvent event(QEvent::Leave);
-    QCoreApplication::sendEvent(&widget, &event);
-}
 
 } // namespace
 

@@ -2,7 +2,7 @@
 #include "ui/panels/lists/CleanUpPanel.h"
 
 #include "tests/support/faults/FailingLog.h"
-#include "tests/support/fixtures/WindowFixture.h"
+#include "tests/support/fixtures/panels/CleanUpWindow.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/PlainEdits.h"
 #include "tests/support/scenes/SmallStudy.h"
@@ -27,13 +27,10 @@ namespace cleanUpPanelUiTest {
 
 namespace {
 
-struct Fixture : test::WindowFixture {
+struct Fixture : test::CleanUpWindow {
     Fixture()
-        : WindowFixture(test::smallStudy())
-        , panel(new ui::CleanUpPanel(workspace))
+        : CleanUpWindow(Answers::WhenPolled)
     {
-        window.addPanel(panel);
-        window.showPanels(true);
     }
     /// Two dabs of one segment, and a segment without voxels.
     void addDabs()
@@ -47,10 +44,6 @@ struct Fixture : test::WindowFixture {
         other = voxels(1) - one;
         workspace.setActiveSegment(1);
     }
-    [[nodiscard]] std::int64_t voxels(int label)
-    {
-        return session().document().segment(label)->voxels;
-    }
     [[nodiscard]] QString millilitres(int label)
     {
         return ui::millilitreText(voxels(label), workspace.volume()->geometry.voxelVolumeMm3());
@@ -62,16 +55,7 @@ struct Fixture : test::WindowFixture {
         const auto* line = panel->findChild<QLabel*>(QStringLiteral("cleanUp.parts"));
         return line->isVisible() ? line->text() : QString();
     }
-    [[nodiscard]] QPushButton& button(const char* id)
-    {
-        auto* found =
-            panel->findChild<QPushButton*>(QStringLiteral("cleanUp.segments.") + QLatin1String(id));
-        if (!found)
-            qFatal("no button %s", id);
-        return *found;
-    }
 
-    ui::CleanUpPanel* panel;
     std::int64_t one = 0; ///< voxels of the first dab, the smaller one
     std::int64_t other = 0;
 };

@@ -5,50 +5,37 @@
 #include "core/edits/kinds/segments/InvertSegment.h"
 #include "core/edits/kinds/splitting/SplitSegment.h"
 #include "tests/support/faults/FailingLog.h"
-#include "tests/support/fixtures/WindowFixture.h"
+#include "tests/support/fixtures/panels/CleanUpWindow.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/PlainEdits.h"
 #include "tests/support/scenes/SmallStudy.h"
-#include "ui/base/NumberText.h"
-#include "ui/panels/lists/CleanUpPanel.h"
 #include "ui/views/ViewGrid.h"
 #include "ui/workspace/CuttingPlane.h"
 
 #include <QCheckBox>
 #include <QDoubleSpinBox>
-#include <QEnterEvent>
-#include <QLabel>
 #include <QMenu>
 #include <QPushButton>
 #include <QSettings>
 #include <QShortcut>
 #include <QSignalSpy>
-#include <QTimer>
 #include <QtTest>
 
 #include <algorithm>
-#include <cstdlib>
 #include <functional>
 #include <vector>
 
 namespace cleanUpPreviewUiTest {
 
+using test::pointAt;
+using test::pointAway;
+
 namespace {
 
-/// With the panel Clean up, whose buttons are previewed.
-struct Fixture : test::WindowFixture {
+struct Fixture : test::CleanUpWindow {
     Fixture()
-        : WindowFixture(test::smallStudy())
-        , panel(new ui::CleanUpPanel(workspace))
+        : CleanUpWindow(Answers::ByThemselves)
     {
-        window.addPanel(panel);
-        window.showPanels(true);
-        // As the engine's thread wakes the window in the program.
-        QObject::connect(&wakeUp, &QTimer::timeout, [this] {
-            if (core::EditSession* open = workspace.session())
-                open->poll();
-        });
-        wakeUp.start(10);
     }
     /// Two dabs of one segment, a segment without voxels, and one around the first dab that lies in
     /// another label plane.
@@ -64,39 +51,8 @@ struct Fixture : test::WindowFixture {
         apply(test::paintAt(1, {geometry.toWorld({28.0, 24.0, 10.0})}, 3.0));
         apply(test::paintAt(3, {first}, 4.0));
         workspace.setActiveSegment(1);
-        panel->findChild<QCheckBox*>(QStringLiteral("cleanUpPreview"))->setChecked(true);
+        previewBox().setChecked(true);
         return one > 0 && voxels(3) > one && QTest::qWaitFor([this] { return panel->isVisible(); });
-    }
-    [[nodiscard]] std::int64_t voxels(int label)
-    {
-        return session().document().segment(label)->voxels;
-    }
-    [[nodiscard]] QPushButton& button(const char* name)
-    {
-        auto* found =
-            panel->findChild<QPushButton*>(QStringLiteral("cleanUp.") + QLatin1String(name));
-        if (!found)
-            qFatal("no button %s", name);
-        return *found;
-    }
-    /// What it says of a segment's size.
-    [[nodiscard]] QString now()
-    {
-        return panel->findChild<QLabel*>(QStringLiteral("cleanUpNow"))->text();
-    }
-    [[nodiscard]] QString sizeOf(std::int64_t count)
-    {
-        return ui::volumeText(
-            double(count) * workspace.volume()->geometry.voxelVolumeMm3() / 1000.0);
-    }
-    /// What it says where so many voxels more, or less, are previewed.
-    [[nodiscard]] QString more(int label, std::int64_t count)
-    {
-        const std::int64_t before = voxels(label);
-        return QStringLiteral("%1 → %2\n%3%4 voxels")
-            .arg(sizeOf(before), sizeOf(before + count),
-                count < 0 ? QString(ui::minusSign) : QStringLiteral("+"),
-                ui::countText(std::abs(count)));
     }
     template <class E> [[nodiscard]] bool previews()
     {
@@ -112,7 +68,8 @@ struct Fixture : test::WindowFixture {
     [[nodiscard]] QAction& entry(const char* submenu, const QString& other)
     {
         if (!combinations().isVisible())
-            QTest::mouseClick(&button("combine"), Qt::LeftButton);
+            QTest::mouseClick(
+                panel->findChild<QPushButton*>(QStringLiteral("cleanUp.combine")), Qt::LeftButton);
         auto* menu = combinations().findChild<QMenu*>(QLatin1String(submenu));
         const QList<QAction*> entries = menu ? menu->actions() : QList<QAction*>();
         const auto found = std::find_if(entries.begin(), entries.end(),
@@ -126,23 +83,8 @@ struct Fixture : test::WindowFixture {
         return *panel->findChild<QMenu*>(QStringLiteral("cleanUp.combinations"));
     }
 
-    ui::CleanUpPanel* panel;
-    QTimer wakeUp;
     std::int64_t one = 0; ///< voxels of the first dab
 };
-
-/// The pointer comes to rest on a widget, or goes away from it.
-void restOn(QWidget& widget)
-{
-    const QPointF middle = widget.rect().center();
-    QEnterEvent event(middle, middle, widget.mapToGlobal(middle));
-    QCoreApplication::sendEvent(&widget, &event);
-}
-void leave(QWidget& widget)
-{
-    QEvent event(QEvent::Leave);
-    QCoreApplication::sendEvent(&widget, &event);
-}
 
 } // namespace
 
@@ -161,19 +103,19 @@ private Q_SLOTS:
     {
         Fixture fixture;
         QVERIFY(fixture.addDabs());
-        const QString expected = fixture.more(1, fixture.inverted());
+        const QString expected = fixture.more(fixture.inverted());
         const std::int64_t after = fixture.voxels(1) + fixture.inverted();
         const QByteArray hash = fixture.session().stateHash();
         const std::size_t rows = fixture.rows();
-        QPushButton& button = fixture.button("segments.invert");
-        restOn(button);
+        QPushButton& button = fixture.button("invert");
+        pointAt(button);
         QTRY_COMPARE(fixture.now(), expected);
         QVERIFY(fixture.previews<core::InvertSegment>());
-        leave(button);
+        pointAway(button);
         QVERIFY(!fixture.session().openEdit() && fixture.session().settle());
         QCOMPARE(fixture.rows(), rows);
         QCOMPARE(fixture.session().stateHash(), hash);
-        restOn(button);
+        pointAt(button);
         QTRY_COMPARE(fixture.now(), expected);
         QTest::mouseClick(&button, Qt::LeftButton);
         QVERIFY(!fixture.session().openEdit() && fixture.session().settle());
@@ -188,16 +130,16 @@ private Q_SLOTS:
     {
         Fixture fixture;
         QVERIFY(fixture.addDabs());
-        const QString expected = fixture.more(1, fixture.inverted());
+        const QString expected = fixture.more(fixture.inverted());
         const QByteArray hash = fixture.session().stateHash();
         const core::RowId position = fixture.session().history().position();
-        QPushButton& button = fixture.button("segments.invert");
+        QPushButton& button = fixture.button("invert");
         fixture.window.activateWindow();
         QVERIFY(QTest::qWaitForWindowActive(&fixture.window));
         const auto escape = [&] { QTest::keyClick(&button, Qt::Key_Escape); };
         const auto undo = [&] { QTest::keyClick(&button, Qt::Key_Z, Qt::ControlModifier); };
         for (const auto& press : std::vector<std::function<void()>>{escape, undo}) {
-            restOn(button);
+            pointAt(button);
             QTRY_COMPARE(fixture.now(), expected);
             press();
             QVERIFY(!fixture.session().openEdit() && fixture.session().settle());
@@ -206,7 +148,7 @@ private Q_SLOTS:
             // Nor does it come back while the pointer stays.
             QTest::qWait(500);
             QVERIFY(!fixture.session().openEdit());
-            leave(button);
+            pointAway(button);
         }
     }
 
@@ -234,7 +176,7 @@ private Q_SLOTS:
         const glm::dvec3 place = fixture.workspace.volume()->geometry.toWorld({20.0, 20.0, 10.0});
         QVERIFY(fixture.session().begin(test::paintAt(1, {place}, 2.0)));
         QVERIFY(fixture.session().transactionOpen() && !fixture.session().openIsPreview());
-        restOn(fixture.button("segments.invert"));
+        pointAt(fixture.button("invert"));
         QTest::qWait(500);
         QVERIFY(!fixture.session().isOpen<core::InvertSegment>());
         QShortcut escape(QKeySequence(Qt::Key_Escape), &fixture.window);
@@ -253,11 +195,11 @@ private Q_SLOTS:
         Fixture fixture;
         QVERIFY(fixture.addDabs());
         const core::VolumeGeometry& geometry = fixture.workspace.volume()->geometry;
-        QPushButton& button = fixture.button("segments.splitByPlane");
-        restOn(button); // without a plane there is nothing to see
+        QPushButton& button = fixture.button("splitByPlane");
+        pointAt(button); // without a plane there is nothing to see
         QTest::qWait(500);
         QVERIFY(!fixture.session().openEdit());
-        leave(button);
+        pointAway(button);
         ui::CuttingPlane& plane = fixture.workspace.plane();
         const auto place = [&](double column) {
             plane.setPose(ui::CuttingPlane::poseFacing(
@@ -266,13 +208,13 @@ private Q_SLOTS:
         place(20.0);
         plane.show();
         const std::int64_t before = fixture.voxels(1);
-        const QString expected = fixture.more(1, fixture.one - before);
+        const QString expected = fixture.more(fixture.one - before);
         const std::size_t rows = fixture.rows();
         const auto isVisible = [&] {
             return bool(fixture.workspace.segmentDisplay().visible[std::size_t(4)]);
         };
         QVERIFY(!isVisible());
-        restOn(button);
+        pointAt(button);
         QTRY_COMPARE(fixture.now(), expected);
         QVERIFY(fixture.previews<core::SplitSegment>() && isVisible());
         QCOMPARE(fixture.session().document().segments.size(), std::size_t(3));
@@ -281,11 +223,11 @@ private Q_SLOTS:
             fixture.now(), QStringLiteral("%1\nstays as it is").arg(fixture.sizeOf(before)));
         place(20.0);
         QTRY_COMPARE(fixture.now(), expected);
-        leave(button);
+        pointAway(button);
         QVERIFY(!fixture.session().openEdit() && fixture.session().settle());
         QVERIFY(!isVisible());
         QCOMPARE(fixture.rows(), rows);
-        restOn(button);
+        pointAt(button);
         QTRY_COMPARE(fixture.now(), expected);
         QTest::mouseClick(&button, Qt::LeftButton);
         QVERIFY(!fixture.session().openEdit() && fixture.session().settle());
@@ -312,7 +254,7 @@ private Q_SLOTS:
         const std::int64_t change = submenu == "uniteSegments" ? fixture.voxels(3) - fixture.one
             : submenu == "subtractSegment"                     ? -fixture.one
                                                                : fixture.one - before;
-        const QString expected = fixture.more(1, change);
+        const QString expected = fixture.more(change);
         const QByteArray hash = fixture.session().stateHash();
         const std::size_t rows = fixture.rows();
         const QString over = QStringLiteral("Over");
@@ -349,7 +291,7 @@ private Q_SLOTS:
     {
         Fixture fixture;
         QVERIFY(fixture.addDabs());
-        const QString expected = fixture.more(2, fixture.voxels(1));
+        const QString expected = fixture.more(fixture.voxels(1), 2);
         const std::size_t rows = fixture.rows();
         const QString other = QStringLiteral("Other");
         fixture.entry("mergeSegments", other).hover();
@@ -369,7 +311,7 @@ private Q_SLOTS:
     {
         Fixture fixture;
         QVERIFY(fixture.addDabs());
-        const QString expected = fixture.more(2, fixture.voxels(1));
+        const QString expected = fixture.more(fixture.voxels(1), 2);
         fixture.entry("mergeSegments", QStringLiteral("Other")).hover();
         QTRY_COMPARE(fixture.now(), expected);
         fixture.combinations().close();
