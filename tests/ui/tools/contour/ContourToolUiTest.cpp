@@ -100,14 +100,6 @@ public:
             count += now[voxel] == 1 && int(codes[voxel]) - 1024 == int(hu) ? 1 : 0;
         return count;
     }
-    /// Whether the edits of the history, as a recipe, come to the same.
-    [[nodiscard]] bool isWhatARecipeComesTo()
-    {
-        test::WorkspaceFixture recipe;
-        for (const core::HistoryRow& row : session().history().rows())
-            recipe.apply(row.edit);
-        return recipe.session().stateHash() == session().stateHash();
-    }
     void press(const char* button)
     {
         auto* found = panel.findChild<QPushButton*>(QLatin1String(button));
@@ -233,7 +225,7 @@ private Q_SLOTS:
             qPrintable(name));
         QTRY_COMPARE(said.size(), 1);
         QCOMPARE(said.back().front().toString(), name + QStringLiteral("; Ctrl+Z takes it back"));
-        QVERIFY(fixture.isWhatARecipeComesTo());
+        QVERIFY(test::isWhatARecipeComesTo(fixture.session()));
     }
 
     /// Ctrl and the eraser end take away what evolves from the bubble, and nothing else of the
@@ -269,7 +261,7 @@ private Q_SLOTS:
         QVERIFY(seen == fixture.expected(fixture.lastEdit(), before));
         QVERIFY(fixture.voxelsWith(test::smallHead::ventricleHu) * 20 < ventricle);
         QVERIFY(fixture.voxelsWith(test::smallHead::brainHu) * 50 > brain * 49);
-        QVERIFY(fixture.isWhatARecipeComesTo());
+        QVERIFY(test::isWhatARecipeComesTo(fixture.session()));
     }
 
     /// From the segment it comes in from all around it, as far as values lie in the interval.
@@ -303,7 +295,7 @@ private Q_SLOTS:
         QVERIFY(seen == fixture.expected(fixture.lastEdit(), before));
         QVERIFY(fixture.voxelsWith(test::smallHead::brainHu) * 20 < brain);
         QVERIFY(fixture.voxelsWith(test::smallHead::ventricleHu) * 10 > ventricle * 9);
-        QVERIFY(fixture.isWhatARecipeComesTo());
+        QVERIFY(test::isWhatARecipeComesTo(fixture.session()));
     }
 
     /// Shift+click adds bubbles to what is watched; undo takes them back, one after the other.
@@ -354,7 +346,7 @@ private Q_SLOTS:
         QVERIFY2(
             name.startsWith(QStringLiteral("Evolve the contour of 'Segment 1' from 2 bubbles, +")),
             qPrintable(name));
-        QVERIFY(fixture.isWhatARecipeComesTo());
+        QVERIFY(test::isWhatARecipeComesTo(fixture.session()));
         // A click without Shift begins anew, and there is nothing to take back but it.
         fixture.clickBy(test::DrawnBy::Mouse, {20.0, 20.0, 20.0});
         QTRY_VERIFY(fixture.hasPlayed());
@@ -510,7 +502,7 @@ private Q_SLOTS:
             edit.furtherBubblesLps == (std::vector<glm::dvec3>{fixture.place({22.0, 20.0, 20.0})}));
         QVERIFY(fixture.writtenVoxels() == seen);
         QVERIFY(seen == fixture.expected(edit, before));
-        QVERIFY(fixture.isWhatARecipeComesTo());
+        QVERIFY(test::isWhatARecipeComesTo(fixture.session()));
     }
 
     /// A bubble that holds all of the segment has nothing left to evolve into.

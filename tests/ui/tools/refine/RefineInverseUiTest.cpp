@@ -49,14 +49,6 @@ public:
         settle();
         return session().document().segment(1)->voxels - before;
     }
-    /// Whether the edits of the history, as a recipe, come to the same.
-    [[nodiscard]] bool isWhatARecipeComesTo()
-    {
-        test::WorkspaceFixture recipe;
-        for (const core::HistoryRow& row : session().history().rows())
-            recipe.apply(row.edit);
-        return recipe.session().stateHash() == session().stateHash();
-    }
 
     ui::SliceView& slice;
     ui::VolumeView& view;
@@ -96,7 +88,7 @@ private Q_SLOTS:
         const glm::dvec3 first = fixture.drawn.get<core::SpherePush>().path.pointsLps.front();
         const double wayMm = glm::distance(first, {radius - 3.0, 0.0, 0.0});
         QVERIFY2(wayMm < 1.5, QByteArray::number(wayMm).constData());
-        QVERIFY(fixture.isWhatARecipeComesTo());
+        QVERIFY(test::isWhatARecipeComesTo(fixture.session()));
 
         // From within it is the other way round.
         InverseFixture within;
@@ -122,7 +114,7 @@ private Q_SLOTS:
                 {{radius + 1.0, -2.0, 0.0}, {radius + 1.0, 0.0, 0.0}, {radius + 1.0, 2.0, 0.0}});
         QVERIFY2(gained > 20, told(gained).constData());
         QVERIFY(fixture.drawn.get<core::PlaneScrape>().normalLps.x < -0.9);
-        QVERIFY(fixture.isWhatARecipeComesTo());
+        QVERIFY(test::isWhatARecipeComesTo(fixture.session()));
     }
 
     void theScraperInThreeDimensions_data() { test::addWhatInverts(); }

@@ -93,14 +93,6 @@ public:
         settle();
         return session().document().segment(1)->voxels - before;
     }
-    /// Whether the edits of the history, as a recipe, come to the same.
-    [[nodiscard]] bool isWhatARecipeComesTo()
-    {
-        test::WorkspaceFixture recipe;
-        for (const core::HistoryRow& row : session().history().rows())
-            recipe.apply(row.edit);
-        return recipe.session().stateHash() == session().stateHash();
-    }
 
     ui::SliceView& axial;
     ui::SliceView& coronal;
@@ -155,7 +147,7 @@ private Q_SLOTS:
         QVERIFY(fixture.refinement.mirror().markCounts()[std::size_t(core::SurfaceMark::Red)] > 5);
         const std::int64_t gained = fixture.gain();
         QVERIFY2(gained > 20, QByteArray::number(qlonglong(gained)).constData());
-        QVERIFY(fixture.isWhatARecipeComesTo());
+        QVERIFY(test::isWhatARecipeComesTo(fixture.session()));
     }
 
     /// Contours are no steps; what they make is one, and the surface lies on them then.
@@ -189,7 +181,7 @@ private Q_SLOTS:
             fixture.apartFrom(top) < 1.5, QByteArray::number(fixture.apartFrom(top)).constData());
         const std::int64_t gained = fixture.gain();
         QVERIFY2(gained > 50, QByteArray::number(qlonglong(gained)).constData());
-        QVERIFY(fixture.isWhatARecipeComesTo());
+        QVERIFY(test::isWhatARecipeComesTo(fixture.session()));
     }
 
     /// Contours of the slice are rubbed out; those of others, which are only seen through it, stay.

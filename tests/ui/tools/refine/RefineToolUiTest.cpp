@@ -91,14 +91,6 @@ public:
         return session().history().row(session().history().position());
     }
     [[nodiscard]] std::int64_t voxels() { return session().document().segment(1)->voxels; }
-    /// Whether the edits of the history, as a recipe, come to the same.
-    [[nodiscard]] bool isWhatARecipeComesTo()
-    {
-        test::WorkspaceFixture recipe;
-        for (const core::HistoryRow& row : session().history().rows())
-            recipe.apply(row.edit);
-        return recipe.session().stateHash() == session().stateHash();
-    }
 
     /// While an edit stands open.
     void settleOpen()
@@ -574,7 +566,7 @@ private Q_SLOTS:
         QCOMPARE(fixture.rows(), rows + 2);
         QVERIFY2(drags ? fixture.voxels() > before + 20 : fixture.voxels() < before - 20,
             qPrintable(QStringLiteral("%1 of %2").arg(fixture.voxels()).arg(before)));
-        QVERIFY(fixture.isWhatARecipeComesTo());
+        QVERIFY(test::isWhatARecipeComesTo(fixture.session()));
     }
 
     void controlAndTheEraserEndInvert_data() { test::addWhatInverts(); }
@@ -605,7 +597,7 @@ private Q_SLOTS:
             test::invertingKeys(by));
         fixture.settle();
         QVERIFY2(fixture.marked(SurfaceMark::Red) < red, qPrintable(fixture.lastRow().name));
-        QVERIFY(fixture.isWhatARecipeComesTo());
+        QVERIFY(test::isWhatARecipeComesTo(fixture.session()));
     }
 
     void errorsAreSignedOffOneByOne()

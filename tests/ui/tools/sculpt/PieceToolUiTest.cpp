@@ -106,14 +106,6 @@ public:
         test::drawStroke(with, view, {from, from + by * 0.5, from + by});
         settle();
     }
-    /// Whether the edits of the history, as a recipe, come to the same.
-    [[nodiscard]] bool isWhatARecipeComesTo() const
-    {
-        test::WorkspaceFixture recipe;
-        for (const core::HistoryRow& row : workspace.session()->history().rows())
-            recipe.apply(row.edit);
-        return recipe.session().stateHash() == workspace.session()->stateHash();
-    }
     void save(const char* name)
     {
         const QString folder = qEnvironmentVariable("BURIN_SCREENSHOTS");
@@ -292,7 +284,7 @@ private Q_SLOTS:
         const QString name = fixture.workspace.session()->history().rows().back().name;
         QVERIFY2(name.startsWith(QStringLiteral("Move piece '")), qPrintable(name));
         QCOMPARE(fixture.carvedBy(1), carved); // where it is shown decides no voxel
-        QVERIFY(fixture.isWhatARecipeComesTo());
+        QVERIFY(test::isWhatARecipeComesTo(fixture.session()));
         const double mm = fixture.view.context().mmPerPixel();
         const glm::dvec3 moved = fixture.document().pieces.front().pose.offsetMm;
         // From the front the patient's left is right in the picture.

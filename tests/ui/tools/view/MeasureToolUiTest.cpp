@@ -62,14 +62,6 @@ public:
         test::drawStroke(by, view, {from, (from + to) / 2.0, to});
         settle();
     }
-    /// Whether the edits of the history, as a recipe, come to the same.
-    [[nodiscard]] bool isWhatARecipeComesTo()
-    {
-        test::WorkspaceFixture recipe;
-        for (const core::HistoryRow& row : session().history().rows())
-            recipe.apply(row.edit);
-        return recipe.session().stateHash() == session().stateHash();
-    }
     void settle()
     {
         // What an answer asks for is asked after it came.
@@ -120,7 +112,7 @@ private Q_SLOTS:
         const double mm = view.context().mmPerPixel() * 50.0;
         fixture.drag(view, from, to, by);
         QCOMPARE(fixture.measurements().size(), std::size_t(1));
-        QVERIFY(fixture.isWhatARecipeComesTo());
+        QVERIFY(test::isWhatARecipeComesTo(fixture.session()));
         QVERIFY(std::abs(fixture.measurements()[0].lengthMm() - mm) < 0.01);
         QCOMPARE(fixture.measurements()[0].piece, 0);
         QCOMPARE(fixture.session().history().rows().back().name,
@@ -161,7 +153,7 @@ private Q_SLOTS:
         const QPointF reach(10.0 / mmPerPixel, 0.0);
         fixture.drag(view, middleOf(view) - reach, middleOf(view) + reach, by);
         QCOMPARE(fixture.measurements().size(), std::size_t(1));
-        QVERIFY(fixture.isWhatARecipeComesTo());
+        QVERIFY(test::isWhatARecipeComesTo(fixture.session()));
         const core::Measurement& measured = fixture.measurements()[0];
         QVERIFY2(std::abs(measured.lengthMm() - 20.0) < 1.5,
             qPrintable(QString::number(measured.lengthMm())));

@@ -75,14 +75,6 @@ public:
         return std::count_if(
             values.begin(), values.end(), [](std::uint8_t value) { return value >= 128; });
     }
-    /// Whether the edits of the history, as a recipe, come to the same.
-    [[nodiscard]] bool isWhatARecipeComesTo()
-    {
-        test::WorkspaceFixture recipe;
-        for (const core::HistoryRow& row : session().history().rows())
-            recipe.apply(row.edit);
-        return recipe.session().stateHash() == session().stateHash();
-    }
 
     static constexpr glm::dvec3 left{12.0, 20.0, 20.0};
     static constexpr glm::dvec3 right{28.0, 20.0, 20.0};
@@ -123,7 +115,7 @@ private Q_SLOTS:
         for (const std::array<int, 3>& voxel : fixture.one)
             expected.erase(voxel);
         QVERIFY(fixture.voxels() == expected);
-        QVERIFY(fixture.isWhatARecipeComesTo());
+        QVERIFY(test::isWhatARecipeComesTo(fixture.session()));
         QVERIFY(fixture.session().undo() && fixture.session().settle());
         QCOMPARE(fixture.session().stateHash(), before);
     }
@@ -149,7 +141,7 @@ private Q_SLOTS:
         QCOMPARE(fixture.rows(), std::size_t(4));
         QCOMPARE(fixture.takenBack(), std::vector<core::RowId>{3});
         QVERIFY(fixture.voxels() == fixture.one);
-        QVERIFY(fixture.isWhatARecipeComesTo());
+        QVERIFY(test::isWhatARecipeComesTo(fixture.session()));
         // The next one around both finds what is left.
         fixture.draw(
             by, fixture.slice, {at(corner), at({20.0, 20.0, 20.0}), at({6.0, 12.0, 20.0})});
@@ -173,7 +165,7 @@ private Q_SLOTS:
         QCOMPARE(fixture.takenBack(), std::vector<core::RowId>{4});
         QCOMPARE(fixture.carved(), both - dent);
         QVERIFY(fixture.voxels() == fixture.both);
-        QVERIFY(fixture.isWhatARecipeComesTo());
+        QVERIFY(test::isWhatARecipeComesTo(fixture.session()));
         QSignalSpy said(&fixture.workspace, &ui::Workspace::said);
         fixture.draw(by, fixture.view, {QPointF(6.0, 6.0)});
         QCOMPARE(fixture.rows(), std::size_t(6));
