@@ -29,11 +29,6 @@ constexpr int wall = 2; ///< with a narrow hole, through which the growth leaks
 constexpr int left = 3;
 constexpr int right = 4;
 
-glm::dvec3 at(double x, double y, double z)
-{
-    return Ball::middle + glm::dvec3(x, y, z);
-}
-
 /// Of all that it reaches of the ball.
 Edit growth(std::optional<int> steps, int connectivity)
 {
@@ -66,7 +61,7 @@ void WorkOfGrowthGlTest::prepare(CountedSession& counts)
 {
     for (const char* name : {"Organ", "Wall", "Left", "Right"})
         counts.prepare(test::newSegment(QLatin1String(name)));
-    const glm::dvec3 door = at(2.0, 0.0, 0.0);
+    const glm::dvec3 door = Ball::at(2.0, 0.0, 0.0);
     counts.prepare(test::paintDiscAt(wall, door, {1.0, 0.0, 0.0}, Ball::radius + 3.0));
     counts.prepare(test::eraseAt(wall, {door}, 2.5));
 }
@@ -76,7 +71,7 @@ void WorkOfGrowthGlTest::prepare(CountedSession& counts)
 void WorkOfGrowthGlTest::divide(CountedSession& counts)
 {
     SessionChunks& chunks = counts.session().chunks();
-    counts.prepare(test::paintAt(left, {at(-6.0, -10.0, -6.0)}, 4.0));
+    counts.prepare(test::paintAt(left, {Ball::at(-6.0, -10.0, -6.0)}, 4.0));
     counts.step("division", DivideSegment{.segment = left, .marginMm = 3.0});
     counts.work(
         "chunks of a division", [&] { static_cast<void>(chunks.map()); },
@@ -99,12 +94,12 @@ void WorkOfGrowthGlTest::shareOut(CountedSession& counts)
 
 void WorkOfGrowthGlTest::leak(CountedSession& counts)
 {
-    counts.prepare(test::seedAt(organ, {at(-8.0, 0.0, 0.0)}));
+    counts.prepare(test::seedAt(organ, {Ball::at(-8.0, 0.0, 0.0)}));
     counts.prepare(growth(4, 6));
     counts.step("resuming a growth", ResumeGrowth{.steps = 2});
     // Over corners too, it comes to all of the hole in the same generation.
     counts.prepare(growth(std::nullopt, 26));
-    counts.step("plug of a leak", PlugLeak{.pointLps = at(14.0, 0.0, 0.0)});
+    counts.step("plug of a leak", PlugLeak{.pointLps = Ball::at(14.0, 0.0, 0.0)});
     counts.step("undo of a plug", [&] { return bool(counts.session().undo()); });
 }
 

@@ -31,11 +31,6 @@ constexpr int organ = 1;
 constexpr int other = 2;
 constexpr double surfaceMm = 22.0; ///< radius of what is refined; values end at Ball::radius
 
-glm::dvec3 at(double x, double y, double z)
-{
-    return Ball::middle + glm::dvec3(x, y, z);
-}
-
 SurfacePath along(std::vector<glm::dvec3> pointsLps)
 {
     return {.radiusMm = 6.0, .pointsLps = std::move(pointsLps), .rules = newestSurfaceRules};
@@ -47,7 +42,8 @@ std::vector<glm::dvec3> lobeAlong(const glm::dvec3& direction)
     std::vector<glm::dvec3> line;
     for (int i = -8; i <= 8; ++i) {
         const double aside = 0.75 * i;
-        line.push_back(at(surfaceMm + 5.0 - 0.14 * aside * aside, 0.0, 0.0) + aside * direction);
+        line.push_back(
+            Ball::at(surfaceMm + 5.0 - 0.14 * aside * aside, 0.0, 0.0) + aside * direction);
     }
     return line;
 }
@@ -76,15 +72,18 @@ void WorkOfShapesGlTest::refine(CountedSession& counts)
     counts.prepare(test::thresholdOf(organ, Ball::valueAt(surfaceMm)));
     counts.prepare(LaySurface{.segment = organ, .vertices = 800, .rules = newestSurfaceRules});
     counts.step("scrape",
-        PlaneScrape{.path = along({at(0.0, 0.0, surfaceMm - 1.0), at(4.0, 0.0, surfaceMm - 1.0)}),
+        PlaneScrape{.path = along(
+                        {Ball::at(0.0, 0.0, surfaceMm - 1.0), Ball::at(4.0, 0.0, surfaceMm - 1.0)}),
             .normalLps = {0.0, 0.0, 1.0}});
     counts.step("drag of a point",
-        PointDrag{along({at(0.0, surfaceMm, 0.0), at(0.0, surfaceMm + 4.0, 0.0)})});
+        PointDrag{along({Ball::at(0.0, surfaceMm, 0.0), Ball::at(0.0, surfaceMm + 4.0, 0.0)})});
     counts.step("smoothing of the surface",
-        SmoothSurface{along({at(0.0, surfaceMm + 2.0, 0.0), at(2.0, surfaceMm + 1.0, 0.0)})});
-    counts.step(
-        "attraction", AttractSurface{along({at(0.0, -surfaceMm, 0.0), at(3.0, -surfaceMm, 0.0)})});
-    counts.prepare(MarkSurface{.mark = SurfaceMark::Red, .path = along({at(surfaceMm, 0.0, 0.0)})});
+        SmoothSurface{
+            along({Ball::at(0.0, surfaceMm + 2.0, 0.0), Ball::at(2.0, surfaceMm + 1.0, 0.0)})});
+    counts.step("attraction",
+        AttractSurface{along({Ball::at(0.0, -surfaceMm, 0.0), Ball::at(3.0, -surfaceMm, 0.0)})});
+    counts.prepare(
+        MarkSurface{.mark = SurfaceMark::Red, .path = along({Ball::at(surfaceMm, 0.0, 0.0)})});
     counts.step("template",
         ApplyTemplate{.contoursLps = {lobeAlong({0.0, 1.0, 0.0}), lobeAlong({0.0, 0.0, 1.0})},
             .rules = newestSurfaceRules});
@@ -95,9 +94,9 @@ void WorkOfShapesGlTest::refine(CountedSession& counts)
 void WorkOfShapesGlTest::cleanUp(CountedSession& counts)
 {
     counts.prepare(test::thresholdOf(organ, Ball::valueAt(12.0)));
-    counts.prepare(test::eraseAt(organ, {at(0.0, 0.0, -5.0)}, 2.5));
+    counts.prepare(test::eraseAt(organ, {Ball::at(0.0, 0.0, -5.0)}, 2.5));
     counts.step("filling holes", CleanSegment{.segment = organ, .rule = IslandRule::FillHoles});
-    counts.prepare(test::paintAt(organ, {at(0.0, 0.0, 18.0)}, 1.5));
+    counts.prepare(test::paintAt(organ, {Ball::at(0.0, 0.0, 18.0)}, 1.5));
     counts.step("removing small islands",
         CleanSegment{.segment = organ, .rule = IslandRule::RemoveSmall, .mm3 = 500.0});
 }
@@ -109,15 +108,15 @@ void WorkOfShapesGlTest::reshape(CountedSession& counts)
     const auto step = [&counts](const char* name, ShapeOperation operation, double mm) {
         counts.step(name, ReshapeSegment{.segment = organ, .operation = operation, .mm = mm});
     };
-    const std::vector<glm::dvec3> wayIn{at(14.0, 0.0, 0.0), at(4.0, 0.0, 0.0)};
-    counts.prepare(test::paintAt(organ, {at(0.0, 0.0, 13.5)}, 2.0));
+    const std::vector<glm::dvec3> wayIn{Ball::at(14.0, 0.0, 0.0), Ball::at(4.0, 0.0, 0.0)};
+    counts.prepare(test::paintAt(organ, {Ball::at(0.0, 0.0, 13.5)}, 2.0));
     step("opening", ShapeOperation::Open, 4.0);
     counts.prepare(test::eraseAt(organ, wayIn, 1.5));
     step("closing", ShapeOperation::Close, 3.0);
     counts.prepare(test::eraseAt(organ, wayIn, 1.5));
     counts.prepare(test::eraseAt(organ, {Ball::middle}, 4.0));
     step("wrap", ShapeOperation::Wrap, 3.0);
-    counts.prepare(test::paintOverAt(other, {at(0.0, 0.0, 10.0)}, 5.0));
+    counts.prepare(test::paintOverAt(other, {Ball::at(0.0, 0.0, 10.0)}, 5.0));
     counts.step("joint smoothing",
         ReshapeSegment{.segment = organ,
             .operation = ShapeOperation::Gaussian,

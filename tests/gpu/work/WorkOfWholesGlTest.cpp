@@ -27,11 +27,6 @@ namespace {
 
 constexpr int organ = 1;
 
-glm::dvec3 at(double x, double y, double z)
-{
-    return Ball::middle + glm::dvec3(x, y, z);
-}
-
 } // namespace
 
 /// What steps cost that concern all of a segment, of a layer, of a mask or of what is seen, counted
@@ -60,7 +55,7 @@ void WorkOfWholesGlTest::prepare(CountedSession& counts)
 void WorkOfWholesGlTest::followAndBar(CountedSession& counts)
 {
     counts.prepare(LaySurface{.segment = organ, .vertices = 400, .rules = newestSurfaceRules});
-    counts.prepare(test::paintAt(organ, {at(12.0, 0.0, 0.0)}, 4.0));
+    counts.prepare(test::paintAt(organ, {Ball::at(12.0, 0.0, 0.0)}, 4.0));
     counts.step("following a mask", FollowMask{.rules = newestSurfaceRules});
     counts.step("barriers along a surface", SurfaceBarrier{});
     counts.prepare(DropSurface{});
@@ -69,7 +64,7 @@ void WorkOfWholesGlTest::followAndBar(CountedSession& counts)
 /// Between layers, what is seen, and segments.
 void WorkOfWholesGlTest::passBetween(CountedSession& counts)
 {
-    counts.prepare(test::carveAt({at(0.0, 0.0, 16.0)}, 5.0));
+    counts.prepare(test::carveAt({Ball::at(0.0, 0.0, 16.0)}, 5.0));
     counts.step("layer to segment",
         LayerToSegment{.layer = 1, .target = {.name = QStringLiteral("Carved")}});
     counts.step("segment to layer", SegmentToLayer{.segment = organ, .layer = 1});

@@ -20,6 +20,11 @@ struct GradedBall {
     /// Of a surface that shows the ball and nothing else.
     static constexpr double threshold = 500.0;
 
+    /// Returns a place by its distance from the middle along each axis.
+    [[nodiscard]] static glm::dvec3 at(double x, double y, double z)
+    {
+        return middle + glm::dvec3(x, y, z);
+    }
     /// Returns the study. @p side of the volume in voxels; at least 96
     [[nodiscard]] static core::LoadedVolume in(int side)
     {
