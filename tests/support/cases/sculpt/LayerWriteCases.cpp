@@ -2,6 +2,7 @@
 
 #include "tests/support/cases/EngineCases.h"
 #include <array>
+#include <functional>
 
 namespace test {
 
@@ -96,31 +97,6 @@ core::LabelPlanes randomPlaneLists(const glm::ivec3& size, Random& random)
     return made;
 }
 
-EngineCase planeWrites(int number, const glm::ivec3& size)
-{
-    Random random(std::uint32_t(21900 + number));
-    EngineCase made{"labels listed in several planes " + QByteArray::number(number),
-        constantVolume(size, tissueCode), {}};
-    for (int plane = 0; plane < 3; ++plane)
-        made.steps.push_back(
-            put(noise(size, random, {0, 0, 0, 1, 2, 5}), core::Field::Labels, std::uint8_t(plane)));
-    for (int edit = 0; edit < 6; ++edit) {
-        core::SeedPlacement seeds{.plane = std::uint8_t(edit % 2),
-            .label = std::uint8_t(randomInt(random, 1, 4)),
-            .voxels = {}};
-        appendSeeds(made.steps, seeds, 5, size, random);
-        appendWhole(made.steps, randomPlaneLists(size, random), {},
-            edit == 3 ? core::Ending::Rollback : core::Ending::Commit);
-        if (edit == 4)
-            made.steps.push_back(Undo{});
-    }
-    for (int i = 0; i < 4; ++i)
-        made.steps.push_back(Undo{});
-    for (int i = 0; i < 3; ++i)
-        made.steps.push_back(Redo{});
-    return made;
-}
-
 /// Tables for some of three planes, in any order, most of which keep to what another plane holds by
 /// then.
 core::MapPlanes randomMaps(Random& random)
@@ -152,21 +128,25 @@ core::MapPlanes randomMaps(Random& random)
     return made;
 }
 
-EngineCase mapWrites(int number, const glm::ivec3& size)
+/// Six edits of three planes, each behind seeds in one of them; one is rolled back, and some are
+/// undone and redone.
+/// @param seededPlanes in how many of the planes there are seeds
+/// @param rolledBack which of the edits
+/// @param write makes the next edit
+EngineCase writesInPlanes(const QByteArray& name, const glm::ivec3& size, Random random,
+    int seededPlanes, int rolledBack, const std::function<core::EngineEdit(Random&)>& write)
 {
-    Random random(std::uint32_t(21950 + number));
-    EngineCase made{"labels mapped in several planes " + QByteArray::number(number),
-        constantVolume(size, tissueCode), {}};
+    EngineCase made{name, constantVolume(size, tissueCode), {}};
     for (int plane = 0; plane < 3; ++plane)
         made.steps.push_back(
             put(noise(size, random, {0, 0, 0, 1, 2, 5}), core::Field::Labels, std::uint8_t(plane)));
     for (int edit = 0; edit < 6; ++edit) {
-        core::SeedPlacement seeds{.plane = std::uint8_t(edit % 3),
+        core::SeedPlacement seeds{.plane = std::uint8_t(edit % seededPlanes),
             .label = std::uint8_t(randomInt(random, 1, 4)),
             .voxels = {}};
         appendSeeds(made.steps, seeds, 5, size, random);
-        appendWhole(made.steps, randomMaps(random), {},
-            edit == 2 ? core::Ending::Rollback : core::Ending::Commit);
+        appendWhole(made.steps, write(random), {},
+            edit == rolledBack ? core::Ending::Rollback : core::Ending::Commit);
         if (edit == 4)
             made.steps.push_back(Undo{});
     }
@@ -175,6 +155,20 @@ EngineCase mapWrites(int number, const glm::ivec3& size)
     for (int i = 0; i < 3; ++i)
         made.steps.push_back(Redo{});
     return made;
+}
+
+EngineCase planeWrites(int number, const glm::ivec3& size)
+{
+    return writesInPlanes("labels listed in several planes " + QByteArray::number(number), size,
+        Random(std::uint32_t(21900 + number)), 2, 3,
+        [&size](Random& random) { return randomPlaneLists(size, random); });
+}
+
+EngineCase mapWrites(int number, const glm::ivec3& size)
+{
+    return writesInPlanes("labels mapped in several planes " + QByteArray::number(number), size,
+        Random(std::uint32_t(21950 + number)), 3, 2,
+        [](Random& random) { return randomMaps(random); });
 }
 
 EngineCase randomWrites(int number)
