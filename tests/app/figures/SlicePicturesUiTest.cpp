@@ -40,6 +40,13 @@ class SlicePicturesUiTest : public QObject, private test::FigureWindow {
     using Mouse = test::WindowFixture;
 
 private:
+    /// Opens the head with a segment without voxels, which is the active one.
+    void openWithSegment(const QString& panel = QStringLiteral("Segments"))
+    {
+        openHead(panel);
+        apply(test::newSegment(QStringLiteral("Ventricle"), 0x4AA3FF));
+        workspace().setActiveSegment(1);
+    }
     /// A brush that heeds neither edges nor values.
     void takeBrush(double radiusMm, bool isFlat, bool isSquare)
     {
@@ -54,9 +61,7 @@ private Q_SLOTS:
     /// Six tools at the left horn of the ventricles, each while it is in use.
     void sliceTools()
     {
-        openHead();
-        apply(test::newSegment(QStringLiteral("Ventricle"), 0x4AA3FF));
-        workspace().setActiveSegment(1);
+        openWithSegment();
         const core::RowId empty = session().history().position();
         constexpr double z = 20.0;
         ui::SliceView& axial = axialAlone({-6.0, 31.0, z}, 0.16);
@@ -180,9 +185,7 @@ private Q_SLOTS:
     /// tools of slices.
     void outlines()
     {
-        openHead();
-        apply(test::newSegment(QStringLiteral("Ventricle"), 0x4AA3FF));
-        workspace().setActiveSegment(1);
+        openWithSegment();
         constexpr double z = 20.0;
         ui::SliceView& axial = axialAlone({-6.0, 31.0, z}, 0.16);
         constexpr QSize size(400, 300);
@@ -216,9 +219,7 @@ private Q_SLOTS:
     /// tells the range, and the menu in which it is chosen.
     void editableRange()
     {
-        openHead(QStringLiteral("Clean up"));
-        apply(test::newSegment(QStringLiteral("Ventricle"), 0x4AA3FF));
-        workspace().setActiveSegment(1);
+        openWithSegment(QStringLiteral("Clean up"));
         const core::RowId empty = session().history().position();
         constexpr double z = 20.0;
         ui::SliceView& axial = axialAlone({-6.0, 31.0, z}, 0.16);
@@ -262,9 +263,7 @@ private Q_SLOTS:
     /// A contour in the horn after some generations, its panel, and its body in the 3D view.
     void contour()
     {
-        openHead(QStringLiteral("Contour"));
-        apply(test::newSegment(QStringLiteral("Ventricle"), 0x4AA3FF));
-        workspace().setActiveSegment(1);
+        openWithSegment(QStringLiteral("Contour"));
         constexpr double z = 20.0;
         auto& tool = hand<ui::ContourTool>();
         tool.setSettings({.bubbleMm = 3.0, .generations = 60});
