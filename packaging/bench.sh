@@ -120,7 +120,7 @@ case $task in
     performance)
         rm -rf "$measured"
         mkdir -p "$measured"
-        # What is not right is not among them; the page says that it was not measured.
+        # A figure whose results are not equal is left out; the page says that it was not measured.
         status=0
         "$bench" --json > "$measured/figures.json" || status=1
         "$burinBuild/app/burin" info --gl > "$measured/graphics.txt"

@@ -41,7 +41,7 @@ useTestHome
 unset QT_SCALE_FACTOR QT_STYLE_OVERRIDE DISPLAY WAYLAND_DISPLAY XAUTHORITY
 
 manual=$burinRoot/resources/help
-# Those that lie there, and those that a page shows.
+# The pictures that lie there, and those that a page shows.
 wanted=$(
     cd "$manual"
     { printf '%s\n' *.png; grep -oh '([a-z0-9-]*\.png)' -- *.md | tr -d '()'; } | sort -u
@@ -66,7 +66,7 @@ for name in "${tests[@]}"; do
 done
 if [ $# -eq 0 ]; then
     for file in $wanted; do
-        # One is drawn of what packaging/bench.sh measures.
+        # One picture is drawn by packaging/bench.sh from what it measures.
         grep -qxF "$file" "$folder/drawn" 2> /dev/null \
             || grep -qF "/$file" "$burinRoot/packaging/bench.sh" \
             || say "nobody drew $file"

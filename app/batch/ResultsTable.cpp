@@ -92,7 +92,7 @@ QByteArray resultsTable(const std::vector<StudyTask>& tasks)
         };
         text += cell(tasks[i].study.name) + ',' + cell(tasks[i].study.path) + ','
             + (record.isEmpty() ? QByteArray("waiting") : word("state")) + ',' + word("stateHash");
-        // A record of before has only those of its last start.
+        // A record of an earlier version counts only the attempts of its last start.
         const QJsonValue attempts = record.value(QStringLiteral("attempts"));
         const QJsonValue inAll = record.value(QStringLiteral("attemptsInAll"));
         for (const QJsonValue& value :

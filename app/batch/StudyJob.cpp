@@ -96,7 +96,7 @@ Result<void> StudyJob::begin()
     const QJsonObject earlier = StudyResults::record(m_task.folder);
     const bool wasDone = earlier.value(QStringLiteral("state")).toString() == QLatin1String("done");
     const int starts = earlier.value(QStringLiteral("starts")).toInt();
-    // A record of before does not tell how often one start had tried.
+    // A record of an earlier version does not tell how many attempts one start made.
     m_attemptsBefore = wasDone ? 0 : earlier.value(QStringLiteral("attemptsInAll")).toInt(starts);
     m_record = {
         {QStringLiteral("name"), m_task.study.name},
@@ -129,7 +129,7 @@ Result<void> StudyJob::begin()
         }
         return fits;
     }
-    // One that is killed has tried, too.
+    // An attempt counts even if this process is killed during it.
     m_record[QStringLiteral("attemptsInAll")] = m_attemptsBefore + 1;
     if (const Result<void> written = writeRecord(); !written)
         return written;

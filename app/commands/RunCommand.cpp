@@ -320,7 +320,8 @@ int run(core::Recipe recipe, const Arguments& arguments, CommandTermination& ter
         return std::move(continued->session);
     };
     const auto again = [&](gpu::GpuEngine& engine) -> Result<SteadySession::Session> {
-        // Where it went as it was closed, nobody was told; its name may be another one's by now.
+        // If it was renamed as it was closed, nobody was told; another file may have its name by
+        // now.
         if (const QString now = made.path(); !made.isAt(openFile) && !now.isEmpty())
             openFile = now;
         Result<core::LoadedVolume> study = readStudy(openFile);

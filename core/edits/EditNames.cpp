@@ -99,7 +99,8 @@ private:
             take(each);
         const QJsonObject object = json.toObject();
         for (auto each = object.begin(); each != object.end(); ++each) {
-            // In base 64 and in digits of colours any short word stands by chance.
+            // In voxels in base 64 and in the digits of a colour any short word can stand by
+            // chance.
             if (each.key() != QLatin1String("voxels") && each.key() != QLatin1String("color"))
                 take(each.value());
         }

@@ -43,7 +43,7 @@ struct GrowthProgress {
     std::optional<LeakAlarm> alarm{};
     /// Only for such a cut; all members above are about a growth.
     std::optional<BackwardProgress> backwards{};
-    /// How much is done of other work that is `running`; less than 0: nobody knows.
+    /// How much is done of work other than a growth that is `running`; less than 0: unknown.
     int percent = -1;
 };
 

@@ -117,8 +117,8 @@ QString voxelFileOf(const nifti_image& image, const QString& path)
     return {};
 }
 
-/// Whether a file may hold the voxels of a point in time: a few bytes may claim gigabytes, and what
-/// the file cannot hold is not asked of memory either.
+/// Whether a file can hold the voxels of a point in time. A header of a few bytes may claim
+/// gigabytes; memory is not asked for what the file cannot hold.
 /// @param path from voxelFileOf() @param bytes of one point
 bool mayHold(const QString& path, std::size_t bytes, int time)
 {

@@ -11,7 +11,7 @@ namespace core {
 /// (Laying::Refill) ignores it.
 struct ProtectedLabels {
     static constexpr std::size_t mostPlanes = 4; ///< as many as there can be
-    std::bitset<mostPlanes> planes{1}; ///< the planes that are asked, by number
+    std::bitset<mostPlanes> planes{1}; ///< the planes that hold protected segments, by number
     std::bitset<256> labels{};
     bool operator==(const ProtectedLabels&) const = default;
 };

@@ -9,10 +9,10 @@ class OperationQueue;
 
 /// The edit of a segment that is being computed at present, also for its preview (CleanSegment,
 /// ReshapeSegment, FillBetweenSlices, FloodFill, MirrorSegment, EvolveContour, SplitIslands,
-/// SplitSegment, CopySegment, SplitByCurve, ImportMask); or the RevertRows that looks at what
-/// imports of masks hold; or with which the engine goes through the volume, once it is to be a step
-/// (InvertSegment, CombineSegments, ThresholdSegment, SegmentScissors, GrowFromSeeds). Part of
-/// EditSession.
+/// SplitSegment, CopySegment, SplitByCurve, ImportMask); or a RevertRows that looks where imports
+/// of masks have voxels; or, once it is to be a step, an edit for which the engine goes through the
+/// volume (InvertSegment, CombineSegments, ThresholdSegment, SegmentScissors, GrowFromSeeds). Part
+/// of EditSession.
 class SegmentWork {
 public:
     explicit SegmentWork(OperationQueue& queue);

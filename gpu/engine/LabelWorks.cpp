@@ -86,7 +86,7 @@ private:
     core::LabelThreshold m_edit;
 };
 
-/// What is inverted may be all of the volume.
+/// Inverting a segment may change all of the volume.
 class MappedWork final : public WorkOnBricks {
 public:
     MappedWork(const core::MapLabels& edit, const WorkContext& context)
@@ -158,7 +158,7 @@ private:
     std::vector<core::BrickKey> m_keys; ///< of those before it
 };
 
-/// Scissors first look how far they reach.
+/// Scissors: first works out how far they reach.
 class ScissorsWork final : public WorkOnBricks {
 public:
     ScissorsWork(const core::LabelScissors& edit, const WorkContext& context)

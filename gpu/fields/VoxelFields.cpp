@@ -163,7 +163,7 @@ bool VoxelFields::hasData(const core::BrickKey& key)
 {
     if (const BrickField* bricks = paged(key.field, key.plane))
         return bricks->holds(key.brick);
-    // A plane that is not in use holds none. Whoever asks for its texture would make it.
+    // A plane that is not in use holds nothing. Asking for its texture would make it.
     const bool isInUse = key.plane == 0 || m_furtherPlanes.count(key.plane) != 0;
     return isInUse && m_labelledBricks.count(key.brick) != 0;
 }

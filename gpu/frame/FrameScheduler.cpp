@@ -151,8 +151,8 @@ void FrameScheduler::begin(ViewProgress& view, FrameRequest request)
 {
     const bool same = view.request.sizePixels == request.sizePixels
         && view.request.scene == request.scene && view.request.segments == request.segments;
-    // A coarse picture under way is finished first: a hand that moves asks anew while it is drawn,
-    // again and again, and would see none.
+    // A coarse picture under way is finished first: a hand that moves asks for the next picture
+    // before this one is done, and would otherwise see none.
     if (!same && view.drawsCoarse() && view.request.sizePixels == request.sizePixels) {
         view.awaited = std::move(request);
         return;

@@ -25,7 +25,8 @@ class VolumeTextures;
 /// and newer requests. Each view gets a coarse picture if a full one would take too long, then a
 /// full one tile by tile, then a refined one: in 3D the average of several with moved sampling
 /// points. Cubic interpolation, where a scene wants it, is used only for the refined picture. After
-/// that nothing is drawn until the request or the voxels change.
+/// that nothing is drawn until the request or the voxels change. A coarse picture that has begun is
+/// finished before a newer request of the same size begins.
 ///
 /// request(), forget(), setListener() and updateSurface() may be called on any thread, all other
 /// functions on the engine thread. The listener must not wait for a thread that may be in forget().
@@ -79,7 +80,7 @@ private:
     void giveUp(const core::Error& why);
     void takeRequests();
     void begin(ViewProgress& view, FrameRequest request);
-    /// Begins what was requested while a coarse picture was drawn.
+    /// Begins what was requested while the coarse picture was drawn, if anything was.
     void beginAwaited(ViewProgress& view);
     void showPieces(const VolumeScene& scene);
     void takeChanges();

@@ -21,7 +21,7 @@ struct ViewProgress {
     int sample = 0; ///< which of the summed pictures of stage Refine is drawn
     std::optional<TilePlan> tiles; ///< tiles of the picture being drawn; none if it has not begun
     bool stale = false; ///< the content changed while its coarse picture was drawn
-    /// What is wanted once the coarse picture under way is finished; none: nothing else.
+    /// The request that begins once the coarse picture under way is finished; none: no newer one.
     std::optional<FrameRequest> awaited;
     bool failed = false; ///< its last picture did
     double milliseconds = 0.0;

@@ -93,7 +93,7 @@ private Q_SLOTS:
                 "moves, so memory bounds it in part.\n",
                 "- tried: from the top down\n", "- tried: a queue\n", "- tried: see `grow.ball`\n",
                 "Not profiled.\n"});
-        // What meets its goal needs no excuse.
+        // For a row that meets its goal no reason is given.
         QVERIFY(!made.output.contains("### `frame.surface`"));
     }
 

@@ -81,8 +81,7 @@ MaskOrderDialog::MaskOrderDialog(
     auto* kept = new QLabel(
         fits ? tr(
             "The segments lie in %1 label planes. Each is edited, grown, measured and exported for "
-            "itself. Segments beyond the first plane cannot be protected from sculpting, and label "
-            "maps cannot hold overlaps.")
+            "itself. Label maps cannot hold overlaps.")
                    .arg(m_read->planesNeeded())
              : tr("They would need %1 label planes; there are at most %2.")
                    .arg(m_read->planesNeeded())

@@ -57,7 +57,7 @@ void SegmentWorkWatch::look()
     if (!percent && m_works)
         m_bar.end();
     m_works = percent.has_value();
-    // Of a stroke, Esc takes that back.
+    // While a stroke is open, Esc takes back the stroke instead.
     m_escape->setEnabled(m_works && (!session->transactionOpen() || session->openIsPreview()));
     if (percent)
         m_bar.percent(*percent);

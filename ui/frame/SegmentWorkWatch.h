@@ -28,7 +28,7 @@ private:
 
     Workspace& m_workspace;
     LoadingBar& m_bar;
-    QShortcut* m_escape; ///< works while the bar is visible
+    QShortcut* m_escape; ///< on while there is work to abort and no stroke is open
     QTimer m_looks; ///< runs while a session is open
     bool m_works = false;
 };

@@ -291,7 +291,7 @@ void SliceView::keyPressEvent(QKeyEvent* event)
         if (!m_awaitsBox || m_box)
             return ImageView::keyPressEvent(event);
         return Q_EMIT boxAbandoned();
-    // As in the peers, up is towards the head: numbers count from the feet.
+    // Up leads towards the head, as in 3D Slicer and ITK-SNAP: slices are numbered from the feet.
     case Qt::Key_Up:
         return goToSlice(sliceNumber() + 1);
     case Qt::Key_Down:

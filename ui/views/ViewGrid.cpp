@@ -200,7 +200,7 @@ bool ViewGrid::eventFilter(QObject* watched, QEvent* event)
     case QEvent::Hide:
     case QEvent::Resize:
     case QEvent::Move:
-        placeTexts(); // of a view, or of what lies over them
+        placeTexts(); // a view, or what lies over the views, has another place
         break;
     default:
         break;

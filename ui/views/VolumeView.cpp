@@ -94,7 +94,7 @@ QColor VolumeView::barColour() const
 
 void VolumeView::openVolume()
 {
-    m_otherEye = {}; // it comes after the first eye's, which would be seen with the last study's
+    m_otherEye = {}; // of the last study; the first eye's next picture would be shown with it
     resetView();
 }
 

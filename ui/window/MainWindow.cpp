@@ -459,7 +459,7 @@ void MainWindow::closeStudy()
     const QString said = m_messages->sentence();
     if (!mayLoseUnwrittenSteps(m_workspace, *this, *m_saver))
         return;
-    // What was said before is about the study; what comes up as it is closed is to be read.
+    // Messages shown so far are about the study; those that closing it brings up are to be read.
     if (m_messages->sentence() == said)
         m_messages->dismiss();
     m_workspace.setSession(nullptr);

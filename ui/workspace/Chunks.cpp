@@ -71,7 +71,7 @@ Chunks::Chunks(Workspace& workspace)
             m_look.shown = false;
             Q_EMIT lookChanged();
         }
-        colour(); // nothing of the last study's is drawn over the next one
+        colour(); // no chunks of the last study are drawn over the next one
         follow();
     });
     connect(

@@ -457,7 +457,7 @@ void duplicateSegment(Workspace& workspace, int label)
 
 namespace {
 
-/// What is told if nothing came of it.
+/// What the user is told if combining two segments changed no voxel.
 QString nothingToCombine(const Workspace& workspace, const core::CombineSegments& edit)
 {
     const QString name = nameOfSegment(workspace, edit.segment);

@@ -79,7 +79,7 @@ void splitByCurve(Workspace& workspace, const core::SplitByCurve& edit);
 [[nodiscard]] QString partsText(const Workspace& workspace, const QString& name,
     std::int64_t voxels, const QString& otherName, std::int64_t otherVoxels);
 
-/// The following nine may be previewed before (EditTrial).
+/// The edits of the following nine functions may be previewed before (EditTrial).
 /// @param isOpen whether @p edit stands open in the session, for its preview; it is committed then,
 /// and nothing is computed again
 ///

@@ -32,7 +32,7 @@ ProtectedLabels protectedLabelsOf(
         if (segment)
             labels.planes.set(segment->plane);
         else
-            labels.planes.set(); // it was deleted since: wherever it was
+            labels.planes.set(); // the segment was deleted since: its voxels may be in any plane
     }
     return labels;
 }

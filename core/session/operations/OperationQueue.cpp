@@ -354,7 +354,7 @@ Result<void> OperationQueue::waitUntilSettled()
 
 void OperationQueue::finishWriting()
 {
-    // Whatever fails is noticed as trouble.
+    // noticeTrouble() tells whatever fails here.
     if (m_state.file)
         static_cast<void>(guarded([this] { return m_state.file->flush(); }));
     noticeTrouble();

@@ -35,7 +35,7 @@ public:
     [[nodiscard]] OpenOperation* interactive() const;
     /// The edit of the surface that is running; null: another operation, or none.
     [[nodiscard]] SurfaceOperation* runningSurface() const;
-    /// What is running, if it can be aborted at any time of it; null: something else, or nothing.
+    /// The running operation, if it is of a kind that can be aborted; null: another one, or none.
     [[nodiscard]] AbortableWork* runningAbortable() const;
     void end(OpenOperation& stroke, Ending ending);
     /// Ends what stands open without a pen, as is usual for it (OpenManner).
@@ -46,7 +46,8 @@ public:
     /// Blocks until nothing is left to do. @return the first failure since the last call
     Result<void> settle();
 
-    /// Blocks until the file holds what it was told so far, or something waits, and tells so.
+    /// Blocks until the file holds all that it was given so far, or the disk does not take it; then
+    /// reports that.
     void finishWriting();
 
     /// Whether nothing is running or waiting.

@@ -122,7 +122,7 @@ void VoxelOperation::end(SessionState& state, Ending ending)
     submitWaiting(state);
 }
 
-/// What becomes a row leaves nothing for a next preview, not even if it is aborted.
+/// An edit that is to become a row keeps nothing for a next preview, not even if it is aborted.
 void VoxelOperation::keepNothing(const SessionState& state)
 {
     if (!m_stroke || !m_manner.keepsForNext)
@@ -201,7 +201,7 @@ int VoxelOperation::percent(const SessionState& state) const
     return state.engine.growthProgress().percent;
 }
 
-/// What the engine has changed in spite of it is taken back with its result.
+/// If the engine has changed voxels nevertheless, they are taken back when its result arrives.
 void VoxelOperation::abort(SessionState& state)
 {
     if (!isAbortable())

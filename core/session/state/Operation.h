@@ -39,8 +39,8 @@ public:
     [[nodiscard]] virtual bool foresee(Document&) const { return true; }
 };
 
-/// What an operation is, too, whose work may take long: it first works out on the side thread what
-/// is to be changed, or whether it may be; or the engine goes through much of the volume.
+/// An operation is this, too, if its work may take long: it first works out on the side thread what
+/// is to be changed, or whether it may be changed; or the engine goes through much of the volume.
 class AbortableWork {
 public:
     virtual ~AbortableWork() = default;

@@ -263,7 +263,8 @@ bool moveSessionPart(const FollowedFile& followed, const QString& to)
     if (::renameat2(AT_FDCWD, from.constData(), AT_FDCWD, target.constData(), RENAME_NOREPLACE)
         == 0)
         return true;
-    // Not every file system knows the flag; there the look just before must do.
+    // Not every file system knows the flag; there it must do to look just before whether the name
+    // is free.
     return (errno == EINVAL || errno == ENOSYS) && !QFileInfo::exists(to)
         && std::rename(from.constData(), target.constData()) == 0;
 }

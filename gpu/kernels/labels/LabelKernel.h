@@ -67,7 +67,7 @@ std::vector<core::BrickKey> writeThreshold(LabelPrograms& programs, VoxelFields&
     const std::vector<std::uint32_t>& bricks);
 
 /// Returns the bricks in which a table of labels may change something, ascending: all of the volume
-/// if it gives what is free to somebody, else those that may hold labels. Engine thread only.
+/// if it gives free voxels to a segment, else those that may hold labels. Engine thread only.
 [[nodiscard]] std::vector<std::uint32_t> bricksConcerned(
     LabelPrograms& programs, VoxelFields& fields, const core::MapLabels& edit);
 /// Replaces labels in some bricks and returns the keys of what has changed.

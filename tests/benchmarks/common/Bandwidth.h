@@ -3,7 +3,7 @@
 
 namespace bench {
 
-/// What this machine's memory moves, all processors at once, in bytes per second: the best of
+/// How much this machine's memory moves, all processors at once, in bytes per second: the best of
 /// several turns over more than caches hold. Each byte that is read or written counts once.
 struct Bandwidth {
     double triad = 0.0; ///< a = b + s · c, as in STREAM

@@ -14,7 +14,7 @@
 
 namespace bench {
 
-/// What there is, and what of it is seen.
+/// The state of a session, and what its 3D view shows of it.
 struct Seen {
     QByteArray hash;
     std::vector<std::uint8_t> stage;
@@ -29,7 +29,8 @@ public:
     static constexpr gpu::ViewId firstSlice = 2;
     [[nodiscard]] static std::vector<gpu::ViewId> all();
 
-    /// @param crossing through which the slices go. Null: there is no engine, or no room.
+    /// @param crossing the place through which the slices go
+    /// @return null: there is no engine, or not enough memory
     static std::unique_ptr<Desk> open(
         const core::LoadedVolume& study, const gpu::VolumeScene& scene, const glm::dvec3& crossing);
 
@@ -39,8 +40,8 @@ public:
 
     /// Whether something moves, so that the 3D view asks for moving pictures.
     void move(bool moving);
-    /// Waits until it is carried out.
-    /// @return whether it was
+    /// Carries out an edit, and waits until that is done.
+    /// @return whether it was carried out
     bool apply(const core::Edit& edit);
     bool end(core::Ending ending = core::Ending::Commit);
     bool undo();

@@ -241,7 +241,7 @@ void RefusedMemoryGlTest::aVolumeThatDoesNotFit()
 
 void RefusedMemoryGlTest::aVolumeThatIsTooLong()
 {
-    // Longer than the textures of any driver; not memory is wanting, and that is said.
+    // Longer than the textures of any driver: the message says so, and not that memory is wanting.
     const std::vector<std::uint16_t> codes(40000, 7);
     const auto opened = m_gpu.engine().openVolume({1, 40000, 1}, codes);
     QVERIFY(!opened);

@@ -9,8 +9,8 @@ namespace peer {
 
 class RealSegment;
 
-// What comes of a segment that is no labels: the volume masked by it, and how far it is from
-// others.
+// What is read from a segment without changing labels: the volume masked by it, and how far it is
+// from others.
 
 /// The volume of which only the segment is left, another value standing everywhere else: all else
 /// is carved, the carved volume exported, and the file read again; and ITK's MaskImageFilter.

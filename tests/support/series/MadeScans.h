@@ -27,7 +27,7 @@ public:
     [[nodiscard]] glm::dvec3 placeLps(const glm::dvec3& voxel) const;
     /// Writes it as a DICOM series.
     void write(const QString& folder) const;
-    /// 1 in the voxels whose part, or place in LPS mm, is meant.
+    /// A mask: 1 in the voxels whose part, or whose place in LPS mm, is asked for.
     [[nodiscard]] std::vector<std::uint8_t> mask(
         const std::function<bool(int part, const glm::dvec3& placeLps)>& isMeant) const;
 

@@ -24,7 +24,7 @@ bool comesByKeyboard(const QObject& widget, const QFocusEvent& event)
         || qobject_cast<const QAbstractSpinBox*>(&widget);
 }
 
-/// Whether it is one, or its line.
+/// Whether an object is a number field, or the line of text in one.
 bool isOfNumberField(const QObject& object)
 {
     return qobject_cast<const QAbstractSpinBox*>(&object)
@@ -72,8 +72,9 @@ void PointedPreview::pointAtEntry(const std::optional<core::Edit>& edit)
     pointAnew();
 }
 
-/// And of a pen, wherever they go. Those of number fields are heard before the window takes them
-/// (FieldManners): who comes last is asked first.
+/// While something is pointed at, listens to the keys and the pen wherever their events go. Qt asks
+/// the event filter that was installed last first, so keys of number fields are heard here before
+/// the window takes them (FieldManners).
 void PointedPreview::hearKeys()
 {
     if (m_pointedAt || m_focused || m_entry)
@@ -132,9 +133,9 @@ bool PointedPreview::isPenElsewhere(QObject& receiver, const QEvent& event) cons
     return widget && !widget->isAncestorOf(m_pointedAt) && !m_pointedAt->isAncestorOf(widget);
 }
 
-/// Before it is pressed, such a key is asked for, lest it be a shortcut, which would undo a step.
-/// A field first takes back what was typed into it; what it leaves goes on to those around it.
-/// Number fields leave undo to the window.
+/// Qt first asks whether somebody wants such a key, before it becomes a shortcut that would undo a
+/// step. A text field takes back what was typed into it first; keys that it leaves go on to the
+/// widgets around it. Number fields leave undo to the window.
 bool PointedPreview::takesBack(QObject& receiver, QEvent& event)
 {
     const bool isAsked = event.type() == QEvent::ShortcutOverride;

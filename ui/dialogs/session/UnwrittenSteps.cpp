@@ -64,7 +64,7 @@ bool mayLoseUnwrittenSteps(Workspace& workspace, QWidget& window, SessionSaver& 
 {
     if (!mayEndSaving(window, saver))
         return false;
-    // What would be noticed only as the session is closed would be told to nobody.
+    // What is noticed only while the session is being closed could not be told to anybody.
     if (core::EditSession* session = workspace.session())
         session->storage().finishWriting();
     while (true) {

@@ -95,7 +95,7 @@ CleanUpPanel::CleanUpPanel(Workspace& workspace, QWidget* parent)
     grid->addWidget(
         new EditableButton(workspace, this, EditableButton::In::Column), grid->rowCount(), 0, 1, 2);
     setUpParts(*grid);
-    // It lists segments of the study, and would preview what they do in the next one.
+    // The menu lists segments of this study, and would go on previewing them in the next one.
     connect(&m_workspace, &Workspace::sessionClosing, m_combineMenu, &QMenu::close);
     connect(&m_workspace, &Workspace::sessionChanged, m_combineMenu, &QMenu::close);
     connect(&m_workspace, &Workspace::sessionChanged, this, [this] {

@@ -64,7 +64,7 @@ private:
     struct Previewed {
         /// For the active segment and with what fields ask for; none: it cannot be done.
         std::function<std::optional<core::Edit>()> edit;
-        /// As those of SegmentActions.h that may be previewed before.
+        /// Like the functions of SegmentActions.h whose edits may be previewed before.
         std::function<void(const core::Edit& edit, bool isOpen)> carryOut;
     };
     void refresh();

@@ -76,7 +76,8 @@ std::optional<MendingSteps::Step> MendingSteps::next() const
 {
     if (m_begun && !m_done[std::size_t(*m_begun)])
         return m_begun;
-    // Who has left a step out goes on behind what is done; what was left out comes last.
+    // A user who has left a step out goes on after the last one that is done; steps that were left
+    // out come last.
     const auto furthest = std::find(m_done.rbegin(), m_done.rend(), true);
     const auto behind = std::find(furthest.base(), m_done.end(), false);
     const auto open =

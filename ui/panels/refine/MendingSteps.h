@@ -30,8 +30,8 @@ public:
     MendingSteps(Workspace& workspace, ComparePanel& panel, MendingStrip& strip);
 
     [[nodiscard]] bool isDone(Step step) const { return m_done[std::size_t(step)]; }
-    /// The step that was begun in the strip, until it is done; then the first that is not done
-    /// behind all that are, and at last those that were left out. None: all are done.
+    /// The step that was begun in the strip, until it is done; then the one after the last that is
+    /// done, and in the end those that were left out. None: all are done.
     [[nodiscard]] std::optional<Step> next() const;
     /// Whether the user wants the strip; it is then shown whenever there is an imported mask.
     [[nodiscard]] bool isWanted() const { return m_wanted; }

@@ -51,7 +51,7 @@ protected:
 
     /// Whether the depth follows the pressure of a pen that draws a curve.
     [[nodiscard]] virtual bool depthFollowsPressure() const { return false; }
-    /// How hard the curve is pressed that is being drawn, or was closed (in cut()).
+    /// How hard the pen is pressed along the curve that is being drawn or, in cut(), was closed.
     [[nodiscard]] const StrokePressure& pressure() const { return m_pressure; }
 
     [[nodiscard]] Workspace& workspace() const { return m_workspace; }

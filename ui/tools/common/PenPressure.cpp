@@ -44,7 +44,7 @@ double StrokePressure::of(double setMm, double leastMm) const
 {
     if (m_share == 1.0 || setMm <= leastMm)
         return setMm;
-    // As fields and cursor show it: what is read while the pen is down is what the edit has.
+    // Rounded as fields and cursor show it, so that the edit has the number that the user reads.
     return std::clamp(std::round(10.0 * m_share * setMm) / 10.0, leastMm, setMm);
 }
 

@@ -342,7 +342,7 @@ void ContourTool::press(const PointerSample& sample, const ViewContext& view)
     m_click = Click{.placeLps = view.toLps(sample.position),
         .adds = wantsFurtherBubble(sample),
         .erases = isInverseContour(sample)};
-    // How hard a pen is pressed is known when it is lifted.
+    // How hard the pen was pressed at most is known only when it is lifted.
     if (!m_pressure.counts())
         endClick();
 }

@@ -97,7 +97,7 @@ private:
     struct Rubber {
         ViewContext view;
         QPointF at; ///< logical pixels
-        bool hasMet = false; ///< some contour
+        bool hasMet = false; ///< whether it has met a contour so far
     };
     std::optional<Rubber> m_rubber;
     bool m_inverted = false;

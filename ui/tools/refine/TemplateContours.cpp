@@ -14,9 +14,9 @@ namespace {
 
 /// A shorter line is a slip of the pen.
 constexpr double leastContourPixels = 6.0;
-/// Whoever ends a contour this near to its beginning closes it.
+/// A contour that ends this near to its beginning is closed.
 constexpr double closingPixels = 12.0;
-/// Farther from a plane than this a contour is not in it.
+/// A contour that is farther from a plane than this does not lie in it.
 constexpr double inPlaneMm = 0.5;
 
 /// The greatest distance of a contour from the plane of a slice; 0 in other views.
@@ -40,7 +40,7 @@ QPolygonF pixelsOf(const TemplateContour& contour, const ViewContext& view)
     return line;
 }
 
-/// Of a place from a straight line between two others.
+/// The distance of a place from a straight line between two others.
 double distanceOf(const QPointF& place, const QPointF& from, const QPointF& to)
 {
     const QPointF way = to - from;
@@ -63,7 +63,7 @@ std::optional<TemplateContour> drawnContour(TemplateContour line, double pixelMm
     // A contour has three points at least; a flick of the pen may have two.
     if (line.size() == 2)
         line.insert(line.begin() + 1, 0.5 * (line.front() + line.back()));
-    // Whoever comes back to where he began means a closed line.
+    // A line that comes back to where it began is meant to be closed.
     if (lengthMm > 4.0 * closingPixels * pixelMm
         && glm::distance(line.front(), line.back()) < closingPixels * pixelMm)
         line.back() = line.front();

@@ -40,7 +40,7 @@ public:
         Does does = Does::EraseInside;
         Shape shape = Shape::Freehand;
         double depthMm = 0.0; ///< 0: through everything
-        bool depthByPressure = false; ///< of a pen, where there is a depth; else it does nothing
+        bool depthByPressure = false; ///< the pen's pressure sets the depth, where there is one
         bool allShown = false; ///< erases all segments that are shown and not locked
         bool operator==(const Settings&) const = default;
     };

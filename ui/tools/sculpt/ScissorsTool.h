@@ -15,7 +15,7 @@ public:
         bool limited = false; ///< limited to depthMm
         double depthMm = 20.0;
         bool firstLayerOnly = false;
-        bool depthByPressure = false; ///< of a pen, if limited; else its pressure does nothing
+        bool depthByPressure = false; ///< the pen's pressure sets the depth, if limited
     };
     static constexpr double minimumDepthMm = 0.5;
     static constexpr double maximumDepthMm = 300.0;

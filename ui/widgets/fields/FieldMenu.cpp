@@ -17,7 +17,7 @@ FieldMenu::FieldMenu(QWidget* form, QWidget* parent)
 
 void FieldMenu::mousePressEvent(QMouseEvent* event)
 {
-    // What no field takes would choose the form as if it were an action, which closes the menu.
+    // QMenu would take a click that no field takes for a choice of the form, and close the menu.
     if (!rect().contains(event->position().toPoint()))
         QMenu::mousePressEvent(event);
 }

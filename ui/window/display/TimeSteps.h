@@ -63,7 +63,7 @@ private:
     QString m_awaited; ///< series key of the point that is being opened; empty: none
     QString m_awaitedText; ///< which point that is, in words
     QJsonObject m_look; ///< what the user looked at in the point before
-    GrowSettings m_growth; ///< of that point, whose box goes along
+    GrowSettings m_growth; ///< of that point in time; its box is kept at the next one
     bool m_isPlaying = false;
     std::size_t m_rowsAtFirst = 0; ///< number of the history's rows when the point was opened
     QTimer m_next;

@@ -28,8 +28,8 @@ struct VoxelEncoding;
 /// (core/islands/BrickFlood.h).
 struct FloodFill {
     int segment = 0; ///< label
-    /// It begins with the voxel that contains this place; of an oblique slice with the voxel of the
-    /// slice that lies under it.
+    /// It begins with the voxel that contains this place; in an oblique slice, with the voxel of
+    /// the slice that lies under it.
     glm::dvec3 placeLps{0.0};
     /// Only within the slice across this axis; none: in all directions.
     std::optional<SliceAxis> within{};

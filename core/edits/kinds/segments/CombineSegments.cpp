@@ -217,7 +217,7 @@ EditDependencies dependencies(const CombineSegments& edit, const DependencyFacts
 {
     dependsOn::Plane written{.plane = row.planeOf(edit.segment)};
     if (mergesPlanes(edit, row.document))
-        written.plane.reset(); // two of them
+        written.plane.reset(); // it writes to two planes
     EditDependencies all = row.alsoReading(edit.editable, written);
     all.labelPlanes.set(row.planeOf(edit.with));
     return all;

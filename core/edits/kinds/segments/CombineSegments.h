@@ -15,18 +15,18 @@ struct MapPlanes;
 ///
 /// Merging and swapping write to both segments: neither may be locked. Where they lie in different
 /// label planes, other segments may be in the way of either, each in its own plane. A merge then
-/// leaves with the other segment what the segment cannot have; a swap, of which it would be unclear
-/// who keeps what, is refused. The set operations write to the first segment alone and only read
-/// the other, which may be locked. Within one plane no voxel belongs to both, so there they would
-/// have no effect: they need segments of different planes. Each can
-/// stand open as a preview.
+/// leaves with the other segment the voxels that the first cannot have; a swap is refused, because
+/// it would be unclear which of the two keeps what. The set operations write to the first segment
+/// alone and only read the other, which may be locked. Within one plane no voxel belongs to both,
+/// so there they would have no effect: they need segments of different planes. Each can stand open
+/// as a preview.
 struct CombineSegments {
     enum class How : std::uint8_t {
         /// The segment receives all voxels of the other, which stays in the list, empty. Of a
-        /// segment of another plane it receives those that are free in its own plane; the other
-        /// keeps those that it receives not.
+        /// segment of another plane it receives those that are free in its own plane, and the other
+        /// keeps the rest.
         Merge,
-        Swap, ///< each receives the voxels of the other; in one plane
+        Swap, ///< each receives the voxels of the other; both lie in one plane
         Union, ///< the segment also receives the voxels of the other that are free in its plane
         Subtract, ///< it loses the voxels that the other has
         Intersect, ///< it keeps only the voxels that the other has

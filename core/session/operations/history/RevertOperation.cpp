@@ -202,7 +202,7 @@ ImportTrace RevertOperation::importsAsked(const SessionState& state) const
     std::set<RowId> asked;
     for (const RowId row : m_path) {
         if (isTakenBack(row))
-            addDecided(state.history, row, asked); // what comes back
+            addDecided(state.history, row, asked); // the rows that come back
         else if (std::binary_search(standing.begin(), standing.end(), row))
             asked.insert(row);
     }

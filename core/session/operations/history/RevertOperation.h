@@ -33,7 +33,8 @@ public:
     void abort(SessionState&) override;
     [[nodiscard]] bool isAbortable() const override;
     [[nodiscard]] int percent(const SessionState&) const override { return m_watch->percent; }
-    /// What imports hold is looked at once: that is soon done, and the step was asked for.
+    /// A session that ends waits for it: looking where imports have voxels is soon done, and the
+    /// user asked for the step.
     [[nodiscard]] bool isAwaitedAtEnd() const override { return true; }
 
 private:
@@ -63,7 +64,7 @@ private:
     GrowthTrace m_growth;
     ImportTrace m_imports;
     std::shared_ptr<SideWatch> m_watch = std::make_shared<SideWatch>();
-    SideTask m_aside; ///< which has the imports
+    SideTask m_aside; ///< finds where the imports have voxels
     bool m_isLoading = false; ///< differences are on their way, which are nobody else's
     std::optional<Ticket> m_swapping;
     bool m_done = false;
