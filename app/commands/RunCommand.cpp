@@ -191,8 +191,8 @@ Result<void> checkExportsBeside(const core::Recipe& recipe, const QString& sessi
     return {};
 }
 
-/// Where steps were undone, or somebody went back to an earlier one, new rows do not follow the
-/// last.
+/// If steps were undone, or somebody went back to an earlier one, new rows do not follow the last:
+/// says so.
 void reportWhereItGoesOn(const core::EditSession& session)
 {
     const core::History& history = session.history();
@@ -292,7 +292,7 @@ int run(core::Recipe recipe, const Arguments& arguments, CommandTermination& ter
     const auto follow = [author = arguments.value("author"), &openFile, &made](
                             core::EditSession& session) {
         session.setOrigin([author] { return core::presentOrigin(author); });
-        // What the disk does not take is said by the step that waits for it.
+        // If the disk does not take a step, the step that waits for that says so.
         session.setErrorListener([&openFile, &made](const core::Error& error) {
             if (error.code != core::ErrorCode::SessionMoved)
                 return;
@@ -411,7 +411,7 @@ int run(core::Recipe recipe, const Arguments& arguments, CommandTermination& ter
         trouble = steady.session().storage().trouble();
     }
     steady.close();
-    // It could not be followed to its new name, where its last writes lie beside it.
+    // The session could not be followed to its new name; its last writes lie beside it there.
     if (trouble && !made.isAt(openFile))
         return reportFailure(*trouble);
     if (const QString why = whyNotOneFile(openFile); !why.isEmpty())

@@ -201,7 +201,8 @@ std::vector<Combination> combinationsIn(
             };
             QObject::connect(sub->menuAction(), &QAction::hovered, sub,
                 [pointed = choice.pointedAt] { pointed(nullptr); });
-            // A key that leads back out of it does not tell so; nor is an entry chosen then.
+            // A key that leads out of the submenu points at nothing else; this menu stays open
+            // then, as it does not when an entry is chosen.
             QObject::connect(
                 sub, &QMenu::aboutToHide, sub,
                 [&menu, sub, pointed = choice.pointedAt] {

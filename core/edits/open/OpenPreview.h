@@ -5,7 +5,7 @@
 
 namespace core {
 
-/// A preview of an edit that is complete when it begins, for the user to decide.
+/// A preview of an edit that is complete when it begins; it stands open until the user decides.
 class OpenPreview final : public OpenStroke {
 public:
     [[nodiscard]] OpenManner manner() const override

@@ -40,11 +40,11 @@ public:
     [[nodiscard]] bool abandon(SessionState& state, const Error& error) override;
     [[nodiscard]] bool foresee(Document& document) const override;
 
-    /// From when it is to become a row until the engine's answer is taken in.
     void abort(SessionState& state) override;
+    /// From when it is to become a row until the engine's answer is taken in.
     [[nodiscard]] bool isAbortable() const override;
     [[nodiscard]] int percent(const SessionState& state) const override;
-    /// What the engine has begun is soon done.
+    /// A session that ends waits for it: what the engine has begun is soon done.
     [[nodiscard]] bool isAwaitedAtEnd() const override { return true; }
 
 private:

@@ -44,7 +44,7 @@ public:
 class AbortableWork {
 public:
     virtual ~AbortableWork() = default;
-    /// As long as it is abortable: it ends with Cancelled and changes nothing.
+    /// Aborts it, if it is abortable: it ends with Cancelled and changes nothing.
     virtual void abort(SessionState& state) = 0;
     [[nodiscard]] virtual bool isAbortable() const = 0;
     /// How much of the work is done; less than 0 before it has begun, or where nobody knows.

@@ -33,7 +33,7 @@ QString walOf(const QString& file)
     return QFileInfo(file).canonicalFilePath() + QLatin1String("-wal");
 }
 
-/// How often a disk is asked that fails as a file is closed.
+/// How often closing a file is tried if the disk fails.
 constexpr int closingTries = 3;
 
 const auto notForWriting = QStringLiteral("unable to open database file for writing");
@@ -93,7 +93,7 @@ void SessionDatabase::leaveWalOfLostName()
     const QString wal = walOf(m_file);
     if (!QFileInfo::exists(m_file) || !m_wal.isAt(wal))
         return;
-    // What was left there earlier, and is nobody's either, keeps its name.
+    // Files that were left there earlier keep their names.
     constexpr int mostLeft = 1000;
     for (int i = 1; i <= mostLeft; ++i) {
         const QString number = i == 1 ? QString() : QString::number(i);

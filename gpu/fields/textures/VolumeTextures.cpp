@@ -20,8 +20,8 @@ core::Result<void> VolumeTextures::open(
             core::Clause::saying("the volume has %1 × %2 × %3 voxels, and the graphics processor "
                                  "takes at most %4 along a side",
                 size.x, size.y, size.z, largest));
-    // Such a driver is given what the system does not have, and the program is ended when it
-    // writes.
+    // Such a driver is given memory that the system does not have; the system then ends the program
+    // when it writes there.
     if (isSoftwareDriver()) {
         const double bytes = double(codes.size_bytes()) + double(denseBytes(size));
         const core::Result<void> fits =

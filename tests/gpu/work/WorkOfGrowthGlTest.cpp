@@ -29,7 +29,7 @@ constexpr int wall = 2; ///< with a narrow hole, through which the growth leaks
 constexpr int left = 3;
 constexpr int right = 4;
 
-/// Of all that it reaches of the ball.
+/// A growth of all of the ball that it reaches.
 Edit growth(std::optional<int> steps, int connectivity)
 {
     return test::growBy({.lower = Ball::threshold,

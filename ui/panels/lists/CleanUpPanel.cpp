@@ -252,7 +252,7 @@ void CleanUpPanel::followPreview()
     else
         m_lookSoon.start();
     m_preview->showState(toldSegment());
-    // Pictures have the colour of a segment that is not there yet, too.
+    // Views also draw the segment that is not there yet, in its colour.
     const bool showsSplit = session && session->isOpen<core::SplitSegment>();
     if (std::exchange(m_showsSplit, showsSplit) != showsSplit)
         Q_EMIT m_workspace.viewOptionsChanged();

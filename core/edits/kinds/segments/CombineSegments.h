@@ -52,8 +52,8 @@ Result<bool> apply(const CombineSegments& edit, Document& document);
 /// the operation itself has one).
 [[nodiscard]] Result<MapLabels> mapLabels(const CombineSegments& edit, const Document& document);
 /// The same for a merge of segments of two label planes, which mapLabels() refuses. Errors: also
-/// InvalidField for an editable range outside the segment, as what it receives lies in it from
-/// there on.
+/// InvalidField for an editable range outside the segment: voxels that it receives lie inside it
+/// from then on.
 [[nodiscard]] Result<MapPlanes> mapPlanes(const CombineSegments& edit, const Document& document);
 
 } // namespace core

@@ -55,7 +55,7 @@ EditEffects effects(const SplitSegment& edit)
     return all;
 }
 
-/// A preview, for the user to decide.
+/// It stands open as a preview until the user decides.
 OpenManner openManner(const SplitSegment&)
 {
     return {.withoutPen = true, .endsIfRefused = true};

@@ -33,8 +33,8 @@ public:
     [[nodiscard]] bool done() const final { return m_relabelling.done(); }
     [[nodiscard]] bool abandon(SessionState& state, const Error& error) final;
 
-    /// Until the engine begins to write.
     void abort(SessionState& state) final;
+    /// Until the engine begins to write.
     [[nodiscard]] bool isAbortable() const final;
     [[nodiscard]] int percent(const SessionState&) const final { return m_watch->percent; }
 
