@@ -77,9 +77,10 @@ void SessionDatabase::leaveWal()
         static_cast<void>(m_connection.number("user_version"));
 }
 
-/// Where the disk does not let the last writes be put into the file itself, they lie beside it,
-/// under the name that it has now: it would be opened without them. Beside another file that has
-/// the name of before they would be taken for that one's.
+/// For a file that another program has renamed. If the disk does not let the last writes be put
+/// into the file itself, their file (-wal) is renamed with it: otherwise it would be opened without
+/// them. If it cannot be, and another file has the former name, it must not stay there: SQLite
+/// would take it for that one's.
 void SessionDatabase::leaveWalOfLostName()
 {
     bool isWhole = false;
