@@ -53,7 +53,7 @@ std::size_t Texture3D::bytes() const
 }
 
 void Texture3D::upload(
-    const glm::ivec3& offset, const glm::ivec3& size, std::span<const std::byte> texels)
+    const glm::ivec3& offset, const glm::ivec3& size, std::span<const std::byte> texels) const
 {
     const TexelLayout layout = texelLayout(m_format);
     Q_ASSERT(texels.size()

@@ -34,10 +34,11 @@ public:
     [[nodiscard]] std::size_t bytes() const;
     explicit operator bool() const { return bool(m_id); }
 
-    /// Texels are ordered x fastest, then y, then z, and tightly packed.
+    /// Texels are ordered x fastest, then y, then z, and tightly packed. What the texture holds
+    /// belongs to the GPU, as with bindImage().
     void upload(
-        const glm::ivec3& offset, const glm::ivec3& size, std::span<const std::byte> texels);
-    template <class T> void upload(std::span<const T> texels)
+        const glm::ivec3& offset, const glm::ivec3& size, std::span<const std::byte> texels) const;
+    template <class T> void upload(std::span<const T> texels) const
     {
         upload(glm::ivec3(0), m_size, std::as_bytes(texels));
     }

@@ -116,6 +116,16 @@ void BrickField::release(std::span<const std::uint32_t> bricks)
     }
 }
 
+void BrickField::read(std::uint32_t brick, std::span<std::byte> voxels) const
+{
+    m_atlas.read(pageOrigin(pageOf(brick)), pageSize, voxels);
+}
+
+void BrickField::write(std::uint32_t brick, std::span<const std::byte> voxels)
+{
+    m_atlas.upload(pageOrigin(pageOf(brick)), pageSize, voxels);
+}
+
 std::vector<std::uint32_t> BrickField::heldBricks() const
 {
     std::vector<std::uint32_t> held;

@@ -47,6 +47,11 @@ public:
     /// All bricks that have a page, ascending.
     [[nodiscard]] std::vector<std::uint32_t> heldBricks() const;
 
+    /// Reads the voxels of a brick that has a page; waits for the GPU.
+    void read(std::uint32_t brick, std::span<std::byte> voxels) const;
+    /// Writes all voxels of a brick that has a page.
+    void write(std::uint32_t brick, std::span<const std::byte> voxels);
+
     [[nodiscard]] const Texture3D& atlas() const { return m_atlas; }
     /// The page table; uploads it first if it has changed.
     [[nodiscard]] const Texture3D& pageTable();

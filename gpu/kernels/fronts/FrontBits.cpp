@@ -5,6 +5,7 @@
 #include "gpu/kernels/criterion/GrowCriterion.h"
 
 #include <algorithm>
+#include <cstring>
 
 namespace gpu {
 
@@ -42,15 +43,22 @@ unsigned groupsFor(std::size_t parts)
     return unsigned(std::min(parts, mostWorkGroups));
 }
 
-Buffer listOf(
-    std::span<const std::uint32_t> bricks, const BrickField& words, const glm::ivec3& grid)
+/// Where kernels find what is stored for a listed brick.
+enum class Indices {
+    OfBricks,
+    OfPlaces, ///< in the list
+};
+
+Buffer listOf(std::span<const std::uint32_t> bricks, const BrickField& words,
+    const glm::ivec3& grid, Indices indices = Indices::OfBricks)
 {
     std::vector<ListedBrick> listed;
     listed.reserve(bricks.size() + 1);
     listed.push_back({std::uint32_t(bricks.size()), 1, 1, 0}); // the groups of a dispatch
     for (const std::uint32_t brick : bricks) {
         const int row = int(brick) / grid.x;
-        listed.push_back({.index = brick,
+        const auto place = std::uint32_t(listed.size() - 1);
+        listed.push_back({.index = indices == Indices::OfBricks ? brick : place,
             .page = words.pageOf(brick),
             .x = brick % std::uint32_t(grid.x),
             .yz = std::uint32_t(row % grid.y | row / grid.y << 16)});
@@ -62,9 +70,34 @@ Buffer listOf(
 
 } // namespace
 
+Program openBitsProgram(const ShaderLibrary& shaders, const core::GrowLimits& limits, bool ranged)
+{
+    return program(shaders, "kernels/fronts/frontBitsOpen.comp", definesOfOpen(limits, ranged));
+}
+
+std::vector<core::BrickBits> openBits(Program& program, const BrickField& words,
+    const glm::ivec3& grid, std::uint8_t label, std::span<const std::uint32_t> bricks)
+{
+    if (bricks.empty())
+        return {};
+    Buffer found({.label = "open bits", .bytes = bricks.size() * wordsOfOpen * sizeof(GLuint)});
+    const Buffer list = listOf(bricks, words, grid, Indices::OfPlaces);
+    list.bindBase(GL_SHADER_STORAGE_BUFFER, 4);
+    found.bindBase(GL_SHADER_STORAGE_BUFFER, 7);
+    program.set("growing", unsigned(label));
+    program.dispatch({groupsFor(bricks.size()), 1, 1});
+    glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+    std::vector<std::uint32_t> bits(bricks.size() * wordsOfOpen);
+    found.read(std::span<std::uint32_t>(bits));
+    std::vector<core::BrickBits> open(bricks.size());
+    for (std::size_t i = 0; i < open.size(); ++i)
+        std::memcpy(open[i].data(), &bits[i * wordsOfOpen], sizeof open[i]);
+    return open;
+}
+
 FrontBitsPrograms::FrontBitsPrograms(const ShaderLibrary& shaders, int connectivity,
     const core::GrowLimits& limits, bool overwritten, bool ranged)
-    : open(program(shaders, "kernels/fronts/frontBitsOpen.comp", definesOfOpen(limits, ranged)))
+    : open(openBitsProgram(shaders, limits, ranged))
     , fill(program(shaders, "kernels/fronts/frontBitsFill.comp", {}))
     , reach(
           program(shaders, "kernels/fronts/frontBitsReach.comp", {{"CONNECTIVITY", connectivity}}))

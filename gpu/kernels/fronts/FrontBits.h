@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/growth/BrickFront.h"
 #include "core/growth/GrowthCommands.h"
 #include "gpu/fields/bricks/BrickField.h"
 #include "gpu/gl/Buffer.h"
@@ -13,6 +14,16 @@
 #include <vector>
 
 namespace gpu {
+
+/// The compiled kernel that finds which voxels a growth may still claim (frontBitsOpen.comp).
+/// @param ranged whether the burst has a core::GrowthRange
+[[nodiscard]] Program openBitsProgram(
+    const ShaderLibrary& shaders, const core::GrowLimits& limits, bool ranged);
+/// Runs it over bricks that have pages, and reads what it finds. Engine thread only. Bind what
+/// growth.glsl declares before.
+/// @param grid size of the volume in bricks
+[[nodiscard]] std::vector<core::BrickBits> openBits(Program& program, const BrickField& words,
+    const glm::ivec3& grid, std::uint8_t label, std::span<const std::uint32_t> bricks);
 
 /// The compiled kernels of growth fronts stored as bits (frontBits*.comp).
 struct FrontBitsPrograms {

@@ -377,7 +377,9 @@ int GrowthKernel::advanceBatch(int rings)
     if (m_atClosure || wanted == 0)
         return 0;
     int done = 0;
-    if (m_frontCount > 0) {
+    if (m_frontCount > 0 && isOnProcessor()) {
+        done = advanceOnProcessor(wanted);
+    } else if (m_frontCount > 0) {
         const std::vector<std::uint32_t> reachable = prepareBricks();
         preparePassages();
         chooseForm(reachable);
@@ -390,11 +392,9 @@ int GrowthKernel::advanceBatch(int rings)
         else
             runRings(wanted);
         state = takeBatch();
-        for (; done < wanted && state.counts[std::size_t(done) + 1] > 0; ++done) {
-            m_frontSizes.push_back(state.counts[std::size_t(done) + 1]);
-            m_members += m_frontSizes.back();
-        }
-        m_generation += std::uint32_t(done);
+        while (done < wanted && state.counts[std::size_t(done) + 1] > 0)
+            ++done;
+        count(std::span(state.counts).subspan(1, std::size_t(done)));
         m_frontCount = state.counts[std::size_t(wanted)];
         if (!m_frontBits.holdsFront() && done > 0
             && state.counts[std::size_t(done)] > m_queueCapacity) {
@@ -409,6 +409,15 @@ int GrowthKernel::advanceBatch(int rings)
     }
     m_atClosure = done < wanted;
     return done;
+}
+
+void GrowthKernel::count(std::span<const std::uint32_t> sizes)
+{
+    for (const std::uint32_t size : sizes) {
+        m_frontSizes.push_back(size);
+        m_members += size;
+    }
+    m_generation += std::uint32_t(sizes.size());
 }
 
 GrowthKernel::State GrowthKernel::takeBatch()

@@ -7,6 +7,7 @@
 #include "gpu/fields/VoxelFields.h"
 #include "gpu/kernels/criterion/GrowCriterion.h"
 #include "gpu/kernels/fronts/FrontBits.h"
+#include "gpu/kernels/fronts/ProcessorFront.h"
 #include "gpu/kernels/passage/PassageField.h"
 #include "gpu/kernels/shrink/ShrinkKernel.h"
 #include "gpu/shaders/RecentPrograms.h"
@@ -36,10 +37,19 @@ struct GrowthKind {
     [[nodiscard]] ShaderDefines defines() const;
 };
 
+/// Who moves the front of a growth on, where both can (ProcessorFront). The results are the same.
+enum class GrowthBy : std::uint8_t {
+    Driver, ///< the processor with a software driver, kernels with any other
+    Kernels,
+    Processor,
+};
+
 /// The compiled kernels of growing (grow*.comp, placeSeeds.comp).
 struct GrowthPrograms {
     /// @param shaders outlives them
-    explicit GrowthPrograms(const ShaderLibrary& shaders);
+    explicit GrowthPrograms(const ShaderLibrary& shaders, GrowthBy by = GrowthBy::Driver);
+
+    [[nodiscard]] bool growsOnProcessor() const { return m_growsOnProcessor; }
 
     /// The kernels that depend on connectivity and limits.
     struct Rings {
@@ -68,6 +78,8 @@ struct GrowthPrograms {
     [[nodiscard]] std::shared_ptr<Narrowing> narrowing(const GrowthKind& kind);
 
     [[nodiscard]] std::shared_ptr<FrontBitsPrograms> frontBits(const GrowthKind& kind);
+    /// The one kernel that ProcessorFront needs.
+    [[nodiscard]] std::shared_ptr<Program> openBits(const GrowthKind& kind);
     /// The kernel that writes the voxels that a change of the interval has changed
     /// (GrowthKernel::open(IntervalOpener&)).
     [[nodiscard]] std::shared_ptr<Program> change(bool overwritten);
@@ -79,11 +91,13 @@ struct GrowthPrograms {
 
 private:
     const ShaderLibrary& m_shaders;
+    bool m_growsOnProcessor;
     using Kind = std::array<unsigned, 3>; ///< neighbours, kindOf(limits), what else there is
     [[nodiscard]] static Kind keyOf(const GrowthKind& kind);
     RecentPrograms<Kind, Rings> m_rings;
     RecentPrograms<Kind, Narrowing> m_narrowings;
     RecentPrograms<Kind, FrontBitsPrograms> m_frontBits;
+    RecentPrograms<Kind, Program> m_openBits;
     RecentPrograms<bool, Program> m_changes;
 };
 
@@ -106,7 +120,8 @@ std::vector<std::uint32_t> placeSeeds(GrowthPrograms& programs, VoxelFields& fie
 /// Generations run in batches of up to sixteen without a readback in between: within sixteen steps
 /// a front stays in its bricks and their neighbours, which get pages and are captured before the
 /// batch. The front is stored as a queue of voxels or, while it is wide and simple enough, as bits
-/// (FrontBits). Engine thread only.
+/// (FrontBits). With a software driver the processor moves a simple front on, however wide it is
+/// (ProcessorFront). Engine thread only.
 class GrowthKernel {
 public:
     static constexpr int ringsPerBatch = 16;
@@ -185,6 +200,11 @@ private:
     /// @param bricks in reach
     void chooseForm(const std::vector<std::uint32_t>& bricks);
     int advanceBatch(int rings);
+    // The same where the processor moves the front on (GrowthOnProcessor.cpp).
+    [[nodiscard]] bool isOnProcessor() const;
+    int advanceOnProcessor(int rings);
+    /// Notes how many voxels each generation of a batch added.
+    void count(std::span<const std::uint32_t> sizes);
     /// The voxels that the last generation added, for the leak guard: from the queue or, if that is
     /// incomplete, from the seed words of the bricks reached.
     [[nodiscard]] std::vector<core::LeakGuard::Voxel> listedFront() const;
@@ -215,6 +235,7 @@ private:
     std::uint32_t m_frontCount = 0;
     std::optional<std::uint8_t> m_onlyLabel; ///< the label of the front, if it has only one
     FrontBits m_frontBits;
+    std::optional<ProcessorFront> m_processorFront;
     std::vector<std::uint32_t> m_frontSizes;
     std::int64_t m_members = 0;
     std::vector<std::uint32_t> m_frontBricks; ///< bricks that hold the front

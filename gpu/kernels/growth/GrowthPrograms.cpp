@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "gpu/gl/SoftwareDriver.h"
 #include "gpu/kernels/growth/GrowthKernel.h"
 
 namespace gpu {
@@ -50,12 +51,13 @@ GrowthPrograms::Narrowing::Narrowing(const ShaderLibrary& shaders, const GrowthK
     sweep = program(shaders, "kernels/growth/growSweep.comp", defines);
 }
 
-GrowthPrograms::GrowthPrograms(const ShaderLibrary& shaders)
+GrowthPrograms::GrowthPrograms(const ShaderLibrary& shaders, GrowthBy by)
     : placeSeeds(program(shaders, "kernels/growth/placeSeeds.comp"))
     , seedStatistics(shaders)
     , shrink(shaders)
     , passage(shaders)
     , m_shaders(shaders)
+    , m_growsOnProcessor(by == GrowthBy::Driver ? isSoftwareDriver() : by == GrowthBy::Processor)
 {
 }
 
@@ -81,6 +83,13 @@ std::shared_ptr<FrontBitsPrograms> GrowthPrograms::frontBits(const GrowthKind& k
     return m_frontBits.of(keyOf(kind), [&] {
         return std::make_shared<FrontBitsPrograms>(
             m_shaders, kind.connectivity, kind.limits, kind.overwritten, kind.ranged);
+    });
+}
+
+std::shared_ptr<Program> GrowthPrograms::openBits(const GrowthKind& kind)
+{
+    return m_openBits.of(keyOf(kind), [&] {
+        return std::make_shared<Program>(openBitsProgram(m_shaders, kind.limits, kind.ranged));
     });
 }
 

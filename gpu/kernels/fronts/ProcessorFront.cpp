@@ -1,0 +1,367 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "gpu/kernels/fronts/ProcessorFront.h"
+
+#include "core/base/ParallelFor.h"
+#include "core/growth/SeedWord.h"
+
+#include <algorithm>
+#include <bit>
+
+namespace gpu {
+
+namespace {
+
+constexpr std::size_t voxelsOfBrick = core::BrickGrid::voxelsPerBrick;
+/// Of so many bricks on one generation is worth the start of threads.
+constexpr std::size_t manyBricks = 256;
+constexpr std::uint32_t never = 0xFFFFFFFFu; // no generation
+
+glm::ivec3 offsetOf(std::size_t place)
+{
+    return glm::ivec3(int(place % 3), int(place / 3 % 3), int(place / 9)) - 1;
+}
+
+/// Whether a front may come over from a neighbour brick at this offset.
+bool isNeighbour(const glm::ivec3& offset, int connectivity)
+{
+    const int axes = std::abs(offset.x) + std::abs(offset.y) + std::abs(offset.z);
+    return axes == 1 || (axes == 2 && connectivity > 6) || (axes == 3 && connectivity > 18);
+}
+
+/// The sides (core::sidesReached()) that voxels must reach to be beside the brick at this offset.
+unsigned sidesTowards(const glm::ivec3& offset)
+{
+    unsigned sides = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+        if (offset[axis] != 0)
+            sides |= 1u << (2 * axis + (offset[axis] > 0 ? 1 : 0));
+    }
+    return sides;
+}
+
+template <typename T> std::span<std::byte> bytesOf(std::vector<T>& values)
+{
+    return std::as_writable_bytes(std::span<T>(values));
+}
+
+/// A brick of the dense label plane.
+class LabelBrick {
+public:
+    LabelBrick(const Texture3D& plane, const core::BrickGrid& grid, std::uint32_t brick)
+        : m_plane(plane)
+    {
+        const core::VoxelBox box = grid.boxOf(int(brick));
+        m_origin = box.minimum;
+        m_size = glm::min(box.maximum, grid.volumeSize) - box.minimum;
+    }
+    void read(std::vector<std::uint8_t>& labels) const
+    {
+        if (isWhole()) {
+            m_plane.read(m_origin, m_size, bytesOf(labels));
+            return;
+        }
+        std::vector<std::uint8_t> within(voxelCount());
+        m_plane.read(m_origin, m_size, bytesOf(within));
+        std::fill(labels.begin(), labels.end(), std::uint8_t(0));
+        forEachRow([&](std::size_t inBrick, std::size_t inBox) {
+            std::copy_n(&within[inBox], m_size.x, &labels[inBrick]);
+        });
+    }
+    void write(std::vector<std::uint8_t>& labels) const
+    {
+        if (isWhole()) {
+            m_plane.upload(m_origin, m_size, bytesOf(labels));
+            return;
+        }
+        std::vector<std::uint8_t> within(voxelCount());
+        forEachRow([&](std::size_t inBrick, std::size_t inBox) {
+            std::copy_n(&labels[inBrick], m_size.x, &within[inBox]);
+        });
+        m_plane.upload(m_origin, m_size, bytesOf(within));
+    }
+
+private:
+    [[nodiscard]] std::size_t voxelCount() const
+    {
+        return std::size_t(m_size.x) * std::size_t(m_size.y) * std::size_t(m_size.z);
+    }
+    [[nodiscard]] bool isWhole() const { return voxelCount() == voxelsOfBrick; }
+    template <typename Work> void forEachRow(const Work& work) const
+    {
+        constexpr auto side = std::size_t(core::BrickGrid::side);
+        std::size_t inBox = 0;
+        for (std::size_t z = 0; z < std::size_t(m_size.z); ++z) {
+            for (std::size_t y = 0; y < std::size_t(m_size.y); ++y) {
+                work(side * (y + side * z), inBox);
+                inBox += std::size_t(m_size.x);
+            }
+        }
+    }
+
+    const Texture3D& m_plane;
+    glm::ivec3 m_origin{0};
+    glm::ivec3 m_size{0}; ///< within the volume
+};
+
+} // namespace
+
+/// What the fields hold in a brick.
+struct ProcessorFront::Images {
+    std::vector<std::uint32_t> words = std::vector<std::uint32_t>(voxelsOfBrick);
+    std::vector<std::uint8_t> labels = std::vector<std::uint8_t>(voxelsOfBrick);
+    std::vector<std::uint8_t> overwritten; ///< empty: not kept here
+};
+
+struct ProcessorFront::Brick {
+    std::uint32_t number = 0;
+    bool isOpenKnown = false;
+    bool isChanged = false; ///< since the last write()
+    bool wasWritten = false;
+    int open = 0; ///< number of open voxels
+    core::BrickBits openVoxels{};
+    // The fronts of even and of odd generations. One of another generation than the one that is
+    // looked for counts as none.
+    core::BrickBits fronts[2]{};
+    std::uint32_t frontGeneration[2]{never, never};
+    unsigned sides = 0; ///< that the newest front reaches
+    std::uint32_t reachedBy = never; ///< the last generation that might change it
+    std::array<std::int32_t, 27> neighbours{}; ///< bricks as in core::FrontsAround; -1: none
+    std::unique_ptr<Images> images; ///< while it holds the front, or may be claimed in
+};
+
+ProcessorFront::ProcessorFront(VoxelFields& fields, const Options& options,
+    std::span<const core::LeakGuard::Voxel> front, std::uint32_t generation)
+    : m_fields(fields)
+    , m_options(options)
+    , m_bricks(std::size_t(fields.grid().brickCount()))
+    , m_generation(generation)
+{
+    for (const core::LeakGuard::Voxel voxel : front) {
+        Brick& brick = known(voxel >> 12);
+        std::uint32_t& frontOf = brick.frontGeneration[generation & 1u];
+        if (frontOf != generation)
+            m_front.push_back(&brick);
+        frontOf = generation;
+        brick.fronts[generation & 1u][voxel >> 4 & 255u] |= std::uint16_t(1u << (voxel & 15u));
+    }
+    for (Brick* const brick : m_front)
+        brick->sides = core::sidesReached(brick->fronts[generation & 1u]);
+}
+
+ProcessorFront::~ProcessorFront() = default;
+
+ProcessorFront::Brick& ProcessorFront::known(std::uint32_t number)
+{
+    std::unique_ptr<Brick>& brick = m_bricks[number];
+    if (brick)
+        return *brick;
+    brick = std::make_unique<Brick>();
+    brick->number = number;
+    const core::BrickGrid& grid = m_fields.grid();
+    const glm::ivec3 place = grid.brickPosition(int(number));
+    const glm::ivec3 bricks = grid.bricks();
+    for (std::size_t i = 0; i < brick->neighbours.size(); ++i) {
+        const glm::ivec3 at = place + offsetOf(i);
+        const bool isInside = glm::all(glm::greaterThanEqual(at, glm::ivec3(0)))
+            && glm::all(glm::lessThan(at, bricks));
+        brick->neighbours[i] = isInside ? at.x + bricks.x * (at.y + bricks.y * at.z) : -1;
+    }
+    return *brick;
+}
+
+std::vector<std::uint32_t> ProcessorFront::unknown(std::span<const std::uint32_t> bricks) const
+{
+    std::vector<std::uint32_t> unknown;
+    for (const std::uint32_t brick : bricks) {
+        if (!m_bricks[brick] || !m_bricks[brick]->isOpenKnown)
+            unknown.push_back(brick);
+    }
+    return unknown;
+}
+
+void ProcessorFront::setOpen(
+    std::span<const std::uint32_t> bricks, std::span<const core::BrickBits> openVoxels)
+{
+    for (std::size_t i = 0; i < bricks.size(); ++i) {
+        Brick& brick = known(bricks[i]);
+        brick.isOpenKnown = true;
+        brick.openVoxels = openVoxels[i];
+        brick.open = 0;
+        for (const std::uint16_t row : brick.openVoxels)
+            brick.open += std::popcount(row);
+    }
+}
+
+/// Lists the bricks that the next generation may change.
+void ProcessorFront::findReached(std::uint32_t generation)
+{
+    m_reached.clear();
+    const auto reach = [&](Brick& brick) {
+        if (brick.reachedBy == generation || brick.open == 0)
+            return;
+        brick.reachedBy = generation;
+        m_reached.push_back(&brick);
+    };
+    for (Brick* const brick : m_front) {
+        reach(*brick);
+        for (std::size_t i = 0; i < brick->neighbours.size(); ++i) {
+            const glm::ivec3 offset = offsetOf(i);
+            const unsigned sides = sidesTowards(offset);
+            if (brick->neighbours[i] < 0 || (brick->sides & sides) != sides
+                || !isNeighbour(offset, m_options.rule.connectivity))
+                continue;
+            if (Brick* const beside = m_bricks[std::size_t(brick->neighbours[i])].get())
+                reach(*beside);
+        }
+    }
+}
+
+int ProcessorFront::claimIn(Brick& brick, std::uint32_t generation) const
+{
+    const std::uint32_t before = generation - 1;
+    core::FrontsAround fronts{};
+    for (std::size_t i = 0; i < fronts.size(); ++i) {
+        if (brick.neighbours[i] < 0)
+            continue;
+        const Brick* const beside = m_bricks[std::size_t(brick.neighbours[i])].get();
+        if (beside && beside->frontGeneration[before & 1u] == before)
+            fronts[i] = &beside->fronts[before & 1u];
+    }
+    Images& images = *brick.images;
+    const int claimed = core::claimVoxels(m_options.rule, generation, fronts, brick.openVoxels,
+        brick.fronts[generation & 1u],
+        {.words = images.words.data(),
+            .labels = images.labels.data(),
+            .overwritten = images.overwritten.empty() ? nullptr : images.overwritten.data()});
+    if (claimed > 0) {
+        brick.open -= claimed;
+        brick.frontGeneration[generation & 1u] = generation;
+        brick.sides = core::sidesReached(brick.fronts[generation & 1u]);
+    }
+    return claimed;
+}
+
+void ProcessorFront::claim(std::uint32_t generation)
+{
+    m_claimed.assign(m_reached.size(), 0);
+    const auto work = [&](std::size_t i) { m_claimed[i] = claimIn(*m_reached[i], generation); };
+    if (m_reached.size() < manyBricks) {
+        for (std::size_t i = 0; i < m_reached.size(); ++i)
+            work(i);
+        return;
+    }
+    constexpr std::size_t bricksOfPart = 32;
+    core::parallelFor(int((m_reached.size() + bricksOfPart - 1) / bricksOfPart), [&](int part) {
+        const std::size_t first = bricksOfPart * std::size_t(part);
+        for (std::size_t i = first; i < std::min(first + bricksOfPart, m_reached.size()); ++i)
+            work(i);
+    });
+}
+
+void ProcessorFront::fetch(Brick& brick, const std::set<std::uint32_t>& newPages)
+{
+    if (brick.images)
+        return;
+    if (m_spare.empty()) {
+        brick.images = std::make_unique<Images>();
+    } else {
+        brick.images = std::move(m_spare.back());
+        m_spare.pop_back();
+    }
+    m_fetched.push_back(&brick);
+    Images& images = *brick.images;
+    const std::uint8_t plane = m_options.plane;
+    if (!brick.wasWritten && newPages.contains(brick.number))
+        std::fill(images.words.begin(), images.words.end(), core::seedWord::unvisited);
+    else
+        m_fields.seedWords(plane).read(brick.number, bytesOf(images.words));
+    if (m_fields.hasData({.field = core::Field::Labels, .plane = plane, .brick = brick.number}))
+        LabelBrick(m_fields.labels(plane), m_fields.grid(), brick.number).read(images.labels);
+    else
+        std::fill(images.labels.begin(), images.labels.end(), std::uint8_t(0));
+    images.overwritten.clear();
+    if (!m_options.keepsOverwritten || !m_fields.overwritten(plane).holds(brick.number))
+        return;
+    images.overwritten.resize(voxelsOfBrick);
+    m_fields.overwritten(plane).read(brick.number, bytesOf(images.overwritten));
+}
+
+std::vector<std::uint32_t> ProcessorFront::advance(
+    std::uint32_t generation, int rings, const std::set<std::uint32_t>& newPages)
+{
+    std::vector<std::uint32_t> sizes;
+    m_written.clear();
+    for (int ring = 0; ring < rings; ++ring) {
+        m_generation = generation + std::uint32_t(ring) + 1;
+        findReached(m_generation);
+        for (Brick* const brick : m_reached)
+            fetch(*brick, newPages);
+        claim(m_generation);
+        std::uint32_t size = 0;
+        m_front.clear();
+        for (std::size_t i = 0; i < m_reached.size(); ++i) {
+            if (m_claimed[i] == 0)
+                continue;
+            size += std::uint32_t(m_claimed[i]);
+            Brick* const brick = m_reached[i];
+            m_front.push_back(brick);
+            if (!brick->isChanged)
+                m_changed.push_back(brick);
+            brick->isChanged = true;
+        }
+        if (size == 0)
+            break;
+        sizes.push_back(size);
+    }
+    write();
+    return sizes;
+}
+
+void ProcessorFront::write()
+{
+    BrickField& words = m_fields.seedWords(m_options.plane);
+    const Texture3D& labels = m_fields.labels(m_options.plane);
+    for (Brick* const brick : m_changed) {
+        Images& images = *brick->images;
+        words.write(brick->number, bytesOf(images.words));
+        LabelBrick(labels, m_fields.grid(), brick->number).write(images.labels);
+        if (!images.overwritten.empty())
+            m_fields.overwritten(m_options.plane).write(brick->number, bytesOf(images.overwritten));
+        brick->isChanged = false;
+        brick->wasWritten = true;
+        m_written.push_back(brick->number);
+    }
+    m_changed.clear();
+    std::erase_if(m_fetched, [this](Brick* brick) {
+        const bool holdsFront = brick->frontGeneration[m_generation & 1u] == m_generation;
+        if (!holdsFront)
+            m_spare.push_back(std::move(brick->images));
+        return !holdsFront;
+    });
+    std::sort(m_written.begin(), m_written.end());
+}
+
+std::vector<std::uint32_t> ProcessorFront::frontBricks() const
+{
+    std::vector<std::uint32_t> bricks;
+    bricks.reserve(m_front.size());
+    for (const Brick* const brick : m_front)
+        bricks.push_back(brick->number);
+    std::sort(bricks.begin(), bricks.end());
+    return bricks;
+}
+
+std::vector<core::LeakGuard::Voxel> ProcessorFront::voxels() const
+{
+    std::vector<core::LeakGuard::Voxel> voxels;
+    for (const std::uint32_t number : frontBricks()) {
+        const core::BrickBits& front = m_bricks[number]->fronts[m_generation & 1u];
+        for (std::uint32_t row = 0; row < front.size(); ++row) {
+            for (std::uint32_t bits = front[row]; bits != 0; bits &= bits - 1)
+                voxels.push_back(number << 12 | row << 4 | std::uint32_t(std::countr_zero(bits)));
+        }
+    }
+    return voxels;
+}
+
+} // namespace gpu

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/growth/BrickFront.h"
+#include "core/growth/LeakGuard.h"
+#include "gpu/fields/VoxelFields.h"
+
+#include <cstdint>
+#include <memory>
+#include <set>
+#include <span>
+#include <vector>
+
+namespace gpu {
+
+/// The front of a growth as bits in the program's own memory, moved on by the processor. With a
+/// software driver that is several times as fast as the kernels, which a dispatch for each
+/// generation and an image access for each voxel hold up (ALGORITHMS 1.6.10). It serves the same
+/// growths as FrontBits, and what it writes is the same, to the bit.
+///
+/// The fields are written once after each batch of generations. Takes 1.7 KiB for each brick that
+/// the growth has reached, and 20 KiB more for those that hold its front. Engine thread only.
+class ProcessorFront {
+public:
+    struct Options {
+        core::FrontRule rule;
+        std::uint8_t plane = 0;
+        bool keepsOverwritten = false; ///< whether Field::Overwritten is written where it has pages
+    };
+    /// @param fields must outlive this
+    /// @param front the voxels from which the growth goes on
+    /// @param generation theirs
+    ProcessorFront(VoxelFields& fields, const Options& options,
+        std::span<const core::LeakGuard::Voxel> front, std::uint32_t generation);
+    ~ProcessorFront();
+
+    /// Which of the listed bricks have open voxels that are not known yet.
+    [[nodiscard]] std::vector<std::uint32_t> unknown(std::span<const std::uint32_t> bricks) const;
+    /// Tells the voxels of these bricks that may be claimed.
+    void setOpen(
+        std::span<const std::uint32_t> bricks, std::span<const core::BrickBits> openVoxels);
+
+    /// Runs some generations one after the other, and writes what they claim into the fields. The
+    /// open voxels of all bricks that they may reach must be known.
+    /// @param generation of the front
+    /// @param newPages bricks whose seed words were empty before the burst
+    /// @return the number of voxels that each generation claimed; the first that claims none is the
+    /// last, and is left out
+    std::vector<std::uint32_t> advance(
+        std::uint32_t generation, int rings, const std::set<std::uint32_t>& newPages);
+
+    /// The bricks that the last advance() has written, ascending.
+    [[nodiscard]] const std::vector<std::uint32_t>& written() const { return m_written; }
+    /// The bricks that hold the front, ascending.
+    [[nodiscard]] std::vector<std::uint32_t> frontBricks() const;
+    /// The voxels of the front, by brick, then by offset.
+    [[nodiscard]] std::vector<core::LeakGuard::Voxel> voxels() const;
+
+private:
+    struct Brick;
+    struct Images;
+
+    Brick& known(std::uint32_t brick);
+    void findReached(std::uint32_t generation);
+    void claim(std::uint32_t generation);
+    int claimIn(Brick& brick, std::uint32_t generation) const;
+    void fetch(Brick& brick, const std::set<std::uint32_t>& newPages);
+    void write();
+
+    VoxelFields& m_fields;
+    Options m_options;
+    std::vector<std::unique_ptr<Brick>> m_bricks; ///< by number; null: not reached yet
+    std::vector<Brick*> m_front; ///< those that hold the front
+    std::vector<Brick*> m_reached; ///< those that the next generation may change
+    std::vector<int> m_claimed; ///< in each of them
+    std::uint32_t m_generation = 0; ///< of the front
+    std::vector<Brick*> m_changed; ///< since the last write()
+    std::vector<std::uint32_t> m_written;
+    std::vector<Brick*> m_fetched; ///< those that have images
+    std::vector<std::unique_ptr<Images>> m_spare;
+};
+
+} // namespace gpu
