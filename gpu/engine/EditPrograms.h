@@ -16,8 +16,8 @@ namespace gpu {
 /// Every compiled kernel that edits voxels or computes what an edit would do. The kernels know of
 /// no volume, so one set serves all volumes that are opened.
 struct EditPrograms {
-    explicit EditPrograms(const ShaderLibrary& library)
-        : growth(library)
+    EditPrograms(const ShaderLibrary& library, GrowthBy growthBy)
+        : growth(library, growthBy)
         , mask(library)
         , erase(library)
         , capsule(library)

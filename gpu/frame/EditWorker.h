@@ -2,6 +2,7 @@
 #pragma once
 
 #include "gpu/fields/textures/PieceTextures.h"
+#include "gpu/kernels/growth/GrowthBy.h"
 #include "gpu/scene/Scene.h"
 
 #include <bitset>
@@ -19,6 +20,7 @@ struct EditContext {
     EngineThread& thread;
     VolumeTextures& textures;
     const ShaderLibrary& shaders;
+    GrowthBy growth = GrowthBy::Driver;
 };
 
 /// The part of the edit engine that runs on the engine thread, as the thread's loop and the frame

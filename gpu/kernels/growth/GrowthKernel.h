@@ -8,6 +8,7 @@
 #include "gpu/kernels/criterion/GrowCriterion.h"
 #include "gpu/kernels/fronts/FrontBits.h"
 #include "gpu/kernels/fronts/ProcessorFront.h"
+#include "gpu/kernels/growth/GrowthBy.h"
 #include "gpu/kernels/passage/PassageField.h"
 #include "gpu/kernels/shrink/ShrinkKernel.h"
 #include "gpu/shaders/RecentPrograms.h"
@@ -37,17 +38,10 @@ struct GrowthKind {
     [[nodiscard]] ShaderDefines defines() const;
 };
 
-/// Who moves the front of a growth on, where both can (ProcessorFront). The results are the same.
-enum class GrowthBy : std::uint8_t {
-    Driver, ///< the processor with a software driver, kernels with any other
-    Kernels,
-    Processor,
-};
-
 /// The compiled kernels of growing (grow*.comp, placeSeeds.comp).
 struct GrowthPrograms {
     /// @param shaders outlives them
-    explicit GrowthPrograms(const ShaderLibrary& shaders, GrowthBy by = GrowthBy::Driver);
+    GrowthPrograms(const ShaderLibrary& shaders, GrowthBy by);
 
     [[nodiscard]] bool growsOnProcessor() const { return m_growsOnProcessor; }
 

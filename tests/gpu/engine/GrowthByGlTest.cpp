@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tests/reference/ReferenceEngine.h"
+#include "tests/support/cases/EngineCases.h"
+#include "tests/support/fixtures/EditEngineFixture.h"
+#include "tests/support/program/LongRun.h"
+#include "tests/support/program/TestProgram.h"
+
+#include <QtTest>
+
+namespace growthByGlTest {
+
+using test::EngineCase;
+
+namespace {
+
+std::vector<EngineCase> cases()
+{
+    const bool all = test::longRun();
+    std::vector<EngineCase> made = test::growthCases(all ? 400 : 12);
+    for (auto more : {test::growLimitCases(all ? 400 : 8), test::seedGroupCases(all ? 400 : 8),
+             test::intervalCases(all ? 300 : 8), test::overwrittenCases(all ? 400 : 12),
+             test::wideGrowthCases(all ? 300 : 16), test::editableCases(all ? 400 : 8),
+             test::barrierCases(all ? 400 : 8)})
+        made.insert(made.end(), more.begin(), more.end());
+    return made;
+}
+
+} // namespace
+
+/// Kernels and the processor grow alike: both are held to the oracle, whichever of them the driver
+/// at hand would choose (EngineConformanceGlTest sees that one only).
+class GrowthByGlTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase();
+    void init() { test::failOnUnexpectedMessages(); }
+    void cleanup();
+    void conforms_data();
+    void conforms();
+
+private:
+    test::EditEngineFixture m_byKernels{gpu::GrowthBy::Kernels};
+    test::EditEngineFixture m_byProcessor{gpu::GrowthBy::Processor};
+};
+
+void GrowthByGlTest::initTestCase()
+{
+    QVERIFY2(m_byKernels.isReady(), m_byKernels.why());
+    QVERIFY2(m_byProcessor.isReady(), m_byProcessor.why());
+}
+
+void GrowthByGlTest::cleanup()
+{
+    QCOMPARE(m_byKernels.newErrors() + m_byProcessor.newErrors(), 0);
+}
+
+void GrowthByGlTest::conforms_data()
+{
+    QTest::addColumn<int>("number");
+    int number = 0;
+    for (const EngineCase& each : cases())
+        QTest::addRow("%s", each.name.constData()) << number++;
+}
+
+void GrowthByGlTest::conforms()
+{
+    QFETCH(int, number);
+    static const std::vector<EngineCase> all = cases();
+    const EngineCase& engineCase = all.at(std::size_t(number));
+    reference::ReferenceEngine oracle;
+    const test::EngineOutcome expected = test::runCase(oracle, engineCase);
+    for (test::EditEngineFixture* const gpu : {&m_byKernels, &m_byProcessor}) {
+        const QString found = test::difference(expected, test::runCase(gpu->engine(), engineCase));
+        QVERIFY2(found.isEmpty(),
+            qPrintable((gpu == &m_byKernels ? QStringLiteral("by kernels: ")
+                                            : QStringLiteral("by the processor: "))
+                + found));
+    }
+}
+
+BURIN_TEST(GrowthByGlTest)
+
+} // namespace growthByGlTest
+
+#include "GrowthByGlTest.moc"
