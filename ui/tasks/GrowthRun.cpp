@@ -4,6 +4,8 @@
 #include "core/edits/kinds/growth/GrowSteps.h"
 #include "core/edits/kinds/growth/ResumeGrowth.h"
 #include "core/session/EditSession.h"
+#include "core/session/past/RecentGrowth.h"
+#include "ui/workspace/PendingSeeds.h"
 #include "ui/workspace/Workspace.h"
 
 #include <utility>
@@ -42,8 +44,22 @@ void GrowthRun::resume()
 
 bool GrowthRun::resumeIn(std::uint8_t plane)
 {
-    return beginBurst(
-        core::ResumeGrowth{.plane = plane}, m_workspace.growSettings().generationsPerSecond);
+    return beginBurst(resumed(plane), m_workspace.growSettings().generationsPerSecond);
+}
+
+/// Where fronts were accepted, it is named what is resumed: its guard is not that of before.
+core::Edit GrowthRun::resumed(std::uint8_t plane) const
+{
+    core::Edit edit = core::ResumeGrowth{.plane = plane};
+    const core::EditSession* session = m_workspace.session();
+    if (!session || m_workspace.seeds().acceptedFronts().isEmpty())
+        return edit;
+    // What cannot be named cannot be resumed, and the session says why.
+    if (core::nameWhatGrowthReads(edit, session->history(), session->document())) {
+        if (auto* growth = edit.as<core::GrowSteps>())
+            raiseGuard(growth->guard, growth->criteria.segments, plane, m_workspace);
+    }
+    return edit;
 }
 
 void GrowthRun::goOn(std::uint8_t plane)

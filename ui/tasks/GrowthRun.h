@@ -58,6 +58,7 @@ Q_SIGNALS:
 private:
     void dropTurns();
     bool resumeIn(std::uint8_t plane);
+    [[nodiscard]] core::Edit resumed(std::uint8_t plane) const;
     bool beginBurst(const core::Edit& growth, double generationsPerSecond);
     void poll();
     void goToNextTurn();

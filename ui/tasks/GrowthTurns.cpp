@@ -2,6 +2,7 @@
 #include "ui/tasks/GrowthTurns.h"
 
 #include "core/edits/kinds/growth/GrowCriteria.h"
+#include "core/edits/kinds/growth/GrowGuard.h"
 #include "core/edits/kinds/growth/GrowSteps.h"
 #include "core/edits/kinds/parts/GrowthPlane.h"
 #include "core/session/EditSession.h"
@@ -166,7 +167,47 @@ core::GrowSteps growthOf(const GrowthTurn& turn, const Workspace& workspace)
     edit.criteria.segments = turn.segments;
     edit.criteria.plane = turn.plane;
     edit.criteria.editable = workspace.editableRange();
+    raiseGuard(edit.guard, turn.segments, core::growthPlaneOf(turn.plane), workspace);
     return edit;
+}
+
+std::vector<int> growingLabels(
+    const std::optional<std::vector<int>>& segments, std::uint8_t plane, const Workspace& workspace)
+{
+    if (segments || !workspace.session())
+        return segments.value_or(std::vector<int>());
+    const std::bitset<256>& growing =
+        workspace.seeds().past().of(*workspace.session(), plane).growing;
+    std::vector<int> labels;
+    for (std::size_t label = 0; label < growing.size(); ++label) {
+        if (growing.test(label))
+            labels.push_back(int(label));
+    }
+    return labels;
+}
+
+void raiseGuard(core::GrowGuard& guard, const std::optional<std::vector<int>>& segments,
+    std::uint8_t plane, const Workspace& workspace)
+{
+    const AcceptedFronts& accepted = workspace.seeds().acceptedFronts();
+    if (!accepted.isEmpty() && guard.factor && !guard.countsVoxels())
+        guard.areaMm2 =
+            std::max(guard.areaMm2, accepted.areaMm2(growingLabels(segments, plane, workspace)));
+}
+
+std::optional<double> raisedAreaMm2(const Workspace& workspace)
+{
+    if (!workspace.session() || !workspace.growSettings().guard.on
+        || workspace.seeds().acceptedFronts().isEmpty())
+        return std::nullopt;
+    for (const GrowthTurn& turn : growthTurns(workspace)) {
+        if (!activeGrows(turn, workspace))
+            continue;
+        const double areaMm2 = growthOf(turn, workspace).guard.areaMm2;
+        return areaMm2 > workspace.growSettings().guardAreaMm2 ? std::optional(areaMm2)
+                                                               : std::nullopt;
+    }
+    return std::nullopt;
 }
 
 std::optional<std::vector<int>> followingSegments(const Workspace& workspace)

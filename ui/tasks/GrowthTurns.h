@@ -9,6 +9,7 @@
 
 namespace core {
 struct Document;
+struct GrowGuard;
 struct GrowSteps;
 } // namespace core
 
@@ -53,6 +54,18 @@ struct GrowthTurn {
 /// The edit that grows a turn to closure, with the other settings of growth, within the editable
 /// range.
 [[nodiscard]] core::GrowSteps growthOf(const GrowthTurn& turn, const Workspace& workspace);
+
+/// The labels of the segments that a growth in a label plane names (GrowCriteria::segments), or of
+/// all that grow if it names none.
+[[nodiscard]] std::vector<int> growingLabels(const std::optional<std::vector<int>>& segments,
+    std::uint8_t plane, const Workspace& workspace);
+/// Lets a growth in these segments ask only about fronts that are wider than those that the user
+/// has accepted in all of them (AcceptedFronts.h).
+void raiseGuard(core::GrowGuard& guard, const std::optional<std::vector<int>>& segments,
+    std::uint8_t plane, const Workspace& workspace);
+/// By how much a front must be wider if the next growth of the active segment is to ask about it,
+/// because narrower ones were accepted; none: the settings say it.
+[[nodiscard]] std::optional<double> raisedAreaMm2(const Workspace& workspace);
 
 /// The segments whose growth changes with the active segment's interval: those that grew together
 /// with it. None: all segments that are not locked.

@@ -155,6 +155,7 @@ PendingSeeds::PendingSeeds(Workspace& workspace)
         m_seenAlong.clear();
         m_intervals.clear();
         m_past.clear();
+        m_acceptedFronts.clear();
         update();
     });
     connect(
@@ -163,6 +164,8 @@ PendingSeeds::PendingSeeds(Workspace& workspace)
                 || change.what == core::DocumentChange::What::Segments)
                 update();
         });
+    connect(&workspace, &Workspace::growSettingsChanged, this,
+        [this] { m_acceptedFronts.follow(m_workspace.growSettings()); });
 }
 
 PendingSeeds::Sketched PendingSeeds::seedsOf(const core::EditSession& session)
@@ -199,8 +202,10 @@ std::optional<glm::dvec3> PendingSeeds::seenAlong(int label, const glm::ivec3& v
 void PendingSeeds::update()
 {
     const core::EditSession* session = m_workspace.session();
-    if (session)
+    if (session) {
         m_intervals.follow(*session);
+        m_acceptedFronts.follow(*session);
+    }
     show(session ? seedsOf(*session) : Sketched());
 }
 

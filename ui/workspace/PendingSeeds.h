@@ -4,6 +4,7 @@
 #include "gpu/scene/Scene.h"
 #include "ui/settings/GrowthPast.h"
 #include "ui/settings/SegmentIntervals.h"
+#include "ui/settings/growth/AcceptedFronts.h"
 
 #include <QObject>
 
@@ -57,6 +58,8 @@ public:
     [[nodiscard]] SegmentIntervals& intervals() { return m_intervals; }
     /// What the history of the open session says of growth.
     [[nodiscard]] GrowthPast& past() { return m_past; }
+    /// The fronts that are no leaks, and so what growth asks about from now on.
+    [[nodiscard]] AcceptedFronts& acceptedFronts() { return m_acceptedFronts; }
 
 Q_SIGNALS:
     void changed();
@@ -77,6 +80,7 @@ private:
     std::map<std::array<int, 4>, glm::dvec3> m_seenAlong; ///< by label, x, y, z
     SegmentIntervals m_intervals;
     GrowthPast m_past;
+    AcceptedFronts m_acceptedFronts;
     std::uint64_t m_asked = 0; ///< number of questions; only the answer to the last one counts
 };
 

@@ -7,8 +7,8 @@
 #include "tests/support/fixtures/ApplicationFixture.h"
 #include "tests/support/fixtures/WindowFixture.h"
 #include "tests/support/program/TestProgram.h"
-#include "tests/support/series/MadeScans.h"
 #include "tests/support/scenes/SmallStudy.h"
+#include "tests/support/series/MadeScans.h"
 #include "ui/frame/MendingStrip.h"
 #include "ui/frame/PanelSection.h"
 #include "ui/input/Tool.h"
@@ -192,8 +192,19 @@ public:
     {
         const std::size_t before = rows();
         key(Qt::Key_G, Qt::ControlModifier);
-        const auto* panel = window().findChild<ui::GrowthPanel*>();
-        wait([&] { return !panel->running() && rows() > before; }, "the growth does not end");
+        waitForGrowth(before);
+    }
+    /// Whether growth has stopped and asks for a leak.
+    [[nodiscard]] bool isAsked() const
+    {
+        return window().findChild<QAbstractButton*>(text("leakAccept"))->isVisible();
+    }
+    /// Says that it is none; growth goes on as far as in grow().
+    void accept()
+    {
+        const std::size_t before = rows();
+        click("leakAccept");
+        waitForGrowth(before);
     }
     void drop(const QString& file)
     {
@@ -242,6 +253,11 @@ public:
     }
 
 private:
+    void waitForGrowth(std::size_t rowsBefore) const
+    {
+        const auto* panel = window().findChild<ui::GrowthPanel*>();
+        wait([&] { return !panel->running() && rows() > rowsBefore; }, "the growth does not end");
+    }
     template <class Widget> [[nodiscard]] Widget& shown(const char* name) const
     {
         auto* widget = window().findChild<Widget*>(text(name));
@@ -292,14 +308,14 @@ private Q_SLOTS:
             {63.5, 0.0, sliceMm}, {66.8, 9.4, sliceMm}, {63.5, 18.2, sliceMm},
             {65.5, 29.2, sliceMm}});
         QVERIFY(user.workspace().growSettings().guard.on);
-        user.click("growGuard");
-        QVERIFY(!user.workspace().growSettings().guard.on);
         user.grow();
+        constexpr int steps = 10; // for a complaint in place of a test that does not end
+        while (user.isAsked() && user.steps() < steps)
+            user.accept();
+        QVERIFY(!user.isAsked());
         user.clickInHeader("addSegment");
         QTRY_COMPARE_WITH_TIMEOUT(user.document().segments.size(), std::size_t(2), patience);
         QCOMPARE(user.workspace().activeSegment(), 2);
-        user.click("growGuard");
-        QVERIFY(user.workspace().growSettings().guard.on);
         for (const double side : {1.0, -1.0})
             user.sketch({{side * 8.5, -16.0, sliceMm}, {side * 8.5, -8.0, sliceMm},
                 {side * 12.0, 10.0, sliceMm}, {side * 15.0, 18.0, sliceMm},

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/panels/growth/LeakSection.h"
 
+#include "core/edits/kinds/growth/GrowCriteria.h"
 #include "core/edits/kinds/growth/PlugLeak.h"
 #include "core/edits/kinds/growth/ShrinkSteps.h"
 #include "core/edits/kinds/parts/GrowthPlane.h"
@@ -9,8 +10,10 @@
 #include "core/session/StepFindings.h"
 #include "ui/base/NumberText.h"
 #include "ui/base/Theme.h"
+#include "ui/tasks/GrowthTurns.h"
 #include "ui/widgets/BringIntoView.h"
 #include "ui/widgets/fields/NumberField.h"
+#include "ui/workspace/PendingSeeds.h"
 #include "ui/workspace/Workspace.h"
 
 #include <QCheckBox>
@@ -53,6 +56,7 @@ LeakSection::LeakSection(Workspace& workspace, QWidget* parent)
     , m_barriers(new QCheckBox(tr("show barriers"), this))
     , m_offer(new QWidget(this))
     , m_text(new QLabel(m_offer))
+    , m_raised(new QLabel(this))
 {
     m_guard->setObjectName(QStringLiteral("growGuard"));
     m_guard->setToolTip(
@@ -102,7 +106,9 @@ LeakSection::LeakSection(Workspace& workspace, QWidget* parent)
         &LeakSection::plug);
     add("leakReject", tr("Reject"), tr("Take back what has grown since the narrow place"),
         &LeakSection::reject);
-    add("leakAccept", tr("Accept"), tr("It is no leak: grow on"), &LeakSection::accept);
+    add("leakAccept", tr("Accept"),
+        tr("It is no leak: grow on, and ask again only where a front gets wider by twice as much"),
+        &LeakSection::accept);
     auto* offer = new QVBoxLayout(m_offer);
     offer->setContentsMargins(0, 0, 0, 0);
     offer->setSpacing(theme::smallPadding);
@@ -122,6 +128,13 @@ LeakSection::LeakSection(Workspace& workspace, QWidget* parent)
     widths->addWidget(m_factor, 1);
     widths->addWidget(m_area, 1);
     layout->addLayout(widths);
+    m_raised->setObjectName(QStringLiteral("leakRaised"));
+    m_raised->setFont(theme::smallFont());
+    m_raised->setWordWrap(true);
+    m_raised->setTextFormat(Qt::RichText);
+    m_raised->setProperty("role", QStringLiteral("secondary"));
+    connect(m_raised, &QLabel::linkActivated, this, &LeakSection::askAsBefore);
+    layout->addWidget(m_raised);
     layout->addWidget(m_offer);
     m_offer->hide();
     connect(m_guard, &QCheckBox::toggled, this, &LeakSection::takeSettings);
@@ -137,9 +150,11 @@ LeakSection::LeakSection(Workspace& workspace, QWidget* parent)
     connect(&workspace, &Workspace::sessionChanged, this, [this] {
         m_shownGrowth = 0;
         showAlarm({});
+        showRaised();
     });
     connect(&workspace, &Workspace::documentChanged, this, &LeakSection::follow);
     connect(&workspace, &Workspace::activeSegmentChanged, this, &LeakSection::showBesideGrowth);
+    connect(&workspace, &Workspace::activeSegmentChanged, this, &LeakSection::showRaised);
     showSettings();
     showBarriers();
 }
@@ -162,6 +177,7 @@ void LeakSection::showSettings()
     m_factor->setEnabled(guard.on);
     m_area->setValue(settings.guardAreaMm2);
     m_area->setEnabled(guard.on);
+    showRaised();
 }
 
 void LeakSection::takeSettings()
@@ -188,8 +204,9 @@ void LeakSection::showAlarm(const std::optional<core::LeakAlarm>& alarm)
                         .arg(countText(alarm->generation), widthText(*alarm),
                             QStringLiteral("<a href=\"show\" style=\"color: %1\">%2</a>")
                                 .arg(theme::accent.name(), tr("Show\u00a0it"))));
-    // In a panel that is scrolled away growth would seem to have ended by itself. Once more when the
-    // panel has taken note that the growth has ended, since that shows other parts above this one.
+    // In a panel that is scrolled away growth would seem to have ended by itself. Once more when
+    // the panel has taken note that the growth has ended, since that shows other parts above this
+    // one.
     for (const int milliseconds : {0, panelsTurnMilliseconds})
         QTimer::singleShot(milliseconds, m_offer, [this] { bringIntoView(*m_offer, *m_text); });
 }
@@ -208,6 +225,7 @@ void LeakSection::follow()
     const core::EditSession* session = m_workspace.session();
     if (!session)
         return;
+    showRaised();
     const core::RowId row = session->history().position();
     const std::optional<core::LeakAlarm> alarm = session->findings().leakAlarm();
     if (alarm && row != std::exchange(m_shownGrowth, row) && alarm != m_alarm) {
@@ -241,9 +259,40 @@ void LeakSection::showPlace()
             m_workspace.volume()->geometry.toWorld(glm::dvec3(m_alarm->voxel)));
 }
 
+void LeakSection::showRaised()
+{
+    const std::optional<double> areaMm2 = raisedAreaMm2(m_workspace);
+    m_raised->setVisible(areaMm2.has_value());
+    if (areaMm2)
+        m_raised->setText(tr("You accepted a front: in this segment growth asks again only where "
+                             "one gets wider by %1 mm². %2")
+                              .arg(countText(std::int64_t(std::llround(*areaMm2))),
+                                  QStringLiteral("<a href=\"ask\" style=\"color: %1\">%2</a>")
+                                      .arg(theme::accent.name(), tr("Ask\u00a0as\u00a0before"))));
+}
+
+void LeakSection::askAsBefore()
+{
+    for (const GrowthTurn& turn : growthTurns(m_workspace)) {
+        if (activeGrows(turn, m_workspace))
+            m_workspace.seeds().acceptedFronts().forget(
+                growingLabels(turn.segments, m_workspace.growthPlane(), m_workspace));
+    }
+    showRaised();
+}
+
+std::vector<int> LeakSection::alarmedLabels() const
+{
+    const auto& criteria = m_workspace.seeds().past().of(*m_workspace.session(), m_plane).criteria;
+    return growingLabels(criteria ? criteria->segments : std::nullopt, m_plane, m_workspace);
+}
+
 void LeakSection::accept()
 {
     const std::uint8_t plane = m_plane;
+    m_workspace.seeds().acceptedFronts().accept(
+        *m_alarm, plane, alarmedLabels(), *m_workspace.session());
+    showRaised();
     showAlarm({});
     Q_EMIT goOnRequested(plane);
 }
@@ -252,6 +301,8 @@ void LeakSection::reject()
 {
     const core::LeakAlarm alarm = *m_alarm;
     const std::uint8_t plane = m_plane;
+    m_workspace.seeds().acceptedFronts().forget(alarmedLabels());
+    showRaised();
     showAlarm({});
     apply(core::ShrinkSteps{
         .steps = int(alarm.generation - alarm.narrow), .plane = core::namedPlane(plane)});

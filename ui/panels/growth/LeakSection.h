@@ -9,6 +9,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 class QCheckBox;
 class QDoubleSpinBox;
@@ -47,6 +48,11 @@ private:
     /// Shows the alarm beside its growth, and hides it beside others.
     void showBesideGrowth();
     void showPlace();
+    /// Tells whether growth asks later than the fields say.
+    void showRaised();
+    void askAsBefore();
+    /// The segments of the growth that raised the alarm.
+    [[nodiscard]] std::vector<int> alarmedLabels() const;
     void accept();
     void reject();
     void plug();
@@ -59,6 +65,7 @@ private:
     QCheckBox* m_barriers = nullptr;
     QWidget* m_offer = nullptr;
     QLabel* m_text = nullptr;
+    QLabel* m_raised = nullptr;
     std::optional<core::LeakAlarm> m_alarm;
     std::uint8_t m_plane = 0; ///< the label plane of the growth that raised it
     bool m_stands = false; ///< the growth has reached the alarm's generation

@@ -342,6 +342,7 @@ private Q_SLOTS:
         QVERIFY(fixture.rows() > rows);
         const auto* grown = fixture.lastEdit().as<core::GrowSteps>();
         QVERIFY(grown && !grown->criteria.overwriteUnlocked);
+        QCOMPARE(grown->guard.areaMm2 > settings.guardAreaMm2, by == "leakAccept");
     }
 
     /// The turns of the growth whose leak was rejected are not those of the next one.

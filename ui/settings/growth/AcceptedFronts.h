@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/growth/GrowthCommands.h"
+#include "core/history/History.h"
+#include "ui/settings/GrowSettings.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace core {
+class EditSession;
+}
+
+namespace ui {
+
+/// The fronts of growth of which the user has said, after a leak alarm, that they are no leak. A
+/// front that is hardly wider would be none either. So growth in their segments asks again only
+/// where a front gets wider by twice the area of the widest that was accepted (for growths that
+/// are watched by counting voxels, nothing is known).
+///
+/// A front is forgotten when the growth since is taken back as far as to it, wholly (undo,
+/// shrinking) or in part by *Shrink here*; when its segment is sketched in anew or gone; and when
+/// the user sets the leak guard. They are not kept with the session: who opens it again is asked.
+class AcceptedFronts {
+public:
+    /// To be called when another session is opened.
+    void clear() { m_fronts.clear(); }
+    /// To be called when segments or the history have changed.
+    void follow(const core::EditSession& session);
+    /// To be called when the settings have changed.
+    void follow(const GrowSettings& settings);
+
+    /// To be called before the growth goes on.
+    /// @param plane the label plane of the growth
+    /// @param labels the segments that grew
+    void accept(const core::LeakAlarm& alarm, std::uint8_t plane, const std::vector<int>& labels,
+        const core::EditSession& session);
+    void forget(const std::vector<int>& labels);
+
+    [[nodiscard]] bool isEmpty() const { return m_fronts.empty(); }
+    /// By how much a front must be wider if a growth in these segments is to ask again; 0: as much
+    /// as the settings say, because nothing was accepted in one of them.
+    [[nodiscard]] double areaMm2(const std::vector<int>& labels) const;
+
+private:
+    struct Front {
+        int label = 0;
+        std::uint8_t plane = 0;
+        std::uint32_t generation = 0;
+        double areaMm2 = 0.0; ///< that the next one must be wider by
+        core::RowId row = 0; ///< the history's position when it was accepted
+        std::size_t rows = 0; ///< the number of the history's rows then
+    };
+
+    [[nodiscard]] static bool holds(const Front& front, const std::vector<core::RowId>& standing,
+        const core::EditSession& session);
+
+    std::vector<Front> m_fronts;
+    /// The leak guard as the user has set it.
+    std::pair<GrowSettings::Limit, double> m_guard{
+        GrowSettings().guard, GrowSettings().guardAreaMm2};
+};
+
+} // namespace ui
