@@ -77,18 +77,25 @@ struct SceneContour {
 };
 
 /// Chunks of a box of the volume (core/chunks), drawn translucent: in slices as areas with a line
-/// where two of them touch, in the 3D view as bodies.
+/// where two of them touch, in the 3D view as bodies. So is what a growth would take, which is
+/// known by cells of several voxels.
 struct SceneChunks {
     core::VoxelBox box;
-    /// By voxel of the box, x fastest: 1 + its chunk of the finest division
+    glm::ivec3 cell{1}; ///< voxels along each axis that are of one chunk, from box.minimum on
+    /// By cell of the box, x fastest: 1 + its chunk of the finest division
     /// (core::ChunkTree::leafAt()), 0 if there is none. A changed list must be a new pointer.
     std::shared_ptr<const std::vector<std::uint16_t>> leaves;
+    /// Slices draw only voxels with these codes; none: all.
+    std::optional<core::CodeRange> codes{};
     /// Colour of each chunk of the finest division, 0xAARRGGBB. AA scales `opacity`; 0: not drawn.
     std::vector<std::uint32_t> argb;
     /// Rim of each of these, 0xAARRGGBB: chunks that are outlined have one, all their voxels the
     /// same, and those that touch different ones. AA 0, or no list: none.
     std::vector<std::uint32_t> rims{};
     float opacity = 0.3f;
+
+    /// How many cells the box has along each axis; the last ones may be cut off.
+    [[nodiscard]] glm::ivec3 cells() const { return (box.maximum - box.minimum + cell - 1) / cell; }
 };
 
 /// What grey values lie between the centres of voxels. Nearest: the value of the voxel in which a

@@ -101,6 +101,32 @@ std::int64_t LabelReader::voxelsOf(std::uint8_t label) const
     return count;
 }
 
+std::vector<std::uint8_t> LabelReader::sampled(const CoarseGrid& grid) const
+{
+    std::vector<std::uint8_t> labels;
+    if (m_bricks.empty())
+        return labels;
+    labels.resize(grid.cellCount());
+    for (const BrickImage& brick : m_bricks) {
+        const std::vector<std::uint8_t>& bytes = brick.bytes.read();
+        const VoxelBox box = m_grid.boxOf(int(brick.key.brick));
+        const glm::ivec3 first = box.minimum / grid.cell;
+        const glm::ivec3 last = (box.maximum - 1) / grid.cell;
+        for (int z = first.z; z <= last.z; ++z) {
+            for (int y = first.y; y <= last.y; ++y) {
+                for (int x = first.x; x <= last.x; ++x) {
+                    const glm::ivec3 voxel = grid.sampleOf({x, y, z});
+                    if (glm::all(glm::greaterThanEqual(voxel, box.minimum))
+                        && glm::all(glm::lessThan(voxel, box.maximum)))
+                        labels[grid.numberOf({x, y, z})] =
+                            bytes[std::size_t(BrickGrid::offsetInBrick(voxel))];
+                }
+            }
+        }
+    }
+    return labels;
+}
+
 std::vector<std::uint8_t> LabelReader::takeLabels()
 {
     const glm::ivec3 size = m_grid.volumeSize;

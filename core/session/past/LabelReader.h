@@ -3,6 +3,7 @@
 
 #include "core/base/Result.h"
 #include "core/brick/BrickGrid.h"
+#include "core/growth/CoarseGrid.h"
 
 #include <cstdint>
 #include <optional>
@@ -42,6 +43,9 @@ public:
     [[nodiscard]] std::optional<LabelPlace> placeOf(std::uint8_t label) const;
     /// How many voxels have a label from 1 on, in what was read. Any thread. Cost as of placeOf().
     [[nodiscard]] std::int64_t voxelsOf(std::uint8_t label) const;
+    /// The labels of the voxels that represent the cells of a grid of the same volume, in what was
+    /// read; empty: all 0. Any thread. Cost ∝ the cells in bricks that are not empty.
+    [[nodiscard]] std::vector<std::uint8_t> sampled(const CoarseGrid& grid) const;
     /// The labels, x fastest; the reader is empty afterwards. Any thread. Cost ∝ the volume.
     [[nodiscard]] std::vector<std::uint8_t> takeLabels();
 

@@ -13,9 +13,11 @@ bool ChunkTextures::update(const SceneChunks* chunks, Drawn drawn)
             drop();
         return false;
     }
-    const glm::ivec3 size = chunks->box.maximum - chunks->box.minimum;
     if (!chunks->leaves || chunks->box.empty() || chunks->argb.empty()
-        || chunks->leaves->size() != std::size_t(size.x) * std::size_t(size.y) * std::size_t(size.z)
+        || glm::any(glm::lessThan(chunks->cell, glm::ivec3(1))))
+        return false;
+    const glm::ivec3 size = chunks->cells();
+    if (chunks->leaves->size() != std::size_t(size.x) * std::size_t(size.y) * std::size_t(size.z)
         || chunks->opacity <= 0.0f)
         return false;
     const std::size_t width = chunks->argb.size();
@@ -42,7 +44,7 @@ void ChunkTextures::takeLeaves(const SceneChunks& chunks)
 {
     drop();
     m_changed = true;
-    const glm::ivec3 size = chunks.box.maximum - chunks.box.minimum;
+    const glm::ivec3 size = chunks.cells();
     m_voxels = Texture3D({.label = "chunks", .size = size, .format = GL_R16UI});
     m_voxels.upload(std::span<const std::uint16_t>(*chunks.leaves));
     m_leaves = chunks.leaves;
@@ -123,7 +125,13 @@ void ChunkTextures::bind(Program& program, const SceneChunks& chunks, Drawn draw
     (drawn == Drawn::Areas ? m_areas : m_bodyColours).texture.bindUnit(25);
     if (drawn == Drawn::Bodies)
         m_bodies.bind(26, 27);
-    program.set("chunkOrigin", chunks.box.minimum).set("chunkOpacity", chunks.opacity);
+    // One that no code comes to stands for none.
+    const core::CodeRange codes = chunks.codes.value_or(
+        core::CodeRange{.lowest = 0, .highest = core::VoxelEncoding::codeCount});
+    program.set("chunkOrigin", chunks.box.minimum)
+        .set("chunkCell", chunks.cell)
+        .set("chunkCodes", glm::ivec2(codes.lowest, codes.highest))
+        .set("chunkOpacity", chunks.opacity);
 }
 
 } // namespace gpu

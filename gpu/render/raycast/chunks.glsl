@@ -1,15 +1,17 @@
 // Chunks of a box (core/chunks) as translucent bodies: faces where a ray goes from one chunk into
 // another, and a section where it enters the box or is clipped. Chunks behind tissue shine through
-// faintly; nothing shines through the cutting plane, which shows its own section.
+// faintly; nothing shines through the cutting plane, which shows its own section. Where they are
+// known by cells of several voxels, "voxels" below are these cells.
 
 /* Textures */
-layout(binding = 24) uniform usampler3D chunkLeaves; // leaf + 1 by voxel of their box
+layout(binding = 24) uniform usampler3D chunkLeaves; // leaf + 1 by cell of their box
 layout(binding = 25) uniform sampler2D chunkColours; // by leaf; all 0: invisible; above it the rims
 layout(binding = 26) uniform sampler3D chunkBodies; // smoothed colours of voxels
 layout(binding = 27) uniform usampler3D chunkCells; // 0: the cell has a single colour
 
 /* Uniforms */
 uniform ivec3 chunkOrigin; // index
+uniform ivec3 chunkCell;   // voxels
 uniform float chunkOpacity;
 
 const float chunkBehind = 0.25;
@@ -63,7 +65,7 @@ vec3 chunkNormal(vec3 place, vec4 change)
         dot(chunkBodyAt(place + vec3(h, 0, 0)) - chunkBodyAt(place - vec3(h, 0, 0)), change),
         dot(chunkBodyAt(place + vec3(0, h, 0)) - chunkBodyAt(place - vec3(0, h, 0)), change),
         dot(chunkBodyAt(place + vec3(0, 0, h)) - chunkBodyAt(place - vec3(0, 0, h)), change));
-    const vec3 slope = gradientToWorld * -rise;
+    const vec3 slope = gradientToWorld * (-rise / vec3(chunkCell));
     return slope * inversesqrt(max(dot(slope, slope), 1e-16));
 }
 
@@ -71,9 +73,11 @@ vec3 chunkNormal(vec3 place, vec4 change)
 vec3 withChunks(Ray ray, vec3 seen)
 {
     const vec3 size = vec3(textureSize(chunkLeaves, 0));
-    const vec3 origin = ray.origin / voxel - 0.5 - vec3(chunkOrigin); // index of the box
-    const vec3 direction = ray.direction / voxel;
-    const vec3 inverse = ray.inverse * voxel;
+    const vec3 side = voxel * vec3(chunkCell);
+    const vec3 origin // index of the box
+        = ray.origin / side - 0.5 - vec3(chunkOrigin) / vec3(chunkCell);
+    const vec3 direction = ray.direction / side;
+    const vec3 inverse = ray.inverse * side;
     const vec3 toLow = (vec3(-0.5) - origin) * inverse;
     const vec3 toHigh = (size - 0.5 - origin) * inverse;
     const vec3 enter = min(toLow, toHigh);

@@ -13,11 +13,11 @@ namespace {
 
 bool isDrawn(const gpu::SceneChunks& chunks, const glm::ivec3& voxel)
 {
-    const glm::ivec3 size = chunks.box.maximum - chunks.box.minimum;
-    const glm::ivec3 within = voxel - chunks.box.minimum;
-    if (glm::any(glm::lessThan(within, glm::ivec3(0)))
-        || glm::any(glm::greaterThanEqual(within, size)))
+    const glm::ivec3 size = chunks.cells();
+    if (glm::any(glm::lessThan(voxel, chunks.box.minimum))
+        || glm::any(glm::greaterThanEqual(voxel, chunks.box.maximum)))
         return false;
+    const glm::ivec3 within = (voxel - chunks.box.minimum) / chunks.cell;
     const std::uint16_t leaf =
         (*chunks.leaves)[(std::size_t(within.z) * std::size_t(size.y) + std::size_t(within.y))
                 * std::size_t(size.x)

@@ -87,6 +87,25 @@ private Q_SLOTS:
         QCOMPARE(readerOf({}).voxelsOf(1), std::int64_t(0));
     }
 
+    /// Cells reach over the borders of bricks, and the last ones are cut off.
+    void cellsHaveTheLabelsOfTheirMiddles()
+    {
+        std::vector<Labelled> voxels;
+        for (int x = 0; x < size.x; ++x)
+            voxels.push_back({{x, x / 2, 17 - x / 3}, std::uint8_t(x + 1)});
+        const CoarseGrid grid{.volumeSize = size, .cell = {3, 2, 4}};
+        const std::vector<std::uint8_t> sampled = readerOf(voxels).sampled(grid);
+        QCOMPARE(sampled.size(), grid.cellCount());
+        std::vector<std::uint8_t> wanted(grid.cellCount());
+        for (const Labelled& each : voxels) {
+            if (grid.sampleOf(each.voxel / grid.cell) == each.voxel)
+                wanted[grid.numberOf(each.voxel / grid.cell)] = each.label;
+        }
+        QVERIFY(std::count(wanted.begin(), wanted.end(), 0) < std::ptrdiff_t(wanted.size()) - 1);
+        QCOMPARE(sampled, wanted);
+        QVERIFY(readerOf({}).sampled(grid).empty());
+    }
+
     /// In the last brick, of which most lies outside.
     void oneVoxelIsItsOwnMiddle()
     {
