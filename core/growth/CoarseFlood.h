@@ -58,7 +58,7 @@ struct CoarseReach {
 /// goes on from there, or, if that is not open, from the open ones of the 26 cells around it.
 ///
 /// @param labels by cell, of the voxels that represent them; empty: all 0
-/// Errors: Cancelled. Cost ∝ the cells that are reached; two million take some ten milliseconds.
+/// Errors: Cancelled. Cost ∝ the cells; two million take some tens of milliseconds.
 [[nodiscard]] Result<CoarseReach> coarseFlood(const CoarseCodes& codes,
     std::span<const std::uint8_t> labels, const std::vector<CoarseSeed>& seeds,
     const CoarseRule& rule, const Progress& progress = Progress());

@@ -7,6 +7,7 @@
 #include "ui/workspace/Chunks.h"
 #include "ui/workspace/CuttingPlane.h"
 #include "ui/workspace/InitialDisplay.h"
+#include "ui/workspace/PendingSeeds.h"
 #include "ui/workspace/Refinement.h"
 
 #include <algorithm>
@@ -59,6 +60,7 @@ SliceView::SliceView(Workspace& workspace, gpu::ViewId view, const SliceAxes& ax
     connect(&workspace.refinement(), &Refinement::changed, this, [this] { requestFrame(); });
     // As urgent as the 3D view's, which takes longer: else that would come first.
     connect(&workspace.chunks(), &Chunks::pictureChanged, this, &SliceView::requestMovingFrame);
+    connect(&workspace.seeds(), &PendingSeeds::ghostChanged, this, &SliceView::requestMovingFrame);
     connect(&workspace.plane(), &CuttingPlane::changed, this, qOverload<>(&SliceView::update));
     openVolume();
 }
@@ -253,6 +255,8 @@ gpu::Scene SliceView::scene() const
         scene.slab = slab();
         scene.contour = workspace().refinement().contour();
         scene.chunks = workspace().chunks().areas();
+        if (!scene.chunks)
+            scene.chunks = workspace().seeds().ghost().areas;
     }
     return scene;
 }

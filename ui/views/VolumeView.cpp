@@ -63,6 +63,7 @@ VolumeView::VolumeView(Workspace& workspace, gpu::ViewId view, QWidget* parent)
         &workspace.refinement(), &Refinement::lookChanged, this, &VolumeView::requestMovingFrame);
     connect(&workspace.refinement(), &Refinement::changed, this, [this] { requestFrame(); });
     connect(&workspace.chunks(), &Chunks::pictureChanged, this, &VolumeView::requestMovingFrame);
+    connect(&workspace.seeds(), &PendingSeeds::ghostChanged, this, &VolumeView::requestMovingFrame);
     connect(&workspace.refinement(), &Refinement::shown, this, &VolumeView::flyTo);
     connect(&workspace.plane(), &CuttingPlane::changed, this, &VolumeView::requestMovingFrame);
     connect(&workspace.layerLooks(), &LayerLooks::changed, this, &VolumeView::requestMovingFrame);
@@ -156,6 +157,8 @@ gpu::Scene VolumeView::scene() const
     scene.surface = workspace().refinement().scene();
     scene.bodiless = workspace().refinement().bodiless();
     scene.chunks = workspace().chunks().bodies();
+    if (!scene.chunks)
+        scene.chunks = workspace().seeds().ghost().bodies;
     scene.plane = workspace().plane().scene();
     const std::optional<core::ClipPlane> above = workspace().plane().clip();
     if (above && scene.surface)

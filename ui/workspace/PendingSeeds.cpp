@@ -199,6 +199,14 @@ std::optional<glm::dvec3> PendingSeeds::seenAlong(int label, const glm::ivec3& v
     return found == m_seenAlong.end() ? std::nullopt : std::optional(found->second);
 }
 
+void PendingSeeds::setGhost(const Ghost& ghost)
+{
+    if (ghost == m_ghost)
+        return;
+    m_ghost = ghost;
+    Q_EMIT ghostChanged();
+}
+
 void PendingSeeds::update()
 {
     const core::EditSession* session = m_workspace.session();
@@ -213,6 +221,7 @@ void PendingSeeds::update()
 void PendingSeeds::show(Sketched sketched)
 {
     const std::uint64_t asked = ++m_asked;
+    m_isAsking = true;
     if (sketched.pending.empty() && sketched.grown.empty()) {
         set({}, {});
         return;
@@ -250,12 +259,14 @@ void PendingSeeds::show(Sketched sketched)
 
 void PendingSeeds::set(std::vector<gpu::SceneSeed> pending, std::vector<gpu::SceneSeed> hollow)
 {
-    if (pending == *m_seeds && hollow == m_hollow)
-        return;
+    m_isAsking = false;
+    const bool differs = pending != *m_seeds || hollow != m_hollow;
     if (pending != *m_seeds)
         m_seeds = std::make_shared<const std::vector<gpu::SceneSeed>>(std::move(pending));
     m_hollow = std::move(hollow);
-    Q_EMIT changed();
+    if (differs)
+        Q_EMIT changed();
+    Q_EMIT updated();
 }
 
 } // namespace ui

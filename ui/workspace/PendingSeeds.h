@@ -39,6 +39,9 @@ public:
     [[nodiscard]] const std::vector<gpu::SceneSeed>& seeds() const { return *m_seeds; }
     /// The seeds that growths have left waiting; they are drawn hollow.
     [[nodiscard]] const std::vector<gpu::SceneSeed>& hollow() const { return m_hollow; }
+    /// Whether these are the seeds at the history's present position; else the engine is being
+    /// asked.
+    [[nodiscard]] bool isUpToDate() const { return !m_isAsking; }
     /// The seeds() for a picture of the 3D view.
     [[nodiscard]] std::shared_ptr<const std::vector<gpu::SceneSeed>> scene() const
     {
@@ -54,6 +57,17 @@ public:
     /// opened.
     [[nodiscard]] std::optional<glm::dvec3> seenAlong(int label, const glm::ivec3& voxel) const;
 
+    /// About what a growth from these seeds would take, as slices (areas) and the 3D view (bodies)
+    /// draw it where no chunks are shown; null: nothing.
+    struct Ghost {
+        std::shared_ptr<const gpu::SceneChunks> areas;
+        std::shared_ptr<const gpu::SceneChunks> bodies;
+        bool operator==(const Ghost&) const = default;
+    };
+    [[nodiscard]] const Ghost& ghost() const { return m_ghost; }
+    /// Shows one (GrowthGhost).
+    void setGhost(const Ghost& ghost);
+
     /// The interval of each segment; it follows additions and removals of segments.
     [[nodiscard]] SegmentIntervals& intervals() { return m_intervals; }
     /// What the history of the open session says of growth.
@@ -63,6 +77,8 @@ public:
 
 Q_SIGNALS:
     void changed();
+    void updated(); ///< isUpToDate() is true, whether or not they have changed
+    void ghostChanged();
 
 private:
     struct Sketched;
@@ -77,11 +93,13 @@ private:
     Workspace& m_workspace;
     std::shared_ptr<const std::vector<gpu::SceneSeed>> m_seeds;
     std::vector<gpu::SceneSeed> m_hollow;
+    Ghost m_ghost;
     std::map<std::array<int, 4>, glm::dvec3> m_seenAlong; ///< by label, x, y, z
     SegmentIntervals m_intervals;
     GrowthPast m_past;
     AcceptedFronts m_acceptedFronts;
     std::uint64_t m_asked = 0; ///< number of questions; only the answer to the last one counts
+    bool m_isAsking = false; ///< it has not come yet
 };
 
 } // namespace ui

@@ -7,6 +7,7 @@
 #include "core/session/past/RecentGrowth.h"
 #include "ui/base/Icons.h"
 #include "ui/base/Theme.h"
+#include "ui/dialogs/segment/PreviewBox.h"
 #include "ui/menus/EditableButton.h"
 #include "ui/overlays/SeedBand.h"
 #include "ui/panels/growth/GenerationSection.h"
@@ -19,8 +20,10 @@
 #include "ui/panels/growth/SeedInterval.h"
 #include "ui/panels/growth/SpreadBar.h"
 #include "ui/panels/growth/ToleranceSection.h"
+#include "ui/tasks/GrowthGhost.h"
 #include "ui/tasks/GrowthRun.h"
 #include "ui/tasks/LiveInterval.h"
+#include "ui/tools/growth/SeedTool.h"
 #include "ui/widgets/FittingLabel.h"
 #include "ui/widgets/HistogramRange.h"
 #include "ui/workspace/PendingSeeds.h"
@@ -71,6 +74,7 @@ GrowthPanel::GrowthPanel(Workspace& workspace, QWidget* parent)
     connect(m_toSeeds, &QPushButton::clicked, this, &GrowthPanel::shrinkToSeeds);
     connect(m_connectivity, &QComboBox::activated, this, &GrowthPanel::takeSettings);
 
+    buildGhost();
     connect(&workspace, &Workspace::sessionChanged, this, &GrowthPanel::showVolume);
     connect(&workspace, &Workspace::growSettingsChanged, this, &GrowthPanel::showSettings);
     connect(&workspace, &Workspace::activeSegmentChanged, this, [this] {
@@ -172,6 +176,21 @@ void GrowthPanel::build()
     connect(m_generations, &GenerationSection::scrubMoved, this, &GrowthPanel::showState);
     connect(m_leak, &LeakSection::alarmChanged, m_generations, &GenerationSection::showLeak);
 
+    m_ghostShown = new PreviewBox(QStringLiteral("growth"), this);
+    m_ghostShown->setText(tr("show what it would take"));
+    m_ghostShown->setToolTip(
+        tr("While you sketch seeds, show in all views what a growth in this interval would take, "
+           "about: large volumes are looked at coarsely, and criteria and barriers, which take "
+           "less, are left out"));
+    m_ghostText = new FittingLabel(Qt::AlignRight, this);
+    m_ghostText->setObjectName(QStringLiteral("growthGhost"));
+    m_ghostText->setFont(theme::smallFont());
+    m_ghostText->setProperty("role", QStringLiteral("secondary"));
+
+    auto* ghost = new QHBoxLayout;
+    ghost->setSpacing(theme::smallPadding);
+    ghost->addWidget(m_ghostShown);
+    ghost->addWidget(m_ghostText, 1);
     auto* transport = new QHBoxLayout;
     transport->setSpacing(theme::smallPadding);
     transport->addWidget(m_step, 2);
@@ -202,6 +221,7 @@ void GrowthPanel::build()
     layout->addWidget(m_intervalChange);
     layout->addWidget(new PlainLimits(m_workspace, this));
     layout->addWidget(new EditableButton(m_workspace, this, EditableButton::In::Column));
+    layout->addLayout(ghost);
     layout->addLayout(transport);
     layout->addWidget(m_turnsText);
     layout->addWidget(m_fromSeeds->note());
@@ -215,6 +235,19 @@ void GrowthPanel::build()
     layout->addWidget(m_progress);
     layout->addWidget(m_generations);
     layout->addWidget(new SpreadBar(m_workspace, this));
+}
+
+void GrowthPanel::buildGhost()
+{
+    m_ghost = new GrowthGhost(m_workspace, this);
+    connect(
+        m_ghost, &GrowthGhost::changed, this, [this] { m_ghostText->setText(m_ghost->words()); });
+    connect(m_ghostShown, &PreviewBox::toggled, this, &GrowthPanel::followGhost);
+    connect(m_fromSeeds, &SeedInterval::valuesChanged, this, &GrowthPanel::followGhost);
+    connect(&m_workspace, &Workspace::growSettingsChanged, this, &GrowthPanel::followGhost);
+    connect(&m_workspace, &Workspace::editableChanged, this, &GrowthPanel::followGhost);
+    connect(&m_workspace, &Workspace::activeToolChanged, this, &GrowthPanel::followGhost);
+    connect(&m_workspace.seeds(), &PendingSeeds::updated, this, &GrowthPanel::followGhost);
 }
 
 QString GrowthPanel::title() const
@@ -298,6 +331,16 @@ void GrowthPanel::takeSettings()
     settings.connectivity = m_connectivity->currentData().toInt();
     settings.generationsPerSecond = m_pace->currentData().toDouble();
     m_workspace.setGrowSettings(settings);
+}
+
+void GrowthPanel::followGhost()
+{
+    const bool isSketching =
+        m_ghostShown->isChecked() && qobject_cast<SeedTool*>(m_workspace.activeTool());
+    if (isSketching)
+        m_ghost->prepare();
+    m_ghost->follow(isSketching && !running(), !m_fromSeeds->isLooking());
+    m_ghostText->setText(m_ghost->words());
 }
 
 void GrowthPanel::followInterval()
@@ -421,6 +464,7 @@ void GrowthPanel::showState()
             : session                    ? generationText(*session, plane, m_fronts)
                                          : QString());
     m_generations->show(progress);
+    followGhost();
 }
 
 } // namespace ui

@@ -17,11 +17,13 @@ namespace ui {
 
 class GenerationSection;
 class GrowCriteriaSection;
+class GrowthGhost;
 class GrowthRun;
 class HistogramRange;
 class LeakSection;
 class LiveInterval;
 class PinholeOffer;
+class PreviewBox;
 class SeedBand;
 class SeedInterval;
 class Workspace;
@@ -56,6 +58,8 @@ private:
     void showSettings();
     void takeSettings();
     void showState();
+    void buildGhost();
+    void followGhost();
     void followInterval();
     void settleInterval();
     void shrink(std::optional<int> steps);
@@ -75,6 +79,9 @@ private:
     QCheckBox* m_live = nullptr;
     LiveInterval* m_liveInterval = nullptr;
     QLabel* m_intervalChange = nullptr;
+    GrowthGhost* m_ghost = nullptr;
+    PreviewBox* m_ghostShown = nullptr;
+    QLabel* m_ghostText = nullptr;
     QComboBox* m_connectivity = nullptr;
     QComboBox* m_pace = nullptr;
     QCheckBox* m_overwrite = nullptr;

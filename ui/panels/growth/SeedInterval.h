@@ -47,6 +47,8 @@ public:
     void forget();
     /// The values under the seeds, in modality units.
     [[nodiscard]] const std::vector<double>& values() const { return m_values; }
+    /// Whether the values are being looked up, after which the interval may follow them.
+    [[nodiscard]] bool isLooking() const { return !m_voxels.empty() && m_values.empty(); }
     /// "12 seed voxels · 41.0 ± 3.2 HU" for the active segment. If it has no seeds the text tells
     /// that there are @p seeds of others.
     [[nodiscard]] QString text(int seeds) const;

@@ -1,0 +1,359 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/tasks/GrowthGhost.h"
+
+#include "core/edits/kinds/growth/GrowSteps.h"
+#include "core/edits/kinds/parts/GrowthPlane.h"
+#include "core/growth/GrowthCommands.h"
+#include "core/session/EditSession.h"
+#include "core/session/past/LabelReader.h"
+#include "core/session/questions/VoxelQuestions.h"
+#include "ui/base/StudyTexts.h"
+#include "ui/settings/GrowSettings.h"
+#include "ui/workspace/Workspace.h"
+
+#include <QPointer>
+
+#include <algorithm>
+#include <utility>
+
+namespace ui {
+
+namespace {
+
+constexpr int slicesAtOnce = 4; ///< asked for; each is a short question, so that edits come between
+constexpr int soonMilliseconds = 15;
+constexpr float opacity = 0.3f;
+
+/// @param of the flood
+PendingSeeds::Ghost ghostOf(core::CoarseReach reach, const core::CoarseGrid& grid,
+    const core::CoarseRule& of, std::uint32_t rgb)
+{
+    if (reach.cells.empty())
+        return {};
+    auto areas = std::make_shared<gpu::SceneChunks>();
+    areas->box = {reach.cells.minimum * grid.cell,
+        glm::min(reach.cells.maximum * grid.cell, grid.volumeSize)};
+    areas->cell = grid.cell;
+    areas->leaves = std::make_shared<const std::vector<std::uint16_t>>(std::move(reach.states));
+    areas->codes = core::CodeRange{.lowest = of.lowCode, .highest = of.highCode};
+    areas->opacity = opacity;
+    const std::uint32_t argb = 0xFF000000u | rgb;
+    areas->argb = {argb, argb}; // by core::CoarseReach::State
+    auto bodies = std::make_shared<gpu::SceneChunks>(*areas);
+    bodies->argb = {argb, 0};
+    return {.areas = std::move(areas), .bodies = std::move(bodies)};
+}
+
+} // namespace
+
+GrowthGhost::GrowthGhost(Workspace& workspace, QObject* parent, std::int64_t mostCells)
+    : QObject(parent)
+    , m_workspace(workspace)
+    , m_mostCells(mostCells)
+{
+    m_soon.setSingleShot(true);
+    m_soon.setInterval(soonMilliseconds);
+    connect(&m_soon, &QTimer::timeout, this, &GrowthGhost::advance);
+    connect(&workspace, &Workspace::sessionClosing, this, &GrowthGhost::forget);
+    connect(&workspace, &Workspace::sessionChanged, this, &GrowthGhost::forget);
+    connect(
+        &workspace, &Workspace::documentChanged, this, [this](const core::DocumentChange& change) {
+            if (change.what == core::DocumentChange::What::Labels)
+                loseLabels();
+        });
+}
+
+void GrowthGhost::forget()
+{
+    drop();
+    m_reads.cancel();
+    m_reading.reset();
+    m_nextLayer = 0;
+    m_layersTaken = 0;
+    m_isRefused = false;
+    m_codes.reset();
+    m_askedSeeds.reset();
+    m_seeds.reset();
+    m_reader.reset();
+    m_labels.reset();
+}
+
+void GrowthGhost::drop()
+{
+    m_soon.stop();
+    m_wanted.reset();
+    m_shown.reset();
+    m_isFlooding = false;
+    m_floods.cancel();
+    m_workspace.seeds().setGhost({});
+    if (std::exchange(m_voxels, std::nullopt))
+        Q_EMIT changed();
+}
+
+std::optional<GrowthGhost::Wanted> GrowthGhost::present() const
+{
+    const core::EditSession* session = m_workspace.session();
+    if (!session)
+        return std::nullopt;
+    const core::Document& document = session->document();
+    const core::Segment* segment = document.segment(m_workspace.activeSegment());
+    if (!segment || segment->locked)
+        return std::nullopt;
+    Wanted wanted{.label = segment->label,
+        .plane = segment->plane,
+        .rgb = segment->rgb,
+        .seeds = m_workspace.seeds().scene(),
+        .rule = {}};
+    const auto isItsOwn = [&wanted](const gpu::SceneSeed& seed) {
+        return int(seed.label) == wanted.label;
+    };
+    if (std::none_of(wanted.seeds->begin(), wanted.seeds->end(), isItsOwn))
+        return std::nullopt;
+
+    core::GrowSteps edit;
+    edit.criteria = criteriaOf(m_workspace.growSettings());
+    edit.criteria.segments = std::vector<int>{wanted.label};
+    edit.criteria.plane = core::namedPlane(wanted.plane);
+    edit.criteria.editable = m_workspace.editableRange();
+    const core::Result<core::GrowBurst> burst = core::growBurst(edit, document);
+    if (!burst)
+        return std::nullopt;
+    const core::GrowthRange range = burst->range.value_or(core::GrowthRange());
+    core::CoarseRule& rule = wanted.rule;
+    rule.lowCode = std::max(burst->lowCode, range.lowCode);
+    rule.highCode = std::min(burst->highCode, range.highCode);
+    rule.connectivity = burst->connectivity;
+    if (burst->limits.boxed) {
+        rule.boxFrom = burst->limits.boxFrom;
+        rule.boxTo = burst->limits.boxTo;
+    }
+    rule.closed = ~burst->overwritable;
+    rule.closed.reset(0).reset(std::size_t(wanted.label));
+    rule.closed |= range.closed;
+    wanted.asksLabels = range.closed.any()
+        || std::any_of(document.segments.begin(), document.segments.end(),
+            [&wanted](const core::Segment& other) {
+                return other.plane == wanted.plane && other.voxels > 0
+                    && wanted.rule.closed.test(other.label);
+            });
+    return wanted;
+}
+
+void GrowthGhost::follow(bool wanted, bool settled)
+{
+    const core::EditSession* session = m_workspace.session();
+    const bool isOpen = session && session->transactionOpen(); // what may take the seeds
+    const bool isSettled = settled && m_workspace.seeds().isUpToDate();
+    if (wanted && session && !isOpen && !isSettled) {
+        if (m_wanted && m_wanted->label != m_workspace.activeSegment())
+            drop();
+        return;
+    }
+    std::optional<Wanted> now = wanted && !isOpen ? present() : std::nullopt;
+    if (!now) {
+        if (m_wanted)
+            drop();
+        return;
+    }
+    if (m_wanted == now)
+        return;
+    if (m_wanted && m_wanted->label != now->label)
+        drop(); // until the other one's is known
+    m_wanted = std::move(now);
+    if (m_voxels)
+        advance();
+    else
+        m_soon.start();
+}
+
+/// Begins what is missing for the ghost that is wanted; what is under way calls it again.
+void GrowthGhost::advance()
+{
+    if (!m_wanted || m_isFlooding || !m_workspace.session())
+        return;
+    if (!m_codes)
+        prepare();
+    else if (m_askedSeeds != m_wanted->seeds)
+        readSeeds();
+    else if (!m_seeds)
+        return; // they are on their way
+    else if (m_wanted->asksLabels && !(m_labels && m_labelsPlane == m_wanted->plane))
+        readLabels();
+    else
+        flood();
+}
+
+void GrowthGhost::prepare()
+{
+    const core::EditSession* session = m_workspace.session();
+    if (!session || m_codes || m_reading || m_isRefused)
+        return;
+    const core::VolumeGeometry& geometry = session->document().volumes.front().geometry;
+    m_reading = std::make_shared<core::CoarseCodes>(
+        core::CoarseGrid::of(geometry.size, geometry.spacingMm(), m_mostCells));
+    m_nextLayer = 0;
+    m_layersTaken = 0;
+    for (int i = 0; i < slicesAtOnce && m_reading; ++i)
+        readSlice();
+}
+
+void GrowthGhost::readSlice()
+{
+    const core::CoarseGrid& grid = m_reading->grid();
+    if (m_nextLayer >= grid.size().z)
+        return;
+    const int layer = m_nextLayer++;
+    const int z = grid.sampleOf({0, 0, layer}).z;
+    m_workspace.session()->questions().codes(
+        {.minimum = {0, 0, z}, .maximum = {grid.volumeSize.x, grid.volumeSize.y, z + 1}},
+        [ghost = QPointer<GrowthGhost>(this), reading = m_reading, layer](
+            core::Result<std::vector<std::uint16_t>> slice) {
+            if (!ghost || ghost->m_reading != reading)
+                return;
+            if (slice)
+                return ghost->takeSlice(layer, std::move(*slice));
+            ghost->m_isRefused = true; // a picture or an edit will say why
+            ghost->m_reading.reset();
+        });
+}
+
+void GrowthGhost::takeSlice(int layer, std::vector<std::uint16_t> slice)
+{
+    m_reads.start(
+        this,
+        [reading = m_reading, layer, slice = std::move(slice)] {
+            reading->takeSlice(layer, slice);
+        },
+        [this, reading = m_reading](const core::Result<void>&) {
+            if (m_reading != reading || ++m_layersTaken < reading->grid().size().z)
+                return;
+            m_codes = std::move(m_reading);
+            m_reading.reset();
+            advance();
+        });
+    readSlice();
+}
+
+void GrowthGhost::readSeeds()
+{
+    m_askedSeeds = m_wanted->seeds;
+    m_seeds.reset();
+    const core::VolumeGeometry& geometry = m_workspace.volume()->geometry;
+    std::vector<glm::ivec3> voxels;
+    for (const gpu::SceneSeed& seed : *m_askedSeeds)
+        voxels.emplace_back(glm::floor(geometry.toIndex(seed.lps) + 0.5));
+    m_workspace.session()->questions().probe(voxels,
+        [ghost = QPointer<GrowthGhost>(this), asked = m_askedSeeds, voxels](
+            const core::Result<std::vector<core::ProbedVoxel>>& probed) {
+            if (!ghost || ghost->m_askedSeeds != asked || !probed
+                || probed->size() != voxels.size())
+                return;
+            ghost->m_seeds.emplace();
+            for (std::size_t i = 0; i < voxels.size(); ++i)
+                ghost->m_seeds->push_back({.voxel = voxels[i], .code = (*probed)[i].code});
+            ghost->advance();
+        });
+}
+
+void GrowthGhost::readLabels()
+{
+    if (m_reader && m_labelsPlane == m_wanted->plane)
+        return;
+    m_labels.reset();
+    m_labelsPlane = m_wanted->plane;
+    m_reader = std::make_shared<core::LabelReader>(m_codes->grid().volumeSize, m_labelsPlane);
+    readLabelsOn();
+}
+
+void GrowthGhost::readLabelsOn()
+{
+    const auto take = [ghost = QPointer<GrowthGhost>(this), reader = m_reader](
+                          const core::Result<void>& portion) {
+        if (!ghost || ghost->m_reader != reader)
+            return;
+        if (portion)
+            return ghost->readLabelsOn();
+        ghost->m_reader.reset();
+        ghost->drop();
+    };
+    if (m_workspace.session()->questions().readOn(m_reader, take))
+        return;
+    m_reads.start(
+        this,
+        [reader = m_reader, grid = m_codes->grid()] {
+            return std::make_shared<const std::vector<std::uint8_t>>(reader->sampled(grid));
+        },
+        [this, reader = m_reader](const core::Result<Cells>& cells) {
+            if (m_reader != reader)
+                return; // they have changed meanwhile
+            m_reader.reset();
+            if (!cells)
+                return drop();
+            m_labels = *cells;
+            advance();
+        });
+}
+
+void GrowthGhost::loseLabels()
+{
+    m_labels.reset();
+    m_reader.reset();
+    if (!m_wanted || !m_wanted->asksLabels)
+        return;
+    m_floods.cancel();
+    m_isFlooding = false;
+    advance();
+}
+
+void GrowthGhost::flood()
+{
+    m_isFlooding = true;
+    std::vector<core::CoarseSeed> seeds;
+    for (std::size_t i = 0; i < m_seeds->size(); ++i) {
+        if (int((*m_askedSeeds)[i].label) == m_wanted->label)
+            seeds.push_back((*m_seeds)[i]);
+    }
+    const auto work = [codes = m_codes, labels = m_wanted->asksLabels ? m_labels : nullptr,
+                          seeds = std::move(seeds),
+                          of = *m_wanted](const core::Progress& progress) -> core::Result<Drawn> {
+        core::Result<core::CoarseReach> reach = core::coarseFlood(*codes,
+            labels ? std::span<const std::uint8_t>(*labels) : std::span<const std::uint8_t>(),
+            seeds, of.rule, progress);
+        if (!reach)
+            return tl::unexpected(reach.error());
+        const std::int64_t voxels = reach->voxels;
+        return Drawn{
+            .ghost = ghostOf(std::move(*reach), codes->grid(), of.rule, of.rgb), .voxels = voxels};
+    };
+    m_floods.start(
+        this, work, [this, of = *m_wanted](const core::Result<Drawn>& drawn) { take(of, drawn); });
+}
+
+void GrowthGhost::take(const Wanted& of, const core::Result<Drawn>& drawn)
+{
+    m_isFlooding = false;
+    if (!drawn)
+        return drop();
+    m_shown = of;
+    m_voxels = drawn->voxels;
+    m_workspace.seeds().setGhost(drawn->ghost);
+    Q_EMIT changed();
+    if (m_wanted && !upToDate())
+        advance();
+}
+
+QString GrowthGhost::words() const
+{
+    const core::Volume* volume = m_workspace.volume();
+    if (!m_voxels || !volume)
+        return {};
+    if (*m_voxels == 0)
+        return tr("nothing");
+    const QString size = tr("about %1").arg(millilitreText(*volume, *m_voxels));
+    const GrowSettings& settings = m_workspace.growSettings();
+    // The box is the one that counts.
+    return limitsOn(settings) > (settings.boxed ? 1 : 0) ? tr("%1, without the criteria").arg(size)
+                                                         : size;
+}
+
+} // namespace ui

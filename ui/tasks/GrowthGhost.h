@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/base/Background.h"
+#include "core/base/Result.h"
+#include "core/growth/CoarseFlood.h"
+#include "ui/workspace/PendingSeeds.h"
+
+#include <QObject>
+#include <QString>
+#include <QTimer>
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace core {
+class LabelReader;
+}
+
+namespace ui {
+
+class Workspace;
+
+/// Shows in all views, before a growth begins, about what it would take of the active segment: what
+/// hangs together with its waiting seeds in the interval (core::coarseFlood()), as a translucent
+/// body. The volume is looked at in at most two million cells, whose codes are read once for each
+/// session, a slice at a time; other segments, the editable range and the box of the growth bound
+/// it, and so do none of the other criteria, nor barriers. Everything is computed on threads of its
+/// own, and no edit or picture waits for it. If settings arrive faster than it can follow, only the
+/// latest ones are used. GUI thread.
+class GrowthGhost : public QObject {
+    Q_OBJECT
+
+public:
+    static constexpr std::int64_t usualCells = 1 << 21;
+
+    /// @param mostCells into how many cells a volume is divided at most
+    explicit GrowthGhost(
+        Workspace& workspace, QObject* parent = nullptr, std::int64_t mostCells = usualCells);
+
+    /// Reads the codes of the open session, so that the first ghost comes at once. Does nothing if
+    /// they were read.
+    void prepare();
+    /// Shows the ghost of the present seeds and settings. To be called when any of these may have
+    /// changed; costs nothing if none has. There is none without waiting seeds, or while an edit
+    /// stands open.
+    /// @param wanted false: no ghost
+    /// @param settled false: the interval is about to follow the seeds; the ghost of the active
+    /// segment stays as it is until then
+    void follow(bool wanted, bool settled = true);
+
+    /// About how many voxels the ghost that is shown has; none: there is no ghost.
+    [[nodiscard]] std::optional<std::int64_t> voxels() const { return m_voxels; }
+    /// Whether what is shown is what follow() asked for last.
+    [[nodiscard]] bool upToDate() const { return m_wanted == m_shown; }
+    /// "about 12.4 mL"; empty without a ghost.
+    [[nodiscard]] QString words() const;
+
+Q_SIGNALS:
+    void changed(); ///< voxels()
+
+private:
+    /// What a ghost is of.
+    struct Wanted {
+        int label = 0;
+        std::uint8_t plane = 0;
+        std::uint32_t rgb = 0;
+        std::shared_ptr<const std::vector<gpu::SceneSeed>> seeds;
+        core::CoarseRule rule;
+        bool asksLabels = false; ///< the rule closes labels that there are
+        bool operator==(const Wanted&) const = default;
+    };
+    struct Drawn {
+        PendingSeeds::Ghost ghost;
+        std::int64_t voxels = 0;
+    };
+    using Cells = std::shared_ptr<const std::vector<std::uint8_t>>;
+
+    [[nodiscard]] std::optional<Wanted> present() const;
+    void forget();
+    void drop();
+    void advance();
+    void readSlice();
+    void takeSlice(int layer, std::vector<std::uint16_t> slice);
+    void readSeeds();
+    void readLabels();
+    void readLabelsOn();
+    void loseLabels();
+    void flood();
+    void take(const Wanted& of, const core::Result<Drawn>& drawn);
+
+    Workspace& m_workspace;
+    std::int64_t m_mostCells;
+    std::optional<Wanted> m_wanted;
+    std::optional<Wanted> m_shown;
+    std::optional<std::int64_t> m_voxels;
+    bool m_isFlooding = false;
+    QTimer m_soon; ///< delay of a ghost where there is none: the interval may follow the seeds
+
+    std::shared_ptr<core::CoarseCodes> m_reading; ///< being filled by m_reads; null: not reading
+    int m_nextLayer = 0; ///< of those to ask for
+    int m_layersTaken = 0;
+    bool m_isRefused = false; ///< codes cannot be read in this session
+    std::shared_ptr<const core::CoarseCodes> m_codes; ///< null: not read yet
+
+    /// The seeds that were asked about last, those of all segments; null: none.
+    std::shared_ptr<const std::vector<gpu::SceneSeed>> m_askedSeeds;
+    std::optional<std::vector<core::CoarseSeed>> m_seeds; ///< these with their codes
+
+    std::shared_ptr<core::LabelReader> m_reader; ///< null: not reading
+    std::uint8_t m_labelsPlane = 0; ///< the plane of m_reader and m_labels
+    Cells m_labels; ///< null: not read, or changed since
+
+    core::Background m_floods; ///< these last: they use all of the above
+    core::Background m_reads;
+};
+
+} // namespace ui
