@@ -225,4 +225,41 @@ Result<CoarseReach> coarseFlood(const CoarseCodes& codes, std::span<const std::u
     return flood.reach();
 }
 
+CoarseReach inDoubledCells(const CoarseReach& reach)
+{
+    CoarseReach doubled{.voxels = reach.voxels};
+    if (reach.cells.empty())
+        return doubled;
+    doubled.cells = {reach.cells.minimum / 2, (reach.cells.maximum + 1) / 2};
+    const glm::ivec3 size = doubled.cells.maximum - doubled.cells.minimum;
+    struct Count {
+        std::uint8_t cells = 0;
+        std::uint8_t reached = 0;
+        bool isAny = false;
+    };
+    std::vector<Count> counts(std::size_t(size.x) * std::size_t(size.y) * std::size_t(size.z));
+    std::size_t from = 0;
+    for (int z = reach.cells.minimum.z; z < reach.cells.maximum.z; ++z) {
+        for (int y = reach.cells.minimum.y; y < reach.cells.maximum.y; ++y) {
+            const glm::ivec3 row = glm::ivec3(0, y, z) / 2 - doubled.cells.minimum;
+            const std::size_t first =
+                (std::size_t(row.z) * std::size_t(size.y) + std::size_t(row.y))
+                * std::size_t(size.x);
+            for (int x = reach.cells.minimum.x; x < reach.cells.maximum.x; ++x, ++from) {
+                Count& count = counts[first + std::size_t(x / 2 - doubled.cells.minimum.x)];
+                ++count.cells;
+                count.reached += reach.states[from] == CoarseReach::Reached ? 1 : 0;
+                count.isAny = count.isAny || reach.states[from] != CoarseReach::Beyond;
+            }
+        }
+    }
+    doubled.states.reserve(counts.size());
+    for (const Count& count : counts)
+        doubled.states.push_back(count.reached > 0 && 2 * count.reached >= count.cells
+                ? CoarseReach::Reached
+                : count.isAny ? CoarseReach::Rim
+                              : CoarseReach::Beyond);
+    return doubled;
+}
+
 } // namespace core

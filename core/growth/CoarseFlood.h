@@ -63,4 +63,8 @@ struct CoarseReach {
     std::span<const std::uint8_t> labels, const std::vector<CoarseSeed>& seeds,
     const CoarseRule& rule, const Progress& progress = Progress());
 
+/// The same in cells of twice the side along all axes: Reached where at least half of the cells
+/// are, Rim where any other is not Beyond.
+[[nodiscard]] CoarseReach inDoubledCells(const CoarseReach& reach);
+
 } // namespace core

@@ -22,14 +22,20 @@ namespace {
 
 constexpr int slicesAtOnce = 4; ///< asked for; each is a short question, so that edits come between
 constexpr int soonMilliseconds = 15;
+/// The thread that draws smooths the body for the 3D view, for so many cells in some milliseconds.
+constexpr std::size_t mostDrawn = 1 << 18;
 constexpr float opacity = 0.3f;
 
 /// @param of the flood
-PendingSeeds::Ghost ghostOf(core::CoarseReach reach, const core::CoarseGrid& grid,
-    const core::CoarseRule& of, std::uint32_t rgb)
+PendingSeeds::Ghost ghostOf(
+    core::CoarseReach reach, core::CoarseGrid grid, const core::CoarseRule& of, std::uint32_t rgb)
 {
     if (reach.cells.empty())
         return {};
+    while (reach.states.size() > mostDrawn) {
+        reach = core::inDoubledCells(reach);
+        grid.cell *= 2;
+    }
     auto areas = std::make_shared<gpu::SceneChunks>();
     areas->box = {reach.cells.minimum * grid.cell,
         glm::min(reach.cells.maximum * grid.cell, grid.volumeSize)};

@@ -272,6 +272,29 @@ private Q_SLOTS:
         QCOMPARE(endAlongX(*boxed, joined.grid()), 26);
     }
 
+    void doubledCellsHoldWhatTheSingleOnesHold()
+    {
+        const Codes codes = ballAt({61, 58, 50}, {31.0, 27.0, 24.0}, 17.0);
+        const std::vector<CoarseSeed> seeds{seedAt(codes, {31, 27, 24})};
+        const CoarseCodes coarse = sampled(codes, 31 * 29 * 25);
+        QCOMPARE(coarse.grid().cell, glm::ivec3(2));
+        const CoarseReach single = coarseFlood(coarse, {}, seeds, tissue).value();
+        CoarseGrid grid = coarse.grid();
+        grid.cell *= 2;
+        const CoarseReach doubled = inDoubledCells(single);
+        const glm::ivec3 size = doubled.cells.maximum - doubled.cells.minimum;
+        QCOMPARE(doubled.states.size(), std::size_t(size.x * size.y * size.z));
+        QVERIFY(doubled.states.size() < single.states.size() / 5);
+        QCOMPARE(doubled.voxels, single.voxels);
+        const Bytes wanted = drawn(codes, coarse.grid(), single, tissue);
+        QCOMPARE(drawn(codes, grid, doubled, tissue).values, wanted.values);
+        const auto reached =
+            std::count(doubled.states.begin(), doubled.states.end(), CoarseReach::Reached);
+        const double share = 64.0 * double(reached) / double(single.voxels);
+        QVERIFY2(share > 0.8 && share < 1.2, qPrintable(QString::number(share)));
+        QVERIFY(inDoubledCells({}).states.empty());
+    }
+
     void seedsMustQualify()
     {
         const Codes codes = ballAt({40, 40, 40}, {20.0, 20.0, 20.0}, 9.0);
