@@ -227,7 +227,8 @@ Result<CoarseReach> coarseFlood(const CoarseCodes& codes, std::span<const std::u
 
 CoarseReach inDoubledCells(const CoarseReach& reach)
 {
-    CoarseReach doubled{.voxels = reach.voxels};
+    CoarseReach doubled;
+    doubled.voxels = reach.voxels;
     if (reach.cells.empty())
         return doubled;
     doubled.cells = {reach.cells.minimum / 2, (reach.cells.maximum + 1) / 2};

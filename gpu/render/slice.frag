@@ -35,7 +35,8 @@ layout(binding = 7) uniform sampler2D palette;   // rgb, opacity (0: not shown)
 #if CHUNKS
 layout(binding = 24) uniform usampler3D chunkLeaves; // leaf + 1 by cell of their box
 layout(binding = 25) uniform sampler2D chunkColours; // by leaf, alpha 0: none; above it the rims
-uniform ivec3 chunkOrigin;
+uniform ivec3 chunkOrigin; // index: the box, up to one before the second
+uniform ivec3 chunkEnd;
 uniform ivec3 chunkCell; // voxels
 uniform ivec2 chunkCodes; // only voxels with these are drawn; all, if no code comes to the second
 uniform float chunkOpacity;
@@ -145,10 +146,8 @@ vec4 entryOf(uint label, uint place, ivec3 voxel)
 int chunkLeafAt(vec3 index)
 {
     const ivec3 there = nearestVoxel(index);
-    const ivec3 within = there - chunkOrigin;
-    const ivec3 cell = max(within, ivec3(0)) / chunkCell;
-    bool has = all(greaterThanEqual(within, ivec3(0)))
-        && all(lessThan(cell, textureSize(chunkLeaves, 0)));
+    const ivec3 cell = max(there - chunkOrigin, ivec3(0)) / chunkCell;
+    bool has = all(greaterThanEqual(there, chunkOrigin)) && all(lessThan(there, chunkEnd));
     if (has && chunkCodes.y < 65536) {
         const int code = int(texelFetch(intensity, there, 0).r * 65535.0 + 0.5);
         has = code >= chunkCodes.x && code <= chunkCodes.y;

@@ -129,6 +129,7 @@ void ChunkTextures::bind(Program& program, const SceneChunks& chunks, Drawn draw
     const core::CodeRange codes = chunks.codes.value_or(
         core::CodeRange{.lowest = 0, .highest = core::VoxelEncoding::codeCount});
     program.set("chunkOrigin", chunks.box.minimum)
+        .set("chunkEnd", chunks.box.maximum)
         .set("chunkCell", chunks.cell)
         .set("chunkCodes", glm::ivec2(codes.lowest, codes.highest))
         .set("chunkOpacity", chunks.opacity);

@@ -10,7 +10,8 @@ layout(binding = 26) uniform sampler3D chunkBodies; // smoothed colours of voxel
 layout(binding = 27) uniform usampler3D chunkCells; // 0: the cell has a single colour
 
 /* Uniforms */
-uniform ivec3 chunkOrigin; // index
+uniform ivec3 chunkOrigin; // index: the box, up to one before the second
+uniform ivec3 chunkEnd;
 uniform ivec3 chunkCell;   // voxels
 uniform float chunkOpacity;
 
@@ -72,7 +73,8 @@ vec3 chunkNormal(vec3 place, vec4 change)
 /// Adds the chunks to what is seen: those in front of it, and those behind it faintly.
 vec3 withChunks(Ray ray, vec3 seen)
 {
-    const vec3 size = vec3(textureSize(chunkLeaves, 0));
+    // The last cells may be cut off.
+    const vec3 size = vec3(chunkEnd - chunkOrigin) / vec3(chunkCell);
     const vec3 side = voxel * vec3(chunkCell);
     const vec3 origin // index of the box
         = ray.origin / side - 0.5 - vec3(chunkOrigin) / vec3(chunkCell);
