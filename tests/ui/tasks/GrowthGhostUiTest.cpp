@@ -243,6 +243,7 @@ private Q_SLOTS:
         QTest::newRow("the study is closed") << 3;
         QTest::newRow("the switch") << 4;
         QTest::newRow("a step of growth") << 5;
+        QTest::newRow("a segment at a tolerance") << 6;
     }
 
     void goesWhenThereIsNothingToForesee()
@@ -272,6 +273,12 @@ private Q_SLOTS:
             QVERIFY(!fixture.areas());
             comesBack = true;
             break;
+        case 6:
+            fixture.workspace.setAtTolerance(gpu::ToleranceDisplay{.label = 1, .tolerance = 3});
+            QVERIFY(!fixture.areas());
+            fixture.workspace.setAtTolerance({});
+            QVERIFY(fixture.waitFor([&] { return fixture.areas() != nullptr; }));
+            return;
         default:
             QTest::mouseClick(
                 fixture.panel.findChild<QPushButton*>(QStringLiteral("growStep")), Qt::LeftButton);

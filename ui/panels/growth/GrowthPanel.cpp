@@ -247,6 +247,7 @@ void GrowthPanel::buildGhost()
     connect(&m_workspace, &Workspace::growSettingsChanged, this, &GrowthPanel::followGhost);
     connect(&m_workspace, &Workspace::editableChanged, this, &GrowthPanel::followGhost);
     connect(&m_workspace, &Workspace::activeToolChanged, this, &GrowthPanel::followGhost);
+    connect(&m_workspace, &Workspace::atToleranceChanged, this, &GrowthPanel::followGhost);
     connect(&m_workspace.seeds(), &PendingSeeds::updated, this, &GrowthPanel::followGhost);
 }
 
@@ -339,7 +340,9 @@ void GrowthPanel::followGhost()
         m_ghostShown->isChecked() && qobject_cast<SeedTool*>(m_workspace.activeTool());
     if (isSketching)
         m_ghost->prepare();
-    m_ghost->follow(isSketching && !running(), !m_fromSeeds->isLooking());
+    // One foresight at a time: the tolerance bar shows the segment itself as it would be.
+    const bool isWanted = isSketching && !running() && !m_workspace.atTolerance();
+    m_ghost->follow(isWanted, !m_fromSeeds->isLooking());
     m_ghostText->setText(m_ghost->words());
 }
 
