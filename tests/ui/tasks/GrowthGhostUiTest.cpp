@@ -4,11 +4,13 @@
 #include "core/session/EditSession.h"
 #include "core/session/questions/VoxelQuestions.h"
 #include "tests/support/faults/FailingLog.h"
+#include "tests/support/fixtures/WindowFixture.h"
 #include "tests/support/fixtures/WorkspaceFixture.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/PlainEdits.h"
 #include "ui/panels/growth/GrowthPanel.h"
 #include "ui/tools/growth/SeedTool.h"
+#include "ui/views/ViewGrid.h"
 #include "ui/workspace/SegmentActions.h"
 
 #include <QCheckBox>
@@ -171,6 +173,37 @@ private Q_SLOTS:
         QVERIFY(fixture.waitFor([&] { return fixture.workspace.seeds().seeds().empty(); }));
         QTest::qWait(60);
         QVERIFY(!fixture.areas() && fixture.text().isEmpty());
+    }
+
+    /// A line with the mouse in a slice; the first sketch makes its segment.
+    void aSketchInTheWindowIsSeenInItsViews()
+    {
+        test::WindowFixture fixture(smallHead::volume());
+        ui::GrowthPanel panel(fixture.workspace);
+        panel.findChild<QCheckBox*>(QStringLiteral("growthPreview"))->setChecked(true);
+        ui::SeedTool tool(fixture.workspace);
+        fixture.workspace.setActiveTool(&tool);
+        ui::SliceView& axial = fixture.window.views().axial();
+        const QPointF middle = fixture.pixel(axial, glm::dvec3(20.0));
+        fixture.mouse(axial, QEvent::MouseButtonPress, middle - QPointF(6.0, 0.0));
+        fixture.mouse(axial, QEvent::MouseMove, middle);
+        fixture.mouse(axial, QEvent::MouseMove, middle + QPointF(6.0, 2.0));
+        fixture.mouse(axial, QEvent::MouseButtonRelease, middle + QPointF(6.0, 2.0));
+        const auto inSlice = [&] {
+            return std::get<gpu::SliceScene>(axial.context().scene).chunks;
+        };
+        const auto inVolume = [&] {
+            const ui::VolumeView& view = fixture.window.views().volume();
+            return std::get<gpu::VolumeScene>(view.context().scene).chunks;
+        };
+        QVERIFY(QTest::qWaitFor(
+            [&] { return fixture.session().settle().has_value() && inSlice() != nullptr; }));
+        const ui::PendingSeeds::Ghost ghost = fixture.workspace.seeds().ghost();
+        QCOMPARE(inSlice(), ghost.areas);
+        QCOMPARE(inVolume(), ghost.bodies);
+        QCOMPARE(countOf(drawn(*ghost.areas)), smallHead::voxelsOf(smallHead::ventricleHu));
+        fixture.workspace.setActiveTool(nullptr);
+        QVERIFY(!inSlice() && !inVolume());
     }
 
     void followsTheInterval()
