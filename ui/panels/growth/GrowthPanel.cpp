@@ -115,6 +115,10 @@ void GrowthPanel::build()
         followInterval();
         settleInterval();
     });
+    // The traced tolerance stands in place of the slider: both set the interval around the seeds.
+    auto* tolerance = new ToleranceSection(m_workspace, this);
+    m_fromSeeds->addButton(tolerance->takeButton());
+    connect(tolerance, &ToleranceSection::barShown, m_fromSeeds, &SeedInterval::setReplaced);
     m_step = transportButton(this, QStringLiteral("growStep"), QStringLiteral("step"), tr("Step"));
     m_step->setToolTip(tr("Grow by one generation"));
     m_play = transportButton(this, QStringLiteral("growPlay"), QStringLiteral("play"), tr("Grow"));
@@ -217,6 +221,7 @@ void GrowthPanel::build()
     layout->setSpacing(theme::smallPadding);
     layout->addWidget(m_advice);
     layout->addWidget(m_fromSeeds);
+    layout->addWidget(tolerance);
     layout->addWidget(m_range);
     layout->addWidget(m_intervalChange);
     layout->addWidget(new PlainLimits(m_workspace, this));
@@ -230,7 +235,6 @@ void GrowthPanel::build()
     layout->addLayout(back);
     layout->addLayout(again);
     layout->addWidget(m_criteria);
-    layout->addWidget(new ToleranceSection(m_workspace, this));
     layout->addLayout(pace);
     layout->addWidget(m_progress);
     layout->addWidget(m_generations);

@@ -68,7 +68,8 @@ SeedInterval::SeedInterval(Workspace& workspace, QWidget* parent)
 
 void SeedInterval::build()
 {
-    m_tolerance = new QSlider(Qt::Horizontal, this);
+    m_sliderRow = new QWidget(this);
+    m_tolerance = new QSlider(Qt::Horizontal, m_sliderRow);
     m_tolerance->setObjectName(QStringLiteral("growTolerance"));
     m_tolerance->setRange(tight, loose);
     m_tolerance->setValue(usual);
@@ -92,23 +93,36 @@ void SeedInterval::build()
     m_note->setStyleSheet(QStringLiteral("color: %1").arg(theme::caution.name()));
     connect(m_note, &QLabel::linkActivated, this, &SeedInterval::use);
     // In a narrow panel the slider needs a row of its own.
-    auto* slider = new QHBoxLayout;
+    auto* slider = new QHBoxLayout(m_sliderRow);
+    slider->setContentsMargins(0, 0, 0, 0);
     slider->setSpacing(theme::smallPadding);
-    slider->addWidget(word(tr("tight"), this));
+    slider->addWidget(word(tr("tight"), m_sliderRow));
     slider->addWidget(m_tolerance, 1);
-    slider->addWidget(word(tr("loose"), this));
-    auto* below = new QHBoxLayout;
-    below->setSpacing(theme::smallPadding);
-    below->addWidget(m_text, 1);
-    below->addWidget(m_use);
+    slider->addWidget(word(tr("loose"), m_sliderRow));
+    m_buttons = new QHBoxLayout;
+    m_buttons->setSpacing(theme::smallPadding);
+    m_buttons->addWidget(m_text);
+    m_buttons->addStretch(1);
+    m_buttons->addWidget(m_use);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(theme::smallPadding);
-    layout->addLayout(slider);
-    layout->addLayout(below);
+    layout->addWidget(m_sliderRow);
+    layout->addLayout(m_buttons);
     connect(m_use, &QToolButton::clicked, this, &SeedInterval::use);
     connect(m_tolerance, &QSlider::valueChanged, this, &SeedInterval::moveTolerance);
     connect(m_tolerance, &QSlider::sliderReleased, this, &SeedInterval::use);
+}
+
+void SeedInterval::addButton(QWidget* button)
+{
+    m_buttons->addWidget(button);
+}
+
+void SeedInterval::setReplaced(bool replaced)
+{
+    m_sliderRow->setVisible(!replaced);
+    m_text->setVisible(!replaced);
 }
 
 void SeedInterval::forget()

@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+class QHBoxLayout;
 class QLabel;
 class QSlider;
 class QToolButton;
@@ -45,6 +46,10 @@ public:
     void followHistory();
     /// To be called when another session is opened.
     void forget();
+    /// Puts a button beside the one that uses the seeds.
+    void addButton(QWidget* button);
+    /// Hides the slider while another control of the tolerance stands in its place.
+    void setReplaced(bool replaced);
     /// The values under the seeds, in modality units.
     [[nodiscard]] const std::vector<double>& values() const { return m_values; }
     /// Whether the values are being looked up, after which the interval may follow them.
@@ -88,6 +93,8 @@ private:
 
     Workspace& m_workspace;
     QToolButton* m_use = nullptr;
+    QHBoxLayout* m_buttons = nullptr;
+    QWidget* m_sliderRow = nullptr;
     QSlider* m_tolerance = nullptr;
     QLabel* m_text = nullptr;
     QLabel* m_note = nullptr;

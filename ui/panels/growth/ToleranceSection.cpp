@@ -25,6 +25,7 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <utility>
 
 namespace ui {
 
@@ -89,9 +90,10 @@ ToleranceSection::ToleranceSection(Workspace& workspace, QWidget* parent)
 
 void ToleranceSection::build()
 {
-    auto* title = new QLabel(tr("Tolerance"), this);
+    m_head = new QWidget(this);
+    auto* title = new QLabel(tr("Tolerance"), m_head);
     title->setProperty("role", QStringLiteral("secondary"));
-    m_trace = new QPushButton(tr("Trace"), this);
+    m_trace = new QPushButton(tr("Trace"), m_head);
     m_trace->setObjectName(QStringLiteral("toleranceTrace"));
     m_trace->setProperty("role", QStringLiteral("narrow"));
     m_trace->setCheckable(true);
@@ -111,7 +113,8 @@ void ToleranceSection::build()
     m_text->setObjectName(QStringLiteral("toleranceText"));
     m_text->setFont(theme::smallFont());
     m_text->setWordWrap(true);
-    auto* head = new QHBoxLayout;
+    auto* head = new QHBoxLayout(m_head);
+    head->setContentsMargins(0, 0, 0, 0);
     head->setSpacing(theme::smallPadding);
     head->addWidget(title);
     head->addStretch(1);
@@ -119,9 +122,17 @@ void ToleranceSection::build()
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(theme::smallPadding);
-    layout->addLayout(head);
+    layout->addWidget(m_head);
     layout->addWidget(m_bar);
     layout->addWidget(m_text);
+}
+
+QPushButton* ToleranceSection::takeButton()
+{
+    m_trace->setParent(nullptr);
+    delete std::exchange(m_head, nullptr);
+    showText();
+    return m_trace;
 }
 
 core::Result<core::ToleranceRule> ToleranceSection::rule() const
@@ -308,7 +319,10 @@ void ToleranceSection::makeReal(int tolerance)
 
 void ToleranceSection::showText()
 {
-    m_bar->setVisible(!m_bar->members().empty());
+    const bool hasBar = !m_bar->members().empty();
+    m_bar->setVisible(hasBar);
+    if (std::exchange(m_hasBar, hasBar) != hasBar)
+        Q_EMIT barShown(hasBar);
     QString text = m_whyNot;
     if (m_on && text.isEmpty() && m_bar->members().empty()) {
         text = tr("Working it out …");
@@ -323,6 +337,8 @@ void ToleranceSection::showText()
     }
     m_text->setText(text);
     m_text->setVisible(!text.isEmpty());
+    if (!m_head)
+        setVisible(hasBar || !text.isEmpty());
 }
 
 } // namespace ui

@@ -32,6 +32,13 @@ public:
 
     /// Whether the field is complete and up to date.
     [[nodiscard]] bool traced() const { return m_traced && !m_asking && !m_stale; }
+    /// Takes the button that switches it on out of the section, for another place. What remains is
+    /// hidden while it has nothing to show.
+    [[nodiscard]] QPushButton* takeButton();
+
+Q_SIGNALS:
+    /// The bar appears, or is gone.
+    void barShown(bool shown);
 
 private:
     void build();
@@ -51,8 +58,10 @@ private:
     [[nodiscard]] core::Result<core::ToleranceRule> rule() const;
 
     Workspace& m_workspace;
+    QWidget* m_head = nullptr; ///< null: the button was taken
     QPushButton* m_trace = nullptr;
     ToleranceBar* m_bar = nullptr;
+    bool m_hasBar = false; ///< the bar is shown
     QLabel* m_text = nullptr;
     QTimer m_again; ///< traces once after several steps in quick succession
     /// The session that is to answer; only compared, never called.

@@ -8,6 +8,7 @@
 #include "tests/support/scenes/PlainEdits.h"
 #include "ui/base/NumberText.h"
 #include "ui/overlays/Readout.h"
+#include "ui/panels/growth/GrowthPanel.h"
 #include "ui/panels/growth/ToleranceBar.h"
 #include "ui/workspace/PendingSeeds.h"
 #include "ui/workspace/SegmentActions.h"
@@ -15,6 +16,7 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QSignalSpy>
+#include <QSlider>
 #include <QtTest>
 
 #include <algorithm>
@@ -110,6 +112,39 @@ private Q_SLOTS:
         fixture.wait();
         QVERIFY(fixture.bar.isVisible());
         QVERIFY(!fixture.text().contains(QStringLiteral("no seeds")));
+    }
+
+    /// In the panel it is one control with the slider of the sketch: one of both is shown.
+    void theBarStandsInPlaceOfTheSlider()
+    {
+        WorkspaceFixture fixture;
+        ui::GrowthPanel panel(fixture.workspace);
+        panel.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&panel) && ui::addSegment(fixture.workspace));
+        fixture.apply(WorkspaceFixture::middleSeed(1));
+        const auto* slider = panel.findChild<QSlider*>(QStringLiteral("growTolerance"));
+        const auto* bar = panel.findChild<ToleranceBar*>();
+        auto* button = panel.findChild<QPushButton*>(QStringLiteral("toleranceTrace"));
+        const auto isShown = [&](const QWidget* one, const QWidget* other) {
+            return QTest::qWaitFor([&] {
+                fixture.session().poll();
+                return one->isVisible() && !other->isVisible();
+            });
+        };
+        QVERIFY(isShown(slider, bar));
+        QVERIFY(button->isVisible());
+        const int top = slider->mapTo(&panel, QPoint()).y();
+        QTest::mouseClick(button, Qt::LeftButton);
+        QVERIFY(isShown(bar, slider));
+        QVERIFY(bar->mapTo(&panel, QPoint()).y() < top + 2 * button->height());
+        QTest::mouseClick(button, Qt::LeftButton);
+        QVERIFY(isShown(slider, bar));
+        // Without seeds there is no bar that could stand there.
+        QVERIFY(fixture.session().undo());
+        fixture.settle();
+        QTest::mouseClick(button, Qt::LeftButton);
+        QTest::qWait(300);
+        QVERIFY(isShown(slider, bar));
     }
 
     void drawsTheCurveAndItsJumps()
