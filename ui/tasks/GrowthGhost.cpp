@@ -26,6 +26,17 @@ constexpr int soonMilliseconds = 15;
 constexpr std::size_t mostDrawn = 1 << 18;
 constexpr float opacity = 0.3f;
 
+/// Lighter than the segment, which is drawn much alike.
+std::uint32_t lighter(std::uint32_t rgb)
+{
+    std::uint32_t result = 0;
+    for (const int shift : {0, 8, 16}) {
+        const std::uint32_t channel = rgb >> shift & 0xFFu;
+        result |= (channel + (0xFFu - channel) * 2 / 5) << shift;
+    }
+    return result;
+}
+
 /// @param of the flood
 PendingSeeds::Ghost ghostOf(
     core::CoarseReach reach, core::CoarseGrid grid, const core::CoarseRule& of, std::uint32_t rgb)
@@ -43,7 +54,7 @@ PendingSeeds::Ghost ghostOf(
     areas->leaves = std::make_shared<const std::vector<std::uint16_t>>(std::move(reach.states));
     areas->codes = core::CodeRange{.lowest = of.lowCode, .highest = of.highCode};
     areas->opacity = opacity;
-    const std::uint32_t argb = 0xFF000000u | rgb;
+    const std::uint32_t argb = 0xFF000000u | lighter(rgb);
     areas->argb = {argb, argb}; // by core::CoarseReach::State
     auto bodies = std::make_shared<gpu::SceneChunks>(*areas);
     bodies->argb = {argb, 0};
