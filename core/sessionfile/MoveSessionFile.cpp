@@ -195,7 +195,7 @@ Result<void> SessionFile::followTo(const QString& path)
         return failure(
             ErrorCode::FileUnwritable, path, Clause::saying("%1; %2", what, m_tables->reason()));
     Error shut{ErrorCode::FileUnwritable, {path}};
-    m_tables->leaveName();
+    m_tables->leaveName(path);
     m_whyShut = std::move(shut);
     m_tables.reset();
     setPath(path);
@@ -220,7 +220,7 @@ Result<void> SessionFile::writeAnew()
     if (!made)
         return named(made.error());
     // The connection reads on without a name of its own; beside the new file it would be damage.
-    m_tables->leaveName();
+    m_tables->leaveName({});
     constexpr int tries = 5;
     for (int i = 0; i < tries; ++i) {
         const QString target = freeSessionName(before);

@@ -86,10 +86,13 @@ void SessionDatabase::leaveWalOfLostName()
     bool isWhole = false;
     for (int i = 0; !isWhole && i < closingTries; ++i)
         static_cast<void>(guarded([&] { isWhole = gather(); }));
-    if (isWhole)
-        return leaveName();
     const QString file = m_followed.path();
-    if (!file.isEmpty() && moveSessionPart(m_wal, file + QLatin1String("-wal")))
+    const bool isBesideIt = goesWith(file);
+    if (isWhole && isBesideIt)
+        return closeAt(file);
+    if (isWhole)
+        return leaveName({});
+    if (isBesideIt)
         return;
     const QString wal = walOf(m_file);
     if (!QFileInfo::exists(m_file) || !m_wal.isAt(wal))
@@ -101,6 +104,22 @@ void SessionDatabase::leaveWalOfLostName()
         if (moveSessionPart(m_wal, wal + QLatin1String(".left") + number))
             return;
     }
+}
+
+/// Everything is in the file itself, which says still that its last writes are in the one beside
+/// it: opened and closed by the name that it has now, it is a single file. If the disk does not let
+/// it be, the one beside it stays, empty, and nobody asks for it.
+void SessionDatabase::closeAt(const QString& file)
+{
+    m_connection.close();
+    m_use = SessionUse();
+    static_cast<void>(open(file, false));
+}
+
+/// Renames the file of last writes with the file that was renamed. @return whether it is there now
+bool SessionDatabase::goesWith(const QString& file) const
+{
+    return !file.isEmpty() && moveSessionPart(m_wal, file + QLatin1String("-wal"));
 }
 
 Result<std::unique_ptr<SessionDatabase>> SessionDatabase::create(
@@ -311,10 +330,11 @@ bool SessionDatabase::gather()
         && isWhole;
 }
 
-void SessionDatabase::leaveName()
+void SessionDatabase::leaveName(const QString& now)
 {
     m_hasLeftName = true;
-    removeSessionPart(m_wal);
+    if (!goesWith(now))
+        removeSessionPart(m_wal);
 }
 
 bool SessionDatabase::run(const QString& sql, const QVariantList& values)

@@ -63,7 +63,10 @@ public:
     [[nodiscard]] bool gather();
     /// Leaves nothing beside the name of before; the connection works on until it is destroyed,
     /// but what it writes then is lost with it.
-    void leaveName();
+    /// @param now where the file is, if everything was put into it: its write-ahead log, which is
+    /// empty, goes there, so that nobody misses it if the file is not opened again; empty: the log
+    /// is removed
+    void leaveName(const QString& now);
     /// Whether @p path, beside some session, is its own write-ahead log.
     [[nodiscard]] bool isOwnWal(const QString& path) const
     {
@@ -81,6 +84,8 @@ private:
     explicit SessionDatabase(QString path);
     void leaveWal();
     void leaveWalOfLostName();
+    void closeAt(const QString& file);
+    [[nodiscard]] bool goesWith(const QString& file) const;
     [[nodiscard]] Result<QString> copyPrivately();
     [[nodiscard]] Result<void> connect(const QString& name, const QString& options);
     [[nodiscard]] Result<void> checkFormat();

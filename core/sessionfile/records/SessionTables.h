@@ -32,7 +32,7 @@ public:
     [[nodiscard]] bool holdsImages();
     // As in SessionDatabase.
     [[nodiscard]] bool gather() { return m_database->gather(); }
-    void leaveName() { m_database->leaveName(); }
+    void leaveName(const QString& now) { m_database->leaveName(now); }
     [[nodiscard]] bool isOwnWal(const QString& path) const { return m_database->isOwnWal(path); }
     [[nodiscard]] Clause reason() const { return m_database->reason(); }
 

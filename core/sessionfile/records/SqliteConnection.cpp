@@ -64,8 +64,13 @@ SqliteConnection::SqliteConnection()
 
 SqliteConnection::~SqliteConnection()
 {
-    QSqlDatabase::database(m_name, false).close();
+    close();
     QSqlDatabase::removeDatabase(m_name);
+}
+
+void SqliteConnection::close()
+{
+    QSqlDatabase::database(m_name, false).close();
 }
 
 bool SqliteConnection::open(const QString& name, const QString& options, const QString& file)

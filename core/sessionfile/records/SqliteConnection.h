@@ -35,6 +35,8 @@ public:
     /// schema.
     [[nodiscard]] bool harden();
     [[nodiscard]] bool wasOpened() const;
+    /// Lets go of the file and of its locks; no statement may follow.
+    void close();
     /// Whether the file was opened for reading only. SQLite does that if the system refuses
     /// writing, and does not keep the reason.
     [[nodiscard]] bool isForReading() const;
