@@ -2,6 +2,8 @@
 #include "core/sessionfile/records/SqliteConnection.h"
 
 #include "core/base/Guarded.h"
+#include "core/base/files/SystemFile.h"
+#include "core/sessionfile/records/RefusedWrites.h"
 
 #include <QFileInfo>
 #include <QSqlDatabase>
@@ -55,11 +57,41 @@ bool hardenHandle(sqlite3* handle)
     return true;
 }
 
+/// errno of the file for which bringing something to the disk failed; 0: unknown. SQLite keeps it
+/// with the file, of which there are two.
+int refusedSync(sqlite3* handle)
+{
+    int error = 0;
+    sqlite3_file* beside = nullptr;
+    if (!handle)
+        return error;
+    sqlite3_file_control(handle, "main", SQLITE_FCNTL_JOURNAL_POINTER, &beside);
+    if (beside && beside->pMethods && beside->pMethods->xFileControl)
+        beside->pMethods->xFileControl(beside, SQLITE_FCNTL_LAST_ERRNO, &error);
+    if (error == 0)
+        sqlite3_file_control(handle, "main", SQLITE_FCNTL_LAST_ERRNO, &error);
+    return error;
+}
+
+/// In the system's words if it is the system that refused something: SQLite only says "disk I/O
+/// error" if a quota is used up.
+QString reasonOf(const QSqlDatabase& database, const QSqlError& error)
+{
+    const int code = error.nativeErrorCode().toInt();
+    const int kind = code & 0xFF;
+    const bool isOfSystem = kind == SQLITE_IOERR || kind == SQLITE_FULL || kind == SQLITE_CANTOPEN;
+    int refused = isOfSystem ? lastRefusedWrite() : 0;
+    if (code == SQLITE_IOERR_FSYNC)
+        refused = refusedSync(sqliteOf(database));
+    return refused != 0 ? systemReason(refused) : error.databaseText();
+}
+
 } // namespace
 
 SqliteConnection::SqliteConnection()
     : m_name(newConnectionName())
 {
+    noteRefusedWrites();
 }
 
 SqliteConnection::~SqliteConnection()
@@ -81,9 +113,10 @@ bool SqliteConnection::open(const QString& name, const QString& options, const Q
     database.setConnectOptions(options.isEmpty()
             ? QStringLiteral("QSQLITE_BUSY_TIMEOUT=500")
             : options + QStringLiteral(";QSQLITE_BUSY_TIMEOUT=500"));
+    forgetRefusedWrites();
     if (database.open())
         return true;
-    m_failure.reason = database.lastError().databaseText();
+    m_failure.reason = reasonOf(database, database.lastError());
     return false;
 }
 
@@ -150,7 +183,9 @@ bool SqliteConnection::query(const QString& sql, const QVariantList& values,
     const std::function<bool(const QSqlQuery&)>& take)
 {
     m_work = 0;
-    QSqlQuery statement(QSqlDatabase::database(m_name, false));
+    forgetRefusedWrites();
+    const QSqlDatabase database = QSqlDatabase::database(m_name, false);
+    QSqlQuery statement(database);
     statement.setForwardOnly(true);
     bool good = statement.prepare(sql);
     if (good) {
@@ -164,8 +199,9 @@ bool SqliteConnection::query(const QString& sql, const QVariantList& values,
     }
     // A failure while stepping through an answer ends next() like the last row does.
     if (statement.lastError().isValid()) {
-        m_failure.reason =
-            m_explanation.isEmpty() ? Clause(statement.lastError().databaseText()) : m_explanation;
+        m_failure.reason = m_explanation.isEmpty()
+            ? Clause(reasonOf(database, statement.lastError()))
+            : m_explanation;
         m_failure.code = statement.lastError().nativeErrorCode();
         // What follows from it must not be taken for what the file says.
         if ((m_failure.code.toInt() & 0xFF) == 7) // SQLITE_NOMEM

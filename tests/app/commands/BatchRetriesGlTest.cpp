@@ -67,20 +67,23 @@ private Q_SLOTS:
 
     void whatMayPassIsTriedAgain_data()
     {
+        QTest::addColumn<QByteArray>("calls");
         QTest::addColumn<int>("error");
         QTest::addColumn<int>("attempts");
-        QTest::newRow("no room on the disk") << ENOSPC << 2;
-        QTest::newRow("no room for this user") << EDQUOT << 2;
-        QTest::newRow("no permission") << EACCES << 1;
+        QTest::newRow("no room on the disk") << QByteArray("open") << ENOSPC << 2;
+        QTest::newRow("no room for this user") << QByteArray("open") << EDQUOT << 2;
+        QTest::newRow("no room for this user's session") << QByteArray("write") << EDQUOT << 2;
+        QTest::newRow("no permission") << QByteArray("open") << EACCES << 1;
     }
     void whatMayPassIsTriedAgain()
     {
+        QFETCH(QByteArray, calls);
         QFETCH(int, error);
         QFETCH(int, attempts);
-        // The run of the study can open no file.
+        // The run of the study can open no file, or write into none.
         const Outcome failed = batch({key("--retries"), key("1")},
             {.under = folder(),
-                .calls = "open",
+                .calls = calls,
                 .first = 1,
                 .last = always,
                 .error = error,

@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/sessionfile/records/SqliteConnection.h"
+
+#include "core/base/files/SystemFile.h"
+#include "core/sessionfile/records/RefusedWrites.h"
+#include "tests/support/faults/FileShim.h"
+#include "tests/support/faults/FileSizeLimit.h"
+#include "tests/support/program/TestProgram.h"
+
+#include <QDir>
+#include <QFileInfo>
+#include <QProcess>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <cerrno>
+#include <cstdio>
+#include <map>
+#include <utility>
+
+namespace sqliteConnectionTest {
+
+using namespace core;
+
+namespace {
+
+constexpr const char* writtenIn = "BURIN_WRITTEN_IN";
+
+/// What a session does: rows in a log beside the file, which is put into it, and a copy.
+bool writeAll(SqliteConnection& connection, const QString& folder)
+{
+    const QString file = QDir(folder).filePath(QStringLiteral("a.db"));
+    return connection.open(file, {}, file) && connection.harden()
+        && connection.run(QStringLiteral("PRAGMA locking_mode=EXCLUSIVE"))
+        && connection.run(QStringLiteral("PRAGMA journal_mode=WAL"))
+        && connection.run(QStringLiteral("PRAGMA synchronous=FULL"))
+        && connection.run(QStringLiteral("CREATE TABLE t (a)"))
+        && connection.transaction([&connection] {
+               return connection.run(QStringLiteral("INSERT INTO t VALUES (randomblob(20000))"));
+           })
+        && connection.run(QStringLiteral("PRAGMA wal_checkpoint(TRUNCATE)"))
+        && connection.run(
+            QStringLiteral("VACUUM INTO ?"), {QDir(folder).filePath(QStringLiteral("copy.db"))});
+}
+
+} // namespace
+
+/// What writes on the disk that fails. It tells on stdout why it could not.
+class ConnectionOnFailingDisk : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void writes()
+    {
+        const QString folder = qEnvironmentVariable(writtenIn);
+        if (folder.isEmpty())
+            QSKIP("SqliteConnectionTest starts it");
+        SqliteConnection connection;
+        const bool done = writeAll(connection, folder);
+        std::printf("TOLD %s\n",
+            done ? "nothing" : connection.failure().reason.english().toLocal8Bit().constData());
+        std::fflush(stdout);
+    }
+};
+
+/// Why SQLite could not write is told as the system has it, whichever call it was.
+class SqliteConnectionTest : public QObject {
+    Q_OBJECT
+
+    test::WatchedHome m_home;
+
+    [[nodiscard]] QString folder() const { return m_home.path(QStringLiteral("in")); }
+    [[nodiscard]] QString told(const test::FileFault& fault) const
+    {
+        if (!QDir(folder()).removeRecursively() || !QDir().mkpath(folder()))
+            qFatal("the folder cannot be emptied");
+        static_cast<void>(m_home.events());
+        QProcess process;
+        QProcessEnvironment environment = m_home.environment(fault);
+        environment.insert(QLatin1String(writtenIn), folder());
+        process.setProcessEnvironment(environment);
+        process.start(
+            QCoreApplication::applicationFilePath(), {QStringLiteral("ConnectionOnFailingDisk")});
+        process.waitForFinished(300'000);
+        for (const QByteArray& line : process.readAllStandardOutput().split('\n')) {
+            if (line.startsWith("TOLD "))
+                return QString::fromLocal8Bit(line.mid(5));
+        }
+        return QStringLiteral("no end");
+    }
+
+private Q_SLOTS:
+    void theSystemsReasonIsTold_data()
+    {
+        QTest::addColumn<QByteArray>("calls");
+        QTest::addColumn<int>("error");
+        QTest::newRow("quota") << QByteArray("open,write") << EDQUOT;
+        QTest::newRow("full") << QByteArray("open,write") << ENOSPC;
+        QTest::newRow("defective") << QByteArray("open,write") << EIO;
+    }
+    /// The first call of each kind that meets each file.
+    void theSystemsReasonIsTold()
+    {
+        QFETCH(QByteArray, calls);
+        QFETCH(int, error);
+        QCOMPARE(told({.under = folder(), .calls = calls}), QStringLiteral("nothing"));
+        std::map<std::pair<QString, QString>, int> firstCalls; ///< by file and kind
+        int count = 0;
+        for (const test::FileEvent& event : m_home.events()) {
+            if (event.what == "counts")
+                firstCalls.try_emplace({QFileInfo(event.path).fileName(), event.more}, ++count);
+        }
+        // The file, its journal, its log and its copy are opened and written.
+        for (const char* file : {"a.db", "a.db-wal", "copy.db"}) {
+            for (const char* kind : {"open", "write"})
+                QVERIFY2(firstCalls.count({QLatin1String(file), QLatin1String(kind)}) == 1, file);
+        }
+        for (const auto& [what, call] : firstCalls) {
+            const QString reason = told({.under = folder(),
+                .calls = calls,
+                .first = call,
+                .last = 1 << 30,
+                .error = error});
+            QVERIFY2(reason == systemReason(error),
+                qPrintable(what.second + u' ' + what.first + QStringLiteral(": ") + reason));
+        }
+    }
+
+    /// What a network's file system tells only then.
+    void whatIsRefusedWhenItIsBroughtToTheDisk()
+    {
+        QCOMPARE(told({.under = folder(), .calls = "sync"}), QStringLiteral("nothing"));
+        int call = 0;
+        int count = 0;
+        for (const test::FileEvent& event : m_home.events()) {
+            if (event.what != "counts")
+                continue;
+            ++count;
+            if (call == 0 && event.path.endsWith(QLatin1String("a.db-wal")))
+                call = count;
+        }
+        QVERIFY(call > 0);
+        QCOMPARE(told({.under = folder(),
+                     .calls = "sync",
+                     .first = call,
+                     .last = 1 << 30,
+                     .error = EDQUOT}),
+            systemReason(EDQUOT));
+    }
+
+    /// A reason that was noted belongs to one statement.
+    void whatIsNoFaultOfTheSystemIsTold()
+    {
+        const QTemporaryDir there;
+        SqliteConnection connection;
+        QVERIFY(writeAll(connection, there.path()));
+        {
+            const test::FileSizeLimit limit(1);
+            QVERIFY(!connection.run(QStringLiteral("INSERT INTO t VALUES (1)")));
+            QCOMPARE(connection.failure().reason.english(), systemReason(EFBIG));
+            QCOMPARE(lastRefusedWrite(), EFBIG);
+        }
+        QVERIFY(!connection.run(QStringLiteral("INSERT INTO u VALUES (1)")));
+        QCOMPARE(connection.failure().reason.english(), QStringLiteral("no such table: u"));
+        QCOMPARE(lastRefusedWrite(), 0);
+        QVERIFY(connection.run(QStringLiteral("INSERT INTO t VALUES (1)")));
+    }
+};
+
+BURIN_TEST(ConnectionOnFailingDisk)
+BURIN_TEST(SqliteConnectionTest)
+
+} // namespace sqliteConnectionTest
+
+#include "SqliteConnectionTest.moc"
