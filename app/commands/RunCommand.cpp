@@ -8,6 +8,7 @@
 #include "app/steps/RunKeyframes.h"
 #include "app/steps/RunSteps.h"
 #include "app/steps/SessionPlan.h"
+#include "app/steps/SessionProblems.h"
 #include "app/steps/SessionTarget.h"
 #include "app/steps/SteadySession.h"
 #include "app/steps/TracedRun.h"
@@ -229,8 +230,7 @@ int run(core::Recipe recipe, const Arguments& arguments, CommandTermination& ter
         if (!contents)
             return reportFailure(contents.error());
         goesOn = *std::move(contents);
-        if (!goesOn->leftOpen.isEmpty())
-            reportFailure({core::ErrorCode::SessionDamaged, {file, goesOn->leftOpen}});
+        reportLeft(file, *goesOn);
     }
     // What another study was recorded with may make no sense on this one.
     const QString repair =
@@ -413,7 +413,7 @@ int run(core::Recipe recipe, const Arguments& arguments, CommandTermination& ter
     steady.close();
     // The session could not be followed to its new name; its last writes lie beside it there.
     if (trouble && !made.isAt(openFile))
-        return reportFailure(*trouble);
+        return reportUnfollowed(*trouble, openFile);
     if (const QString why = whyNotOneFile(openFile); !why.isEmpty())
         return reportFailure({core::ErrorCode::FileUnwritable, {openFile, why}});
     // The steps stand, but not where they were meant to.

@@ -3,11 +3,26 @@
 
 #include "app/steps/Arguments.h"
 #include "core/sessionfile/records/SessionContents.h"
+#include "core/sessionfile/records/SessionUse.h"
+#include "ui/texts/ClauseText.h"
 #include "ui/texts/SessionTexts.h"
 
 #include <QStringList>
 
+#include <cstdio>
+
 namespace app {
+
+namespace {
+
+void reportLeftBeside(const QString& file, const core::Clause& left)
+{
+    if (!left.isEmpty())
+        std::fprintf(
+            stderr, "%s: %s\n", qUtf8Printable(file), qUtf8Printable(ui::clauseText(left)));
+}
+
+} // namespace
 
 void reportProblems(const QString& file, const core::SessionContents& contents)
 {
@@ -15,6 +30,21 @@ void reportProblems(const QString& file, const core::SessionContents& contents)
     if (!problems.isEmpty())
         reportFailure(
             {core::ErrorCode::SessionDamaged, {file, problems.join(QStringLiteral("; "))}});
+    reportLeftBeside(file, contents.leftBeside);
+}
+
+void reportLeft(const QString& file, const core::SessionContents& contents)
+{
+    if (!contents.leftOpen.isEmpty())
+        reportFailure({core::ErrorCode::SessionDamaged, {file, contents.leftOpen}});
+    reportLeftBeside(file, contents.leftBeside);
+}
+
+int reportUnfollowed(const core::Error& why, const QString& file)
+{
+    const int status = reportFailure(why);
+    reportLeftBeside(file, core::sessionLoss(file).leftBeside);
+    return status;
 }
 
 } // namespace app

@@ -214,6 +214,10 @@ bool Application::showSessionProblem(const SessionOpening& opening, const QStrin
                 .arg(QFileInfo(file).fileName(), ui::clauseText(contents.leftOpen)));
     } else if (opening.notFromStudy) {
         showWhereImagesAre(*opening.notFromStudy, file);
+    } else if (!contents.leftBeside.isEmpty()) {
+        m_window->messages().show(ui::MessageBar::Kind::Caution,
+            tr("%1 is whole. %2.")
+                .arg(QFileInfo(file).fileName(), ui::clauseText(contents.leftBeside)));
     } else {
         return false;
     }

@@ -94,14 +94,12 @@ void SessionDatabase::leaveWalOfLostName()
         return leaveName({});
     if (isBesideIt)
         return;
-    const QString wal = walOf(m_file);
-    if (!QFileInfo::exists(m_file) || !m_wal.isAt(wal))
+    if (!QFileInfo::exists(m_file) || !m_wal.isAt(walOf(m_file)))
         return;
     // Files that were left there earlier keep their names.
     constexpr int mostLeft = 1000;
     for (int i = 1; i <= mostLeft; ++i) {
-        const QString number = i == 1 ? QString() : QString::number(i);
-        if (moveSessionPart(m_wal, wal + QLatin1String(".left") + number))
+        if (moveSessionPart(m_wal, leftLogName(QFileInfo(m_file).canonicalFilePath(), i)))
             return;
     }
 }

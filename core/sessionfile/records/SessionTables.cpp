@@ -120,6 +120,7 @@ Result<SessionContents> SessionTables::read()
         : !loss.structure.isEmpty()          ? loss.structure
                                              : loss.foreign;
     contents.leftOpen = loss.leftOpen;
+    contents.leftBeside = loss.leftBeside;
     return contents;
 }
 

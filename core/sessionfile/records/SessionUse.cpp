@@ -4,6 +4,7 @@
 #include "core/base/files/FollowedFile.h"
 #include "core/base/files/StagedFile.h"
 
+#include <QDir>
 #include <QFile>
 #include <QFileInfo>
 
@@ -89,6 +90,61 @@ std::array<std::array<std::int64_t, 3>, parts.size()> look(const QString& path)
             all[i] = {status.st_size, status.st_mtim.tv_sec, status.st_mtim.tv_nsec};
     }
     return all;
+}
+
+/// What leftLogName() names; there may be gaps, as people put them away.
+QStringList leftLogsOf(const QString& path)
+{
+    constexpr int mostTold = 9;
+    const QString place = keyOf(path);
+    QStringList all;
+    for (int i = 1; i <= mostTold; ++i) {
+        if (const QString left = leftLogName(place, i); QFileInfo::exists(left))
+            all += left;
+    }
+    return all;
+}
+
+/// Those of any session in the folder of @p path.
+QStringList leftLogsAround(const QString& path)
+{
+    const QDir folder = QFileInfo(keyOf(path)).absoluteDir();
+    QStringList all;
+    for (const QString& name : folder.entryList(QDir::Files, QDir::Name)) {
+        if (name.contains(QLatin1String("-wal.left")))
+            all += folder.filePath(name);
+    }
+    return all;
+}
+
+QString named(const QStringList& paths)
+{
+    return paths.join(QStringLiteral("', '"));
+}
+
+/// @param path of a session whose last writes are not beside it
+Clause leftOpenReason(const QString& path)
+{
+    const QString file = QFileInfo(path).fileName();
+    const QString wal = part(file, "-wal");
+    const QStringList left = leftLogsAround(path);
+    if (left.isEmpty())
+        return Clause::saying("it was not closed, and '%1', which may hold what was written last, "
+                              "is not beside it",
+            wal);
+    return Clause::saying("it was not closed, and '%1', which may hold what was written last, is "
+                          "not beside it; it may be '%2', of which Burin reads a copy that lies "
+                          "beside a copy of '%3' and is named '%1'",
+        wal, named(left), file);
+}
+
+Clause leftBesideReason(const QStringList& left)
+{
+    return Clause::saying("'%1' holds the last steps of another session, which had this name "
+                          "before; nothing reads it there, and nothing is lost by keeping it; "
+                          "Burin reads a copy of it that lies beside a copy of that session's own "
+                          "file and has its name with '-wal' behind it",
+        named(left));
 }
 
 Result<void> copyParts(const QString& from, const QString& to)
@@ -204,19 +260,23 @@ SessionLoss sessionLoss(const QString& path)
     // https://www.sqlite.org/fileformat.html, 1.3: the database header.
     constexpr qsizetype headBytes = 100;
     static const QByteArray magic("SQLite format 3", 16);
-    // With what lies beside it, it may be whole.
-    if (path.isEmpty() || isSessionUnfinished(path))
-        return {};
-    const std::lock_guard lock(plainFiles);
-    if (isUsed(path))
-        return {};
-    QFile file(path);
-    if (!file.open(QIODevice::ReadOnly))
-        return {};
-    const QByteArray head = file.read(headBytes);
-    if (head.isEmpty() || !magic.startsWith(head.left(magic.size())))
+    if (path.isEmpty())
         return {};
     SessionLoss loss;
+    if (const QStringList left = leftLogsOf(path); !left.isEmpty())
+        loss.leftBeside = leftBesideReason(left);
+    // With what lies beside it, it may be whole.
+    if (isSessionUnfinished(path))
+        return loss;
+    const std::lock_guard lock(plainFiles);
+    if (isUsed(path))
+        return loss;
+    QFile file(path);
+    if (!file.open(QIODevice::ReadOnly))
+        return loss;
+    const QByteArray head = file.read(headBytes);
+    if (head.isEmpty() || !magic.startsWith(head.left(magic.size())))
+        return loss;
     if (head.size() < headBytes) {
         loss.cutOff = Clause::saying("the file is cut off: only %1 bytes are there", head.size());
         return loss;
@@ -235,10 +295,16 @@ SessionLoss sessionLoss(const QString& path)
             Clause::saying("the file is cut off: %1 of %2 bytes are there", file.size(), whole);
     const bool leftInWal = number(18, 1) == 2;
     if (leftInWal && !QFileInfo::exists(part(path, "-wal")))
-        loss.leftOpen = Clause::saying("it was not closed, and '%1', which may hold what was "
-                                       "written last, is not beside it",
-            QFileInfo(part(path, "-wal")).fileName());
+        loss.leftOpen = leftOpenReason(path);
+    // What lies there may be its own.
+    if (!loss.leftOpen.isEmpty())
+        loss.leftBeside = {};
     return loss;
+}
+
+QString leftLogName(const QString& path, int number)
+{
+    return path + QLatin1String("-wal.left") + (number == 1 ? QString() : QString::number(number));
 }
 
 void removeSessionParts(const QString& path)

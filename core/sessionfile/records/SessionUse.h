@@ -57,9 +57,18 @@ struct SessionLoss {
     Clause foreign; ///< "it holds a trigger 't', which is no part of a session"
     Clause structure; ///< "its structure is damaged: …"; not set by sessionLoss()
     Clause leftOpen; ///< its program left it open, and the file with its last writes is missing
+    /// It lacks nothing: the last writes of another session that had its name lie beside it
+    /// (leftLogName()).
+    Clause leftBeside;
 };
 /// Reads only the header of the file.
 [[nodiscard]] SessionLoss sessionLoss(const QString& path);
+
+/// The path that the last writes of a session get which could not be put into its own file, while
+/// another file has its name: SQLite does not know it.
+/// @param path of its own file, without links
+/// @param number from 1, of several
+[[nodiscard]] QString leftLogName(const QString& path, int number);
 
 /// Removes the files that SQLite leaves beside a session.
 void removeSessionParts(const QString& path);

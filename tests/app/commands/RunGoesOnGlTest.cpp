@@ -18,6 +18,8 @@
 #include <algorithm>
 #include <array>
 #include <csignal>
+#include <cstdio>
+#include <functional>
 
 #include <fcntl.h>
 #include <sys/resource.h>
@@ -79,6 +81,42 @@ class RunGoesOnGlTest : public QObject, protected test::CommandFixture {
         const QJsonArray rows = history("a.burin")[key("commands")].toArray();
         return QStringLiteral("row %1 '%2'")
             .arg(QString::number(seq), rows[seq - 1].toObject()[key("name")].toString());
+    }
+
+    /// Runs a step; when all is done @p event happens, and the disk takes nothing any more.
+    void endOnFullDisk(const std::function<void()>& event, QString& complaint)
+    {
+        FullPipe output(path("output"));
+        QProcess process;
+        process.setStandardOutputFile(path("output"));
+        // The process takes it over: what it cannot write is to fail, and not to end it.
+        const auto before = std::signal(SIGXFSZ, SIG_IGN);
+        process.start(QStringLiteral(BURIN_PROGRAM),
+            {key("run"), recipe("r.json", {{key("edits"), toJson({test::addSegment("A")})}}),
+                key("--study"), study(), key("--session"), path("a.burin")});
+        QVERIFY(process.waitForStarted(patienceMs));
+        std::signal(SIGXFSZ, before);
+        // The step is on disk, and its line waits for us.
+        QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(path("a.burin-wal")), patienceMs);
+        const auto isStepThere = [this] {
+            const auto contents = core::checkSession(path("a.burin"));
+            return contents && contents->rows.size() == 1
+                && !contents->rows.front().stateHash.isEmpty();
+        };
+        QTRY_VERIFY_WITH_TIMEOUT(isStepThere(), patienceMs);
+        // Were it sooner, the step would be refused for the same reason.
+        QTest::qWait(200);
+        event();
+        rlimit limit{};
+        const auto pid = pid_t(process.processId());
+        QCOMPARE(::prlimit(pid, RLIMIT_FSIZE, nullptr, &limit), 0);
+        limit.rlim_cur = 1;
+        QCOMPARE(::prlimit(pid, RLIMIT_FSIZE, &limit, nullptr), 0);
+        static_cast<void>(output.drain());
+        QVERIFY(process.waitForFinished(patienceMs));
+        complaint = QString::fromUtf8(process.readAllStandardError());
+        QVERIFY2(process.exitStatus() == QProcess::NormalExit && process.exitCode() == 1,
+            qPrintable(complaint));
     }
 
 private Q_SLOTS:
@@ -164,37 +202,11 @@ private Q_SLOTS:
     /// Renamed when all is done, on a disk that takes nothing any more.
     void thatItCouldNotFollowIsTold()
     {
-        FullPipe output(path("output"));
-        QProcess process;
-        process.setStandardOutputFile(path("output"));
-        // The process takes it over: what it cannot write is to fail, and not to end it.
-        const auto before = std::signal(SIGXFSZ, SIG_IGN);
-        process.start(QStringLiteral(BURIN_PROGRAM),
-            {key("run"), recipe("r.json", {{key("edits"), toJson({test::addSegment("A")})}}),
-                key("--study"), study(), key("--session"), path("a.burin")});
-        QVERIFY(process.waitForStarted(patienceMs));
-        std::signal(SIGXFSZ, before);
-        // The step is on disk, and its line waits for us.
-        QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(path("a.burin-wal")), patienceMs);
-        const auto isStepThere = [this] {
-            const auto contents = core::checkSession(path("a.burin"));
-            return contents && contents->rows.size() == 1
-                && !contents->rows.front().stateHash.isEmpty();
-        };
-        QTRY_VERIFY_WITH_TIMEOUT(isStepThere(), patienceMs);
-        // Were it sooner, the step would be refused for the same reason.
-        QTest::qWait(200);
-        QVERIFY(QFile::rename(path("a.burin"), path("b.burin")));
-        rlimit limit{};
-        const auto pid = pid_t(process.processId());
-        QCOMPARE(::prlimit(pid, RLIMIT_FSIZE, nullptr, &limit), 0);
-        limit.rlim_cur = 1;
-        QCOMPARE(::prlimit(pid, RLIMIT_FSIZE, &limit, nullptr), 0);
-        static_cast<void>(output.drain());
-        QVERIFY(process.waitForFinished(patienceMs));
-        const QString complaint = QString::fromUtf8(process.readAllStandardError());
-        QVERIFY2(process.exitStatus() == QProcess::NormalExit && process.exitCode() == 1,
-            qPrintable(complaint));
+        QString complaint;
+        endOnFullDisk(
+            [this] { QVERIFY(QFile::rename(path("a.burin"), path("b.burin"))); }, complaint);
+        if (QTest::currentTestFailed())
+            return;
         QVERIFY2(complaint.contains(path("b.burin"))
                 && complaint.contains(key("another program renamed or moved 'a.burin'")),
             qPrintable(complaint));
@@ -203,6 +215,45 @@ private Q_SLOTS:
         const auto contents = core::checkSession(path("b.burin"));
         QVERIFY(contents && contents->isWhole());
         QCOMPARE(contents->rows.size(), std::size_t(1));
+    }
+
+    /// Another file has its name, and what was written last must not stay beside that one.
+    void whereItsLastStepsLieIsTold()
+    {
+        QString complaint;
+        const auto replaced = [this] {
+            QFile other(path("other"));
+            QVERIFY(other.open(QIODevice::WriteOnly) && other.write("of somebody else") > 0);
+            other.close();
+            QVERIFY(std::rename(QFile::encodeName(path("other")).constData(),
+                        QFile::encodeName(path("a.burin")).constData())
+                == 0);
+        };
+        endOnFullDisk(replaced, complaint);
+        if (QTest::currentTestFailed())
+            return;
+        QVERIFY2(complaint.contains(key("a.burin-wal.left' holds the last steps")),
+            qPrintable(complaint));
+        QCOMPARE(QDir(path("")).entryList({key("*.burin*")}, QDir::Files),
+            QStringList({key("a.burin"), key("a.burin-wal.left")}));
+    }
+
+    /// So is what lies beside a session that goes on.
+    void whatIsLeftOfAnotherSessionIsTold()
+    {
+        const QJsonArray steps = toJson({test::addSegment("A")});
+        QCOMPARE(run(recipe("r.json", {{key("edits"), steps}}), "a.burin").status, 0);
+        QFile left(path("a.burin-wal.left"));
+        QVERIFY(left.open(QIODevice::WriteOnly) && left.write("steps") == 5);
+        left.close();
+        const Outcome appended = append(toJson({test::addSegment("B")}));
+        const Outcome listed = burin({key("history"), path("a.burin")});
+        for (const Outcome& outcome : {appended, listed}) {
+            QVERIFY2(outcome.status == 0, qPrintable(outcome.complaint));
+            QVERIFY2(outcome.complaint.contains(key("a.burin-wal.left' holds the last steps")),
+                qPrintable(outcome.complaint));
+        }
+        QVERIFY(left.exists());
     }
 
     /// Renamed and replaced before anything was done; then nothing can be done.

@@ -229,6 +229,26 @@ private Q_SLOTS:
         QCOMPARE(session().history().rows().size(), std::size_t(1));
     }
 
+    void whatIsLeftOfAnotherSessionIsTold()
+    {
+        const QString file = path("case/s.burin");
+        test::writeSession(file, path("case/ct"));
+        QFile left(file + QStringLiteral("-wal.left"));
+        QVERIFY(left.open(QIODevice::WriteOnly) && left.write("steps") == 5);
+        left.close();
+        open(file);
+        QVERIFY2(bar().startsWith(QStringLiteral("s.burin is whole. '"))
+                && bar().contains(QStringLiteral("/case/s.burin-wal.left' holds the last steps"))
+                && bar().contains(QStringLiteral("nothing is lost by keeping it")),
+            qPrintable(bar()));
+        look(window().grab(), "left-beside.png");
+        window().closeStudy();
+        QVERIFY(left.exists());
+        QVERIFY(left.remove());
+        open(file);
+        QVERIFY2(!bar().contains(QStringLiteral("wal.left")), qPrintable(bar()));
+    }
+
     /// The question's way out: the steps go to another place, and what was asked goes on.
     void unwrittenStepsAreSavedElsewhere()
     {

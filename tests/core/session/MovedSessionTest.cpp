@@ -25,6 +25,7 @@
 #include <optional>
 
 #include <sys/stat.h>
+#include <unistd.h>
 
 namespace movedSessionTest {
 
@@ -277,6 +278,42 @@ private Q_SLOTS:
         const auto contents = checkSession(original());
         QVERIFY(contents && contents->isWhole() && contents->leftOpen.isEmpty());
         QCOMPARE(test::bytesOf(original()), test::bytesOf(path(QStringLiteral("other.burin"))));
+        // Who opens that one is told whose it is.
+        for (const QString& each : files().filter(QStringLiteral("-wal.left")))
+            QVERIFY2(contents->leftBeside.contains(QFileInfo(path(each)).canonicalFilePath()),
+                qPrintable(contents->leftBeside));
+    }
+
+    /// Its own file was replaced, and still has another name: what was left is told with it, and
+    /// read as it is told.
+    void whatWasLeftIsFoundAgain()
+    {
+        const QByteArray hash = m_session->stateHash();
+        const QString again = path(QStringLiteral("in/again.burin"));
+        QVERIFY(
+            ::link(QFile::encodeName(original()).constData(), QFile::encodeName(again).constData())
+            == 0);
+        happens(QStringLiteral("replaced"));
+        {
+            const test::FileSizeLimit limit(1);
+            m_session.reset();
+        }
+        const QString left =
+            QFileInfo(path(QStringLiteral("in/a.burin-wal.left"))).canonicalFilePath();
+        QVERIFY(!left.isEmpty());
+        const auto contents = checkSession(again);
+        QVERIFY(contents);
+        QVERIFY2(contents->leftOpen.contains(left), qPrintable(contents->leftOpen));
+        QVERIFY(contents->leftOpen.contains(QStringLiteral("is named 'again.burin-wal'")));
+        QCOMPARE(contents->leftBeside.english(), QString());
+        const QString copy = path(QStringLiteral("copies/again.burin"));
+        QVERIFY(QDir(m_folder->path()).mkdir(QStringLiteral("copies")));
+        QVERIFY(QFile::copy(again, copy) && QFile::copy(left, copy + QStringLiteral("-wal")));
+        reference::ReferenceEngine engine;
+        const auto opened = EditSession::open(engine, test::smallStudy(), copy);
+        QVERIFY2(opened, qPrintable(opened ? QString() : opened.error().arguments.join(u' ')));
+        QCOMPARE((*opened)->history().rows().size(), std::size_t(1));
+        QCOMPARE((*opened)->stateHash(), hash);
     }
 
     /// Without a place it waits in memory, and is written when there is one.

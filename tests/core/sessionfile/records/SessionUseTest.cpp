@@ -101,6 +101,28 @@ private Q_SLOTS:
         QVERIFY(!isSessionInUse(path("a.burin")));
         QVERIFY(!isSessionInUse(path("b.burin")));
     }
+
+    /// What could neither be put into a session's file nor stay beside another one's.
+    void whatIsLeftOfAnotherIsNamed()
+    {
+        m_file.reset();
+        QVERIFY(sessionLoss(path("a.burin")).leftBeside.isEmpty());
+        for (const int number : {1, 3}) {
+            QFile left(leftLogName(path("a.burin"), number));
+            QVERIFY(left.open(QIODevice::WriteOnly) && left.write("steps") == 5);
+        }
+        const SessionLoss loss = sessionLoss(path("a.burin"));
+        for (const char* name : {"a.burin-wal.left'", "a.burin-wal.left3'"})
+            QVERIFY2(loss.leftBeside.contains(QLatin1String(name)), qPrintable(loss.leftBeside));
+        // It lacks nothing for that.
+        QCOMPARE(loss.leftOpen.english(), QString());
+        QCOMPARE(loss.cutOff.english(), QString());
+        // Nor are others told.
+        QVERIFY(!test::makeSession(path("b.burin")).isEmpty());
+        QVERIFY(sessionLoss(path("b.burin")).leftBeside.isEmpty());
+        QVERIFY(SessionFile::open(path("a.burin"), SessionAccess::ReadWrite));
+        QVERIFY(QFile::exists(path("a.burin-wal.left3")));
+    }
 };
 
 BURIN_TEST(SessionUseTest)
