@@ -44,7 +44,10 @@ void FrameMail::hand(const Frame& frame)
     bool wanted = true;
     {
         const std::lock_guard lock(m_inboxMutex);
-        wanted = !m_inbox.forgotten.contains(frame.view);
+        // Of a view that asks again what is handed out here was begun before it was forgotten.
+        const auto waiting = m_inbox.requests.find(frame.view);
+        const bool asksAgain = waiting != m_inbox.requests.end() && waiting->second.fresh;
+        wanted = !asksAgain && !m_inbox.forgotten.contains(frame.view);
     }
     if (wanted && m_listener)
         m_listener(frame);

@@ -24,7 +24,7 @@ public:
     };
 
     void request(FrameRequest request);
-    /// After this returns no frame of the view is handed out until its next request.
+    /// After this returns no frame of the view is handed out but those of its later requests.
     void forget(ViewId view);
     void setListener(FrameSource::Listener listener);
 
