@@ -164,6 +164,9 @@ void HistoryPanel::showMenu(const QPoint& position)
         return;
     const bool current = index.data(HistoryModel::CurrentRole).toBool();
     QMenu menu(this);
+    // Its entries are about this session; another study may be on its way.
+    connect(&m_workspace, &Workspace::sessionClosing, &menu, &QMenu::close);
+    connect(&m_workspace, &Workspace::sessionChanged, &menu, &QMenu::close);
     if (index.data(HistoryModel::HeadingRole).toBool()) {
         const bool folded = index.data(HistoryModel::FoldedRole).toBool();
         menu.addAction(tr("Go to the end of this branch"), this, [this, index] { goTo(index); });

@@ -43,6 +43,7 @@ StrokeRevision::StrokeRevision(Workspace& workspace, QWidget* parent)
     , m_workspace(workspace)
     , m_window(parent)
 {
+    connect(&workspace, &Workspace::sessionChanged, this, [this] { m_offered = 0; });
     connect(
         &workspace, &Workspace::documentChanged, this, [this](const core::DocumentChange& change) {
             if (change.what == core::DocumentChange::What::History)
@@ -65,13 +66,13 @@ bool StrokeRevision::isRemoved(core::RowId row) const
 
 void StrokeRevision::change(core::RowId row)
 {
-    const core::EditSession& session = *m_workspace.session();
-    const auto stroke = standingStroke(session.history(), row);
+    const core::EditSession* session = m_workspace.session();
+    const auto stroke = session ? standingStroke(session->history(), row) : std::nullopt;
     if (!stroke)
         return;
-    const core::HistoryRow& drawn = session.history().row(row);
+    const core::HistoryRow& drawn = session->history().row(row);
     auto* dialog = new ReviseStrokeDialog(*stroke, *core::sculptEdit(drawn.edit), nameOf(drawn),
-        session.document(), m_window->window());
+        session->document(), m_window->window());
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     // The study may be closed while it stands open.
     connect(&m_workspace, &Workspace::sessionChanged, dialog, &QDialog::reject);

@@ -5,12 +5,16 @@
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/fixtures/WorkspaceFixture.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/CutEdits.h"
 #include "tests/support/scenes/PlainEdits.h"
 #include "tests/support/scenes/SmallStudy.h"
 #include "ui/panels/history/StrokeRevision.h"
 
+#include <QDialog>
 #include <QWidget>
 #include <QtTest>
+
+#include <utility>
 
 namespace strokeRevisionUiTest {
 
@@ -31,6 +35,14 @@ struct RevisionFixture : test::WorkspaceFixture {
     {
         revision.restore(row);
         settle();
+    }
+    void openTheNext()
+    {
+        workspace.setSession(nullptr);
+        auto next = core::EditSession::create(engine, test::smallStudy(), {});
+        if (!next)
+            qFatal("the session could not be made");
+        workspace.setSession(std::move(*next));
     }
     [[nodiscard]] core::ReviseStroke last()
     {
@@ -102,6 +114,37 @@ private Q_SLOTS:
         fixture.restore(1);
         QVERIFY(!fixture.last().radiusMm && !fixture.last().removed);
         QCOMPARE(fixture.session().stateHash(), drawn);
+    }
+
+    /// Its rows have the numbers of those of the study before.
+    void theNextStudyHasOffersOfItsOwn()
+    {
+        RevisionFixture fixture;
+        int offers = 0;
+        connect(&fixture.workspace, &ui::Workspace::offered, this,
+            [&offers](const auto&) { ++offers; });
+        const auto removeTheFirst = [&fixture] {
+            fixture.apply(test::drillAt(0));
+            fixture.apply(test::drillWith({.radiusMm = 3.0}, test::drillAt(1)));
+            fixture.remove(1);
+        };
+        removeTheFirst();
+        QCOMPARE(offers, 1);
+        fixture.openTheNext();
+        removeTheFirst();
+        QCOMPARE(offers, 2);
+    }
+
+    /// A menu may have been open while the study was closed.
+    void withoutAStudyThereIsNothingToChange()
+    {
+        RevisionFixture fixture;
+        fixture.apply(test::drillAt(0));
+        fixture.workspace.setSession(nullptr);
+        fixture.revision.change(1);
+        fixture.revision.remove(1);
+        fixture.revision.restore(1);
+        QVERIFY(fixture.window.findChildren<QDialog*>().isEmpty());
     }
 };
 
