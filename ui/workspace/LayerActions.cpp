@@ -117,7 +117,8 @@ void removeLayer(Workspace& workspace, int id)
     const core::SculptLayer* layer = before.layer(id);
     if (const auto removed = workspace.session()->apply(core::RemoveLayer{.layer = id}); !removed)
         return workspace.fail(removed.error());
-    workspace.say(QObject::tr("Deleted layer '%1'; Ctrl+Z brings it back").arg(layer->name));
+    if (layer) // an undo that waits before it may bring it
+        workspace.say(QObject::tr("Deleted layer '%1'; Ctrl+Z brings it back").arg(layer->name));
 }
 
 void mergeLayers(Workspace& workspace, int from, int into)

@@ -173,6 +173,8 @@ void LayersPanel::add()
 
 void LayersPanel::move(const QModelIndex& index, int by)
 {
+    if (!index.isValid())
+        return;
     const core::MoveLayer edit{
         .layer = index.data(LayerListModel::IdRole).toInt(), .place = index.row() + 1 + by};
     if (const auto moved = m_workspace.session()->apply(edit); !moved)
@@ -188,14 +190,19 @@ void LayersPanel::showMenu(const QPoint& position)
     // Its entries are about this session; another point in time may be played meanwhile.
     connect(&m_workspace, &Workspace::sessionClosing, &menu, &QMenu::close);
     connect(&m_workspace, &Workspace::sessionChanged, &menu, &QMenu::close);
-    const bool muted = index.data(LayerListModel::MutedRole).toBool();
-    menu.addAction(tr("Rename"), this, [this, index] { m_view->edit(index); });
-    menu.addAction(muted ? tr("Unmute") : tr("Mute"), this,
-        [this, index, muted] { m_model->setData(index, !muted, LayerListModel::MutedRole); });
     const int layer = index.data(LayerListModel::IdRole).toInt();
+    // What is being carried out may bring other layers, or take some, while the menu is open.
+    const auto its = [this, layer] { return m_model->index(m_model->rowOf(layer)); };
+    const bool muted = index.data(LayerListModel::MutedRole).toBool();
+    menu.addAction(tr("Rename"), this, [this, its] {
+        if (its().isValid())
+            m_view->edit(its());
+    });
+    menu.addAction(muted ? tr("Unmute") : tr("Mute"), this,
+        [this, its, muted] { m_model->setData(its(), !muted, LayerListModel::MutedRole); });
     const bool solo = index.data(LayerListModel::SoloRole).toBool();
     menu.addAction(solo ? tr("End solo") : tr("Solo"), this,
-        [this, index, solo] { m_model->setData(index, !solo, LayerListModel::SoloRole); });
+        [this, its, solo] { m_model->setData(its(), !solo, LayerListModel::SoloRole); });
     const bool isPiece = m_workspace.session()->document().pieceOfLayer(layer) != nullptr;
     QAction* lift = menu.addAction(
         tr("Lift all of it as a piece"), this, [this, layer] { m_workspace.pieces().lift(layer); });
@@ -206,13 +213,13 @@ void LayersPanel::showMenu(const QPoint& position)
     menu.addSeparator();
     addPassages(menu, layer);
     menu.addSeparator();
-    QAction* up = menu.addAction(tr("Move up"), this, [this, index] { move(index, -1); });
+    QAction* up = menu.addAction(tr("Move up"), this, [this, its] { move(its(), -1); });
     up->setEnabled(index.row() > 0);
-    QAction* down = menu.addAction(tr("Move down"), this, [this, index] { move(index, 1); });
+    QAction* down = menu.addAction(tr("Move down"), this, [this, its] { move(its(), 1); });
     down->setEnabled(index.row() + 1 < m_model->rowCount());
     menu.addSeparator();
-    QAction* away = menu.addAction(tr("Delete layer"), this,
-        [this, index] { removeLayer(m_workspace, index.data(LayerListModel::IdRole).toInt()); });
+    QAction* away = menu.addAction(
+        tr("Delete layer"), this, [this, layer] { removeLayer(m_workspace, layer); });
     away->setEnabled(m_model->rowCount() > 1);
     menu.exec(m_view->viewport()->mapToGlobal(position));
 }

@@ -148,6 +148,8 @@ void SegmentsPanel::chooseCode(const QModelIndex& index)
 
 void SegmentsPanel::move(const QModelIndex& index, int by)
 {
+    if (!index.isValid())
+        return;
     const core::MoveSegment edit{
         .segment = index.data(SegmentListModel::LabelRole).toInt(), .place = index.row() + 1 + by};
     if (const auto moved = m_workspace.session()->apply(edit); !moved)
@@ -162,7 +164,8 @@ void SegmentsPanel::remove(const QModelIndex& index)
 
 void SegmentsPanel::showMenu(const QPoint& position)
 {
-    const QModelIndex index = m_view->indexAt(position);
+    // What is being worked out may bring other segments, or take some, while the menu is open.
+    const QPersistentModelIndex index = m_view->indexAt(position);
     if (!index.isValid())
         return;
     QMenu menu(this);
@@ -170,7 +173,10 @@ void SegmentsPanel::showMenu(const QPoint& position)
     connect(&m_workspace, &Workspace::sessionClosing, &menu, &QMenu::close);
     connect(&m_workspace, &Workspace::sessionChanged, &menu, &QMenu::close);
     const bool visible = index.data(SegmentListModel::VisibleRole).toBool();
-    menu.addAction(tr("Rename"), this, [this, index] { m_view->edit(index); });
+    menu.addAction(tr("Rename"), this, [this, index] {
+        if (index.isValid())
+            m_view->edit(index);
+    });
     menu.addAction(tr("Colour …"), this, [this, index] { chooseColour(index); });
     menu.addAction(tr("Code …"), this, [this, index] { chooseCode(index); });
     const bool locked = index.data(SegmentListModel::LockedRole).toBool();
@@ -192,15 +198,14 @@ void SegmentsPanel::showMenu(const QPoint& position)
     addSegmentOpacity(menu, m_workspace, label);
     menu.addAction(
         tr("Centre views on it"), this, [this, label] { centreOnSegment(m_workspace, label); });
-    menu.addAction(tr("Paste as a piece"), this, [this, index] {
-        m_workspace.pieces().paste(index.data(SegmentListModel::LabelRole).toInt());
-    });
+    menu.addAction(
+        tr("Paste as a piece"), this, [this, label] { m_workspace.pieces().paste(label); });
     addPassages(*menu.addMenu(tr("Sculpt")), index);
     menu.addSeparator();
-    menu.addAction(tr("Undo its last step only"), this, [this, index] {
-        undoOnlyLast(m_workspace, {.segment = index.data(SegmentListModel::LabelRole).toInt()},
-            tr("in '%1'").arg(index.data().toString()));
-    });
+    menu.addAction(
+        tr("Undo its last step only"), this, [this, label, name = index.data().toString()] {
+            undoOnlyLast(m_workspace, {.segment = label}, tr("in '%1'").arg(name));
+        });
     QAction* up = menu.addAction(tr("Move up"), this, [this, index] { move(index, -1); });
     up->setEnabled(index.row() > 0);
     QAction* down = menu.addAction(tr("Move down"), this, [this, index] { move(index, 1); });
