@@ -106,6 +106,9 @@ MainWindow::MainWindow(Workspace& workspace, const QString& graphics)
     const QStringList stage = addStageActions(*this);
     m_header->fillMenus(m_actions, plane, stage);
     m_bookmarks->fill(m_header->bookmarksMenu());
+    // Their entries are about the study in which they were opened.
+    for (QMenu* menu : {&m_header->segmentsMenu(), &m_header->bookmarksMenu()})
+        connect(&workspace, &Workspace::sessionClosing, menu, &QMenu::close);
     m_views->addToMenus([this](QMenu& menu) {
         QMenu* layouts = menu.addMenu(tr("Layout"));
         layouts->setObjectName(QStringLiteral("layoutOfViews"));

@@ -11,6 +11,7 @@
 #include "tests/support/scenes/PlainEdits.h"
 #include "tests/support/scenes/SmallStudy.h"
 #include "ui/panels/lists/SegmentsPanel.h"
+#include "ui/workspace/SegmentActions.h"
 
 #include <QApplication>
 #include <QListView>
@@ -79,6 +80,19 @@ class SegmentMenusUiTest : public QObject {
 
 private Q_SLOTS:
     void init() { test::failOnUnexpectedMessages(); }
+
+    /// Its entries are about the segments of the study in which it was opened.
+    void theMenuClosesWithItsStudy()
+    {
+        Fixture fixture;
+        QMenu& segments = fixture.window.segmentsMenu();
+        segments.popup(fixture.window.mapToGlobal(QPoint(40, 40)));
+        QVERIFY(segments.isVisible());
+        fixture.workspace.setSession(nullptr);
+        const bool isOpen = segments.isVisible();
+        segments.close();
+        QVERIFY(!isOpen);
+    }
 
     /// From the menu bar, about the active segment, whose name it says.
     void theBarMergesTheActiveSegment()
