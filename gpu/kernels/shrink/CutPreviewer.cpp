@@ -9,6 +9,7 @@
 #include <atomic>
 #include <chrono>
 #include <iterator>
+#include <new>
 #include <utility>
 #include <vector>
 
@@ -27,7 +28,8 @@ struct CutPreviewer::Ground {
     std::vector<std::uint32_t> bricks; ///< ascending; those with words
     std::vector<std::vector<std::uint8_t>> images; ///< until the worker has made words of them
     std::vector<std::vector<std::uint8_t>> labels;
-    std::optional<core::WordBricks> words; ///< the worker's
+    std::optional<core::WordBricks> words; ///< the worker's, like the next
+    bool isMade = false; ///< words are whole
 
     [[nodiscard]] bool whole() const { return labels.size() == bricks.size(); }
     [[nodiscard]] const std::vector<std::uint8_t>& labelsOf(std::uint32_t brick) const
@@ -37,6 +39,10 @@ struct CutPreviewer::Ground {
     }
     void makeWords()
     {
+        // Memory ran out over it at an earlier question, which nobody has looked at since; what it
+        // was made of is gone in part.
+        if (words)
+            throw std::bad_alloc();
         words.emplace(grid, bricks.size());
         for (std::size_t i = 0; i < bricks.size(); ++i) {
             if (!images[i].empty())
@@ -44,6 +50,7 @@ struct CutPreviewer::Ground {
             images[i] = {};
         }
         words->link();
+        isMade = true;
     }
 };
 
@@ -135,7 +142,7 @@ void CutPreviewer::post()
         [ground = m_ground, work = m_work] {
             if (work->unwanted)
                 return;
-            if (!ground->words)
+            if (!ground->isMade)
                 ground->makeWords();
             const auto leaving = core::leavingBricks(*ground->words, work->cut);
             if (leaving) {
