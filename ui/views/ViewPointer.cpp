@@ -49,8 +49,14 @@ void ViewPointer::handle(QEvent& event)
 {
     const auto reading = m_glue.read(event);
     event.accept();
-    if (!reading || !m_workspace.volume())
+    if (!reading)
         return;
+    if (!m_workspace.volume()) {
+        // Pictures stay between two points in time, and so does a drag until its button goes up.
+        if (reading->phase == PointerReading::Phase::Release && reading->button == m_gestureButton)
+            loseStroke();
+        return;
+    }
     m_pointer = reading->sample.position;
     if (reading->pen)
         m_workspace.showPressure(reading->sample.pressure);
