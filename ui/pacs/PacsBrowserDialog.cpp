@@ -92,6 +92,11 @@ PacsBrowserDialog::PacsBrowserDialog(QWidget* parent)
             m_state->say(total > 0 ? tr("%1 · %2 of %3 images").arg(step).arg(done).arg(total)
                                    : tr("%1 · %2 images").arg(step).arg(done));
         });
+    connect(&m_seriesJob, &BackgroundJob::ended, this, [this] {
+        if (!m_awaited.isEmpty())
+            m_awaited.removeFirst();
+        askForNextSeries();
+    });
     for (BackgroundJob* job : {&m_queryJob, &m_downloadJob})
         connect(job, &BackgroundJob::ended, this, &PacsBrowserDialog::showButtons);
     fillSources();
@@ -204,6 +209,7 @@ void PacsBrowserDialog::search()
         return;
     QSettings().setValue(lastSourceKey, one->name);
     m_searched = *one;
+    m_awaited.clear();
     m_seriesJob.cancel();
     m_hits->showStudies({});
     showChoice();
@@ -235,8 +241,19 @@ void PacsBrowserDialog::search()
 
 void PacsBrowserDialog::askForSeries(const QString& studyUid)
 {
+    if (m_awaited.contains(studyUid))
+        return;
+    m_awaited.append(studyUid);
+    if (!m_seriesJob.running())
+        askForNextSeries();
+}
+
+void PacsBrowserDialog::askForNextSeries()
+{
+    if (m_awaited.isEmpty())
+        return;
     m_seriesJob.start(
-        [this, studyUid, asked = m_searched](
+        [this, studyUid = m_awaited.front(), asked = m_searched](
             const core::Progress& progress) -> std::function<void()> {
             const auto found = core::findSeries(asked, studyUid, progress);
             return [this, studyUid, found] {
@@ -247,7 +264,7 @@ void PacsBrowserDialog::askForSeries(const QString& studyUid)
                 showCopies();
             };
         },
-        [this, studyUid](
+        [this, studyUid = m_awaited.front()](
             const core::Error& error) { m_hits->showTrouble(studyUid, errorText(error)); });
 }
 

@@ -43,6 +43,7 @@ private:
     void test();
     void search();
     void askForSeries(const QString& studyUid);
+    void askForNextSeries();
     void showChoice();
     void download(bool thenOpen);
     /// @param present images in the copy
@@ -60,6 +61,7 @@ private:
     core::DownloadCache m_cache;
     std::vector<core::PacsSource> m_sources;
     core::PacsSource m_searched; ///< where the hits come from
+    QStringList m_awaited; ///< studies whose series are asked for, in turn; the first one is now
     QComboBox* m_source;
     SearchForm* m_form;
     HitsTree* m_hits;
