@@ -118,11 +118,11 @@ void EditSession::end(Ending ending)
 
 void EditSession::forgetPreview()
 {
-    OpenOperation* open = m_queue->interactive();
+    const OpenOperation* open = m_queue->interactive();
     if (!open || !open->manner().keepsForNext)
         return;
     extend(ForgetPreview{});
-    m_queue->end(*open, Ending::Rollback);
+    end(Ending::Rollback); // whichever is open by now: one that failed has been taken back
 }
 
 const Edit* EditSession::openEdit() const
