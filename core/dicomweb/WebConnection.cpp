@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/dicomweb/WebConnection.h"
 
+#include "core/base/Guarded.h"
+
 #include <QElapsedTimer>
 #include <QEventLoop>
 #include <QFile>
@@ -195,6 +197,13 @@ private:
         m_outcome.error = error;
         m_reply->abort();
     }
+    /// For what the event loop calls. No exception may pass through the loop, and what was being
+    /// taken when one was thrown is missing in the answer: the exchange ends with it.
+    void calledByLoop(void (Exchange::*step)())
+    {
+        if (const Result<void> done = guarded([&] { (this->*step)(); }); !done)
+            end(done.error());
+    }
 
     Parts& m_parts;
     WebSink& m_sink;
@@ -252,14 +261,15 @@ WebConnection::Outcome WebConnection::Exchange::run(
     m_parts.patience.whole();
     QEventLoop loop;
     QTimer clock;
-    QObject::connect(m_reply.get(), &QNetworkReply::readyRead, &loop, [this] { take(); });
+    QObject::connect(
+        m_reply.get(), &QNetworkReply::readyRead, &loop, [this] { calledByLoop(&Exchange::take); });
     QObject::connect(m_reply.get(), &QNetworkReply::uploadProgress, &loop, [this](qint64 sent) {
         m_parts.patience.passed(std::max<qint64>(0, sent - std::exchange(m_sent, sent)));
     });
     QObject::connect(
         m_reply.get(), &QNetworkReply::encrypted, &loop, [this] { m_parts.patience.whole(); });
     QObject::connect(m_reply.get(), &QNetworkReply::finished, &loop, &QEventLoop::quit);
-    QObject::connect(&clock, &QTimer::timeout, &loop, [this] { watch(); });
+    QObject::connect(&clock, &QTimer::timeout, &loop, [this] { calledByLoop(&Exchange::watch); });
     constexpr int watchMs = 50;
     clock.start(watchMs);
     if (!m_reply->isFinished())
