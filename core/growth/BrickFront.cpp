@@ -75,24 +75,12 @@ private:
     std::uint16_t m_rows[3][side + 2][side + 2] = {}; ///< by dx + 1, slice + 1 and row + 1
 };
 
-void write(const FrontRule& rule, std::uint32_t generation, std::uint32_t direction,
-    const GrownVoxels& voxels, std::size_t offset)
-{
-    const std::uint8_t there = voxels.labels[offset];
-    const bool held = rule.tellsHeld && there == rule.label;
-    voxels.words[offset] =
-        seedWord::member(generation, rule.label, held ? seedWord::heldDirection : direction);
-    if (voxels.overwritten && !held)
-        voxels.overwritten[offset] = rule.tellsHeld ? there : 0;
-    voxels.labels[offset] = rule.label;
-}
-
 } // namespace
 
-int claimVoxels(const FrontRule& rule, std::uint32_t generation, const FrontsAround& fronts,
-    BrickBits& open, BrickBits& next, const GrownVoxels& voxels)
+int claimVoxels(int connectivity, int ring, const FrontsAround& fronts, BrickBits& open,
+    BrickBits& next, BrickClaims& claims)
 {
-    const PaddedFront front(fronts, rule.connectivity);
+    const PaddedFront front(fronts, connectivity);
     int claimed = 0;
     for (int slice = 0; slice < side; ++slice) {
         const auto at = std::size_t(side * slice);
@@ -103,22 +91,34 @@ int claimVoxels(const FrontRule& rule, std::uint32_t generation, const FrontsAro
             std::memcpy(&next[at], taken.data(), sizeof taken);
             continue;
         }
-        for (std::uint32_t direction = 0; direction < std::uint32_t(rule.connectivity);
-             ++direction) {
+        for (std::uint32_t direction = 0; direction < std::uint32_t(connectivity); ++direction) {
             const SliceWords came = front.cameBy(seedWord::offsets[direction], slice);
             for (std::size_t i = 0; i < wordsOfSlice; ++i) {
                 std::uint64_t bits = came[i] & left[i];
                 left[i] &= ~bits;
                 taken[i] |= bits;
                 for (; bits != 0; bits &= bits - 1, ++claimed)
-                    write(rule, generation, direction, voxels,
-                        at * side + 64 * i + std::size_t(std::countr_zero(bits)));
+                    claims.add(
+                        ring, at * side + 64 * i + std::size_t(std::countr_zero(bits)), direction);
             }
         }
         std::memcpy(&open[at], left.data(), sizeof left);
         std::memcpy(&next[at], taken.data(), sizeof taken);
     }
     return claimed;
+}
+
+void writeClaims(const ClaimRule& rule, const BrickClaims& claims, const GrownVoxels& voxels)
+{
+    claims.forEach([&](std::uint32_t ring, std::size_t offset, std::uint32_t direction) {
+        const std::uint8_t there = voxels.labels[offset];
+        const bool held = rule.tellsHeld && there == rule.label;
+        voxels.words[offset] = seedWord::member(
+            rule.generation + ring, rule.label, held ? seedWord::heldDirection : direction);
+        if (voxels.overwritten && !held)
+            voxels.overwritten[offset] = rule.tellsHeld ? there : 0;
+        voxels.labels[offset] = rule.label;
+    });
 }
 
 unsigned sidesReached(const BrickBits& bits)

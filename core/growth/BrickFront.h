@@ -15,11 +15,50 @@ using BrickBits = std::array<std::uint16_t, BrickGrid::side * BrickGrid::side>;
 /// (dx, dy, dz) has the index dx + 1 + 3 (dy + 1) + 9 (dz + 1).
 using FrontsAround = std::array<const BrickBits*, 27>;
 
-/// How a growth of one label claims voxels whose criterion does not depend on their parents.
-struct FrontRule {
+/// The voxels that generations of a growth claim in a brick, each with the direction of its claim,
+/// until they are written. A voxel is claimed once, so there is always room.
+class BrickClaims {
+public:
+    static constexpr int mostRings = 16;
+
+    /// @param ring the generation, counted from that before the first which is kept here
+    void add(int ring, std::size_t offset, std::uint32_t direction)
+    {
+        m_entries[m_count++] = std::uint32_t(ring) << 17 | std::uint32_t(offset) << 5 | direction;
+    }
+    void clear() { m_count = 0; }
+    [[nodiscard]] bool empty() const { return m_count == 0; }
+
+    /// Calls work(ring, offset, direction) for each of them.
+    template <typename Work> void forEach(const Work& work) const
+    {
+        for (std::size_t i = 0; i < m_count; ++i) {
+            const std::uint32_t entry = m_entries[i];
+            work(entry >> 17, std::size_t(entry >> 5 & 4095u), entry & 31u);
+        }
+    }
+
+private:
+    std::array<std::uint32_t, BrickGrid::voxelsPerBrick> m_entries{};
+    std::size_t m_count = 0;
+};
+
+/// Computes one generation of a growth in one brick: every open voxel that has a neighbour in the
+/// front is claimed, by the lowest direction (seedWord::offsets) that leads to it from the front.
+/// Any thread.
+/// @param connectivity 6, 18 or 26
+/// @param ring as for BrickClaims::add()
+/// @param open the voxels that may be claimed; those that are claimed are taken out
+/// @param next receives the claimed voxels, and nothing else
+/// @return the number of claimed voxels
+int claimVoxels(int connectivity, int ring, const FrontsAround& fronts, BrickBits& open,
+    BrickBits& next, BrickClaims& claims);
+
+/// How a growth of one label writes the voxels that it claims.
+struct ClaimRule {
     std::uint8_t label = 0;
-    int connectivity = 6; ///< 6, 18 or 26
     bool tellsHeld = false; ///< GrowBurst::tellsHeld
+    std::uint32_t generation = 0; ///< that of ring 0
 };
 
 /// The voxels of a brick that a growth writes, `BrickGrid::voxelsPerBrick` of each kind.
@@ -29,16 +68,9 @@ struct GrownVoxels {
     std::uint8_t* overwritten = nullptr; ///< Field::Overwritten; null: not kept here
 };
 
-/// Computes one generation of a growth in one brick: every open voxel that has a neighbour in the
-/// front is claimed, by the lowest direction (seedWord::offsets) that leads to it from the front.
-/// The words, labels and overwritten labels of claimed voxels are those of growRing.comp, to the
+/// Writes the words, labels and overwritten labels of claimed voxels, as growRing.comp does, to the
 /// bit. Any thread.
-/// @param generation of the voxels that are claimed
-/// @param open the voxels that may be claimed; those that are claimed are taken out
-/// @param next receives the claimed voxels, and nothing else
-/// @return the number of claimed voxels
-int claimVoxels(const FrontRule& rule, std::uint32_t generation, const FrontsAround& fronts,
-    BrickBits& open, BrickBits& next, const GrownVoxels& voxels);
+void writeClaims(const ClaimRule& rule, const BrickClaims& claims, const GrownVoxels& voxels);
 
 /// The sides of a brick at which it has voxels of a set: bit 2 · axis for the lower end of an axis,
 /// bit 2 · axis + 1 for the upper one.

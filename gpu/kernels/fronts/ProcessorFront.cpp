@@ -105,17 +105,18 @@ private:
 
 } // namespace
 
-/// What the fields hold in a brick.
+/// What the fields hold in a brick, and what is to be written into them.
 struct ProcessorFront::Images {
+    bool isFetched = false;
     std::vector<std::uint32_t> words = std::vector<std::uint32_t>(voxelsOfBrick);
     std::vector<std::uint8_t> labels = std::vector<std::uint8_t>(voxelsOfBrick);
     std::vector<std::uint8_t> overwritten; ///< empty: not kept here
+    core::BrickClaims claims;
 };
 
 struct ProcessorFront::Brick {
     std::uint32_t number = 0;
     bool isOpenKnown = false;
-    bool isChanged = false; ///< since the last write()
     bool wasWritten = false;
     int open = 0; ///< number of open voxels
     core::BrickBits openVoxels{};
@@ -208,7 +209,7 @@ void ProcessorFront::findReached(std::uint32_t generation)
             const glm::ivec3 offset = offsetOf(i);
             const unsigned sides = sidesTowards(offset);
             if (brick->neighbours[i] < 0 || (brick->sides & sides) != sides
-                || !isNeighbour(offset, m_options.rule.connectivity))
+                || !isNeighbour(offset, m_options.connectivity))
                 continue;
             if (Brick* const beside = m_bricks[std::size_t(brick->neighbours[i])].get())
                 reach(*beside);
@@ -216,8 +217,9 @@ void ProcessorFront::findReached(std::uint32_t generation)
     }
 }
 
-int ProcessorFront::claimIn(Brick& brick, std::uint32_t generation) const
+int ProcessorFront::claimIn(Brick& brick, int ring) const
 {
+    const std::uint32_t generation = m_generation;
     const std::uint32_t before = generation - 1;
     core::FrontsAround fronts{};
     for (std::size_t i = 0; i < fronts.size(); ++i) {
@@ -227,12 +229,8 @@ int ProcessorFront::claimIn(Brick& brick, std::uint32_t generation) const
         if (beside && beside->frontGeneration[before & 1u] == before)
             fronts[i] = &beside->fronts[before & 1u];
     }
-    Images& images = *brick.images;
-    const int claimed = core::claimVoxels(m_options.rule, generation, fronts, brick.openVoxels,
-        brick.fronts[generation & 1u],
-        {.words = images.words.data(),
-            .labels = images.labels.data(),
-            .overwritten = images.overwritten.empty() ? nullptr : images.overwritten.data()});
+    const int claimed = core::claimVoxels(m_options.connectivity, ring, fronts, brick.openVoxels,
+        brick.fronts[generation & 1u], brick.images->claims);
     if (claimed > 0) {
         brick.open -= claimed;
         brick.frontGeneration[generation & 1u] = generation;
@@ -241,10 +239,10 @@ int ProcessorFront::claimIn(Brick& brick, std::uint32_t generation) const
     return claimed;
 }
 
-void ProcessorFront::claim(std::uint32_t generation)
+void ProcessorFront::claim(int ring)
 {
     m_claimed.assign(m_reached.size(), 0);
-    const auto work = [&](std::size_t i) { m_claimed[i] = claimIn(*m_reached[i], generation); };
+    const auto work = [&](std::size_t i) { m_claimed[i] = claimIn(*m_reached[i], ring); };
     if (m_reached.size() < manyBricks) {
         for (std::size_t i = 0; i < m_reached.size(); ++i)
             work(i);
@@ -258,7 +256,7 @@ void ProcessorFront::claim(std::uint32_t generation)
     });
 }
 
-void ProcessorFront::fetch(Brick& brick, const std::set<std::uint32_t>& newPages)
+void ProcessorFront::takeImages(Brick& brick)
 {
     if (brick.images)
         return;
@@ -268,8 +266,16 @@ void ProcessorFront::fetch(Brick& brick, const std::set<std::uint32_t>& newPages
         brick.images = std::move(m_spare.back());
         m_spare.pop_back();
     }
-    m_fetched.push_back(&brick);
+    brick.images->isFetched = false;
+    m_imaged.push_back(&brick);
+}
+
+void ProcessorFront::fetch(Brick& brick, const std::set<std::uint32_t>& newPages)
+{
     Images& images = *brick.images;
+    if (images.isFetched)
+        return;
+    images.isFetched = true;
     const std::uint8_t plane = m_options.plane;
     if (!brick.wasWritten && newPages.contains(brick.number))
         std::fill(images.words.begin(), images.words.end(), core::seedWord::unvisited);
@@ -291,54 +297,57 @@ std::vector<std::uint32_t> ProcessorFront::advance(
 {
     std::vector<std::uint32_t> sizes;
     m_written.clear();
-    for (int ring = 0; ring < rings; ++ring) {
-        m_generation = generation + std::uint32_t(ring) + 1;
+    for (int ring = 1; ring <= std::min(rings, mostRings); ++ring) {
+        m_generation = generation + std::uint32_t(ring);
         findReached(m_generation);
         for (Brick* const brick : m_reached)
-            fetch(*brick, newPages);
-        claim(m_generation);
+            takeImages(*brick);
+        claim(ring);
         std::uint32_t size = 0;
         m_front.clear();
         for (std::size_t i = 0; i < m_reached.size(); ++i) {
-            if (m_claimed[i] == 0)
-                continue;
+            if (m_claimed[i] > 0)
+                m_front.push_back(m_reached[i]);
             size += std::uint32_t(m_claimed[i]);
-            Brick* const brick = m_reached[i];
-            m_front.push_back(brick);
-            if (!brick->isChanged)
-                m_changed.push_back(brick);
-            brick->isChanged = true;
         }
         if (size == 0)
             break;
         sizes.push_back(size);
     }
-    write();
+    write(generation, newPages);
     return sizes;
 }
 
-void ProcessorFront::write()
+void ProcessorFront::write(std::uint32_t generation, const std::set<std::uint32_t>& newPages)
 {
     BrickField& words = m_fields.seedWords(m_options.plane);
     const Texture3D& labels = m_fields.labels(m_options.plane);
-    for (Brick* const brick : m_changed) {
+    const core::ClaimRule rule{
+        .label = m_options.label, .tellsHeld = m_options.tellsHeld, .generation = generation};
+    for (Brick* const brick : m_imaged) {
         Images& images = *brick->images;
+        if (images.claims.empty())
+            continue;
+        fetch(*brick, newPages);
+        core::writeClaims(rule, images.claims,
+            {.words = images.words.data(),
+                .labels = images.labels.data(),
+                .overwritten = images.overwritten.empty() ? nullptr : images.overwritten.data()});
+        images.claims.clear();
         words.write(brick->number, bytesOf(images.words));
         LabelBrick(labels, m_fields.grid(), brick->number).write(images.labels);
         if (!images.overwritten.empty())
             m_fields.overwritten(m_options.plane).write(brick->number, bytesOf(images.overwritten));
-        brick->isChanged = false;
         brick->wasWritten = true;
         m_written.push_back(brick->number);
     }
-    m_changed.clear();
-    std::erase_if(m_fetched, [this](Brick* brick) {
+    std::sort(m_written.begin(), m_written.end());
+    std::erase_if(m_imaged, [this](Brick* brick) {
         const bool holdsFront = brick->frontGeneration[m_generation & 1u] == m_generation;
         if (!holdsFront)
             m_spare.push_back(std::move(brick->images));
         return !holdsFront;
     });
-    std::sort(m_written.begin(), m_written.end());
 }
 
 std::vector<std::uint32_t> ProcessorFront::frontBricks() const

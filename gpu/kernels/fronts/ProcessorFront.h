@@ -19,12 +19,14 @@ namespace gpu {
 /// growths as FrontBits, and what it writes is the same, to the bit.
 ///
 /// The fields are written once after each batch of generations. Takes 1.7 KiB for each brick that
-/// the growth has reached, and 20 KiB more for those that hold its front. Engine thread only.
+/// the growth has reached, and 36 KiB more for those that hold its front. Engine thread only.
 class ProcessorFront {
 public:
     struct Options {
-        core::FrontRule rule;
+        std::uint8_t label = 0;
         std::uint8_t plane = 0;
+        int connectivity = 6; ///< 6, 18 or 26
+        bool tellsHeld = false; ///< GrowBurst::tellsHeld
         bool keepsOverwritten = false; ///< whether Field::Overwritten is written where it has pages
     };
     /// @param fields must outlive this
@@ -40,8 +42,9 @@ public:
     void setOpen(
         std::span<const std::uint32_t> bricks, std::span<const core::BrickBits> openVoxels);
 
-    /// Runs some generations one after the other, and writes what they claim into the fields. The
-    /// open voxels of all bricks that they may reach must be known.
+    static constexpr int mostRings = core::BrickClaims::mostRings;
+    /// Runs at most mostRings generations one after the other, and writes what they claim into the
+    /// fields. The open voxels of all bricks that they may reach must be known.
     /// @param generation of the front
     /// @param newPages bricks whose seed words were empty before the burst
     /// @return the number of voxels that each generation claimed; the first that claims none is the
@@ -62,10 +65,17 @@ private:
 
     Brick& known(std::uint32_t brick);
     void findReached(std::uint32_t generation);
-    void claim(std::uint32_t generation);
-    int claimIn(Brick& brick, std::uint32_t generation) const;
+    /// Claims in all of these the voxels of one more generation.
+    /// @param ring the generation, counted from that before the batch
+    void claim(int ring);
+    int claimIn(Brick& brick, int ring) const;
+    /// Gives a brick room for images, if it has none.
+    void takeImages(Brick& brick);
+    /// Reads them, if that was not done yet.
     void fetch(Brick& brick, const std::set<std::uint32_t>& newPages);
-    void write();
+    /// Writes what the batch has claimed into the fields.
+    /// @param generation before the batch
+    void write(std::uint32_t generation, const std::set<std::uint32_t>& newPages);
 
     VoxelFields& m_fields;
     Options m_options;
@@ -74,9 +84,8 @@ private:
     std::vector<Brick*> m_reached; ///< those that the next generation may change
     std::vector<int> m_claimed; ///< in each of them
     std::uint32_t m_generation = 0; ///< of the front
-    std::vector<Brick*> m_changed; ///< since the last write()
     std::vector<std::uint32_t> m_written;
-    std::vector<Brick*> m_fetched; ///< those that have images
+    std::vector<Brick*> m_imaged; ///< those that have images
     std::vector<std::unique_ptr<Images>> m_spare;
 };
 

@@ -14,10 +14,10 @@ int GrowthKernel::advanceOnProcessor(int rings)
 {
     const std::vector<std::uint32_t> reachable = prepareBricks();
     if (!m_processorFront) {
-        const ProcessorFront::Options options{.rule = {.label = *m_onlyLabel,
-                                                  .connectivity = m_burst.connectivity,
-                                                  .tellsHeld = m_burst.tellsHeld},
+        const ProcessorFront::Options options{.label = *m_onlyLabel,
             .plane = m_burst.plane,
+            .connectivity = m_burst.connectivity,
+            .tellsHeld = m_burst.tellsHeld,
             .keepsOverwritten = m_kind.overwritten};
         m_processorFront.emplace(m_fields, options, listedFront(), m_generation);
     }

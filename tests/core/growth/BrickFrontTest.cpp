@@ -10,6 +10,7 @@
 
 #include <glm/glm.hpp>
 
+#include <memory>
 #include <vector>
 
 namespace brickFrontTest {
@@ -54,8 +55,7 @@ bool isInFront(const FrontsAround& fronts, const glm::ivec3& voxel)
 }
 
 /// Voxel by voxel, as seedWord.h and growth.glsl say it.
-Claims expected(
-    const FrontRule& rule, std::uint32_t generation, const FrontsAround& fronts, Claims claims)
+Claims expected(const ClaimRule& rule, int connectivity, const FrontsAround& fronts, Claims claims)
 {
     const BrickBits open = claims.open;
     claims.next = {};
@@ -65,7 +65,7 @@ Claims expected(
                 const glm::ivec3 voxel(x, y, z);
                 if (!holds(open, voxel))
                     continue;
-                for (std::uint32_t d = 0; d < std::uint32_t(rule.connectivity); ++d) {
+                for (std::uint32_t d = 0; d < std::uint32_t(connectivity); ++d) {
                     const std::array<int, 3>& step = seedWord::offsets[d];
                     if (!isInFront(fronts, voxel - glm::ivec3(step[0], step[1], step[2])))
                         continue;
@@ -73,7 +73,7 @@ Claims expected(
                     const std::uint8_t there = claims.labels[at];
                     const bool held = rule.tellsHeld && there == rule.label;
                     claims.words[at] = seedWord::member(
-                        generation, rule.label, held ? seedWord::heldDirection : d);
+                        rule.generation + 3, rule.label, held ? seedWord::heldDirection : d);
                     if (!claims.overwritten.empty() && (there != rule.label || !rule.tellsHeld))
                         claims.overwritten[at] = rule.tellsHeld ? there : 0;
                     claims.labels[at] = rule.label;
@@ -129,9 +129,10 @@ void BrickFrontTest::claimsAsVoxelByVoxel()
     QFETCH(int, open);
     test::Random random(std::uint32_t(100 * connectivity + front));
     for (int round = 0; round < (test::longRun() ? 400 : 12); ++round) {
-        const FrontRule rule{.label = std::uint8_t(test::randomInt(random, 1, 255)),
-            .connectivity = connectivity,
-            .tellsHeld = round % 2 == 0};
+        const ClaimRule rule{.label = std::uint8_t(test::randomInt(random, 1, 255)),
+            .tellsHeld = round % 2 == 0,
+            .generation =
+                std::uint32_t(test::randomInt(random, 0, int(seedWord::maxGeneration) - 3))};
         std::vector<BrickBits> bits(27);
         FrontsAround fronts{};
         for (std::size_t i = 0; i < bits.size(); ++i) {
@@ -150,14 +151,14 @@ void BrickFrontTest::claimsAsVoxelByVoxel()
             before.overwritten.assign(BrickGrid::voxelsPerBrick, 9);
         before.next = randomBits(random, 500); // of a generation that is forgotten
 
-        const std::uint32_t generation =
-            std::uint32_t(test::randomInt(random, 1, int(seedWord::maxGeneration)));
         Claims actual = before;
-        actual.count = claimVoxels(rule, generation, fronts, actual.open, actual.next,
+        const auto claims = std::make_unique<BrickClaims>();
+        actual.count = claimVoxels(connectivity, 3, fronts, actual.open, actual.next, *claims);
+        writeClaims(rule, *claims,
             {.words = actual.words.data(),
                 .labels = actual.labels.data(),
                 .overwritten = actual.overwritten.empty() ? nullptr : actual.overwritten.data()});
-        const Claims wanted = expected(rule, generation, fronts, before);
+        const Claims wanted = expected(rule, connectivity, fronts, before);
         QCOMPARE(actual.count, wanted.count);
         QVERIFY(actual == wanted);
         QVERIFY(wanted.count > 0);
@@ -175,8 +176,8 @@ void BrickFrontTest::oneVoxelReachesItsNeighbours_data()
 void BrickFrontTest::oneVoxelReachesItsNeighbours()
 {
     QFETCH(int, connectivity);
-    std::vector<std::uint32_t> words(BrickGrid::voxelsPerBrick);
-    std::vector<std::uint8_t> labels(BrickGrid::voxelsPerBrick);
+    std::vector<int> directions(BrickGrid::voxelsPerBrick, -1);
+    const auto claims = std::make_unique<BrickClaims>();
     for (int z = -1; z <= side; ++z)
         for (int y = -1; y <= side; ++y)
             for (int x = -1; x <= side; ++x) {
@@ -191,8 +192,11 @@ void BrickFrontTest::oneVoxelReachesItsNeighbours()
                 BrickBits open;
                 open.fill(0xFFFF);
                 BrickBits next{};
-                const int count = claimVoxels({.label = 1, .connectivity = connectivity}, 2, fronts,
-                    open, next, {.words = words.data(), .labels = labels.data()});
+                claims->clear();
+                const int count = claimVoxels(connectivity, 16, fronts, open, next, *claims);
+                claims->forEach([&](std::uint32_t ring, std::size_t offset, std::uint32_t d) {
+                    directions[offset] = ring == 16 ? int(d) : -1;
+                });
                 int wanted = 0;
                 for (int d = 0; d < connectivity; ++d) {
                     const std::array<int, 3>& step = seedWord::offsets[std::size_t(d)];
@@ -203,7 +207,7 @@ void BrickFrontTest::oneVoxelReachesItsNeighbours()
                     ++wanted;
                     QVERIFY(holds(next, child));
                     const auto at = std::size_t(child.x + side * (child.y + side * child.z));
-                    QCOMPARE(seedWord::direction(words[at]), std::uint32_t(d));
+                    QCOMPARE(directions[at], d);
                 }
                 QCOMPARE(count, wanted);
             }
