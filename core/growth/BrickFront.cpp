@@ -51,27 +51,27 @@ private:
         const std::size_t count = dy == 0 ? side : 1;
         const std::size_t from = std::size_t(side * (slice & (side - 1)) + (dy < 0 ? side - 1 : 0));
         const auto at = std::size_t(3 * (dy + 1) + 9 * (dz + 1));
-        const BrickBits* const left = fronts[at];
-        const BrickBits* const own = fronts[at + 1];
-        const BrickBits* const right = fronts[at + 2];
+        const auto frontAt = [&](std::size_t place) {
+            return (fronts[place] ? *fronts[place] : nothing).data() + from;
+        };
+        const std::uint16_t* const left = frontAt(at);
+        const std::uint16_t* const own = frontAt(at + 1);
+        const std::uint16_t* const right = frontAt(at + 2);
         const auto z = std::size_t(slice + 1);
-        auto& before = m_rows[0][z]; // the voxel at x − 1
-        auto& here = m_rows[1][z];
-        auto& after = m_rows[2][z];
+        std::uint16_t* const before = &m_rows[0][z][first]; // the voxels at x − 1
+        std::uint16_t* const here = &m_rows[1][z][first];
+        std::uint16_t* const after = &m_rows[2][z][first];
+        std::copy_n(own, count, here);
         // Neighbours along edges need no corners, and those across faces no edges.
-        const bool shifts = aside == 0 || (aside == 1 && connectivity > 6) || connectivity > 18;
-        for (std::size_t i = 0; i < count; ++i) {
-            const unsigned row = own ? (*own)[from + i] : 0u;
-            here[first + i] = std::uint16_t(row);
-            if (!shifts)
-                continue;
-            before[first + i] =
-                std::uint16_t(row << 1 | (left ? (*left)[from + i] >> (side - 1) : 0u));
-            after[first + i] =
-                std::uint16_t(row >> 1 | (right ? (*right)[from + i] << (side - 1) : 0u));
-        }
+        if (aside != 0 && (aside != 1 || connectivity == 6) && connectivity <= 18)
+            return;
+        for (std::size_t i = 0; i < count; ++i)
+            before[i] = std::uint16_t(own[i] << 1 | left[i] >> (side - 1));
+        for (std::size_t i = 0; i < count; ++i)
+            after[i] = std::uint16_t(own[i] >> 1 | right[i] << (side - 1));
     }
 
+    static constexpr BrickBits nothing{};
     std::uint16_t m_rows[3][side + 2][side + 2] = {}; ///< by dx + 1, slice + 1 and row + 1
 };
 

@@ -39,6 +39,22 @@ unsigned sidesTowards(const glm::ivec3& offset)
     return sides;
 }
 
+/// Calls work(0) … work(count - 1), on several threads where that is worth their start.
+template <typename Work> void forEach(std::size_t count, const Work& work)
+{
+    if (count < manyBricks) {
+        for (std::size_t i = 0; i < count; ++i)
+            work(i);
+        return;
+    }
+    constexpr std::size_t part = 32;
+    core::parallelFor(int((count + part - 1) / part), [&](int number) {
+        const std::size_t first = part * std::size_t(number);
+        for (std::size_t i = first; i < std::min(first + part, count); ++i)
+            work(i);
+    });
+}
+
 template <typename T> std::span<std::byte> bytesOf(std::vector<T>& values)
 {
     return std::as_writable_bytes(std::span<T>(values));
@@ -242,18 +258,7 @@ int ProcessorFront::claimIn(Brick& brick, int ring) const
 void ProcessorFront::claim(int ring)
 {
     m_claimed.assign(m_reached.size(), 0);
-    const auto work = [&](std::size_t i) { m_claimed[i] = claimIn(*m_reached[i], ring); };
-    if (m_reached.size() < manyBricks) {
-        for (std::size_t i = 0; i < m_reached.size(); ++i)
-            work(i);
-        return;
-    }
-    constexpr std::size_t bricksOfPart = 32;
-    core::parallelFor(int((m_reached.size() + bricksOfPart - 1) / bricksOfPart), [&](int part) {
-        const std::size_t first = bricksOfPart * std::size_t(part);
-        for (std::size_t i = first; i < std::min(first + bricksOfPart, m_reached.size()); ++i)
-            work(i);
-    });
+    forEach(m_reached.size(), [&](std::size_t i) { m_claimed[i] = claimIn(*m_reached[i], ring); });
 }
 
 void ProcessorFront::takeImages(Brick& brick)
@@ -324,16 +329,23 @@ void ProcessorFront::write(std::uint32_t generation, const std::set<std::uint32_
     const Texture3D& labels = m_fields.labels(m_options.plane);
     const core::ClaimRule rule{
         .label = m_options.label, .tellsHeld = m_options.tellsHeld, .generation = generation};
+    std::vector<Brick*> changed;
     for (Brick* const brick : m_imaged) {
-        Images& images = *brick->images;
-        if (images.claims.empty())
-            continue;
+        if (!brick->images->claims.empty())
+            changed.push_back(brick);
+    }
+    for (Brick* const brick : changed)
         fetch(*brick, newPages);
+    forEach(changed.size(), [&](std::size_t i) {
+        Images& images = *changed[i]->images;
         core::writeClaims(rule, images.claims,
             {.words = images.words.data(),
                 .labels = images.labels.data(),
                 .overwritten = images.overwritten.empty() ? nullptr : images.overwritten.data()});
         images.claims.clear();
+    });
+    for (Brick* const brick : changed) {
+        Images& images = *brick->images;
         words.write(brick->number, bytesOf(images.words));
         LabelBrick(labels, m_fields.grid(), brick->number).write(images.labels);
         if (!images.overwritten.empty())
