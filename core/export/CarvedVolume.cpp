@@ -10,6 +10,7 @@
 #include "core/export/common/MaskSelection.h"
 #include "core/nifti/NiftiReader.h"
 #include "core/nifti/NiftiWriter.h"
+#include "core/repair/RepairVolume.h"
 #include "core/repair/SeriesRepair.h"
 
 #include <QCryptographicHash>
@@ -222,7 +223,7 @@ Result<ExportReport> exportCarvedVolume(
             numberText(fill, volume.unit)}};
     if (!volume.repair.isEmpty())
         report.cautions += ReportSentence{
-            ReportCode::Repaired, {SeriesRepair::fromText(volume.repair)->inWords()}};
+            ReportCode::Repaired, {SeriesRepair::fromText(repairMade(volume))->inWords()}};
     for (const VolumeProblem& problem : volume.problems) {
         if (problem.caution)
             report.cautions += problem.said;

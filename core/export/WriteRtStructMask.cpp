@@ -3,6 +3,7 @@
 #include "core/dicom/write/RtStructWriter.h"
 #include "core/export/common/CheckSources.h"
 #include "core/export/common/MaskSelection.h"
+#include "core/repair/RepairVolume.h"
 #include "core/surface/SliceContours.h"
 
 namespace core {
@@ -13,7 +14,7 @@ Result<ReportLines> writeRtStructMask(const QString& path, const Volume& volume,
 {
     RtStructContent content;
     content.identity = volume.identity;
-    content.repair = volume.repair;
+    content.repair = repairMade(volume);
     content.sources = volume.sources;
     content.keptHeaders = volume.keptHeaders;
     content.segments = selection.segments;

@@ -4,6 +4,7 @@
 #include "core/export/common/CheckSources.h"
 #include "core/export/common/MaskSelection.h"
 #include "core/export/common/Occupancy.h"
+#include "core/repair/RepairVolume.h"
 
 #include <algorithm>
 #include <cmath>
@@ -168,7 +169,7 @@ Result<ReportLines> writeSegMask(const QString& path, const Volume& volume,
     const VolumeGeometry& geometry = volume.geometry;
     SegContent content;
     content.identity = volume.identity;
-    content.repair = volume.repair;
+    content.repair = repairMade(volume);
     content.sources = volume.sources;
     content.keptHeaders = volume.keptHeaders;
     content.columns = geometry.size.x;

@@ -7,8 +7,11 @@
 #include "core/volume/MemoryLimit.h"
 #include "core/volume/encoding/VolumeEncoder.h"
 
+#include <QStringList>
+
 #include <algorithm>
 #include <atomic>
+#include <optional>
 #include <utility>
 
 namespace core {
@@ -244,6 +247,18 @@ Result<LoadedVolume> repairVolume(
     if (repair.part != 0 || repair.movesVoxels())
         describeCodes(loaded, code, outside);
     return loaded;
+}
+
+QString repairMade(const Volume& volume)
+{
+    QStringList words;
+    for (const VolumeProblem& problem : volume.problems) {
+        if (!problem.repairedBy.isEmpty())
+            words += problem.repairedBy;
+    }
+    // Several problems may be repaired by one word; reading them takes each once.
+    const std::optional<SeriesRepair> made = SeriesRepair::fromText(words.join(u','));
+    return made && !made->isNone() ? made->toText() : volume.repair;
 }
 
 } // namespace core

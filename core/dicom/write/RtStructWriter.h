@@ -27,7 +27,7 @@ struct RtStructContent {
     };
 
     StudyIdentity identity; ///< of the source, as it was loaded
-    QString repair; ///< how the series was repaired on loading (Volume::repair); empty: not at all
+    QString repair; ///< how the series was repaired on loading (repairMade()); empty: not at all
     std::vector<SourceSlice> sources;
     std::shared_ptr<const KeptHeaders> keptHeaders; ///< replaces these; null: their files are read
     std::vector<Segment> segments; ///< each with a contour

@@ -11,6 +11,7 @@
 #include "core/export/common/CheckWayBack.h"
 #include "core/export/common/MaskSelection.h"
 #include "core/export/common/StatisticsText.h"
+#include "core/repair/RepairVolume.h"
 #include "core/repair/SeriesRepair.h"
 #include "core/repair/WayBack.h"
 #include "core/study/SourceFiles.h"
@@ -202,7 +203,7 @@ Result<StagedExport> stageOn(const Volume& volume, const ExportRequest& request,
         report.cautions += ReportSentence{ReportCode::SegmentEmpty, {name}};
     if (!volume.repair.isEmpty())
         report.cautions += ReportSentence{
-            ReportCode::Repaired, {SeriesRepair::fromText(volume.repair)->inWords()}};
+            ReportCode::Repaired, {SeriesRepair::fromText(repairMade(volume))->inWords()}};
     for (const VolumeProblem& problem : volume.problems) {
         if (problem.caution)
             report.cautions += problem.said;

@@ -3,6 +3,7 @@
 #include "core/dicom/objects/SegReader.h"
 #include "core/export/CarvedVolume.h"
 #include "core/export/common/ExportMask.h"
+#include "core/repair/RepairVolume.h"
 #include "core/repair/SeriesRepair.h"
 #include "core/repair/WayBack.h"
 #include "tests/support/program/TestProgram.h"
@@ -79,6 +80,7 @@ private Q_SLOTS:
     void nothingRefersToAFilledSlice();
     void otherFormatsLieOnTheRepairedGrid();
     void headersSayHowItWasRepaired();
+    void whatWasNotNeededIsNotSaid();
     void carvedSeriesIsRefused();
 
 private:
@@ -293,6 +295,29 @@ void ExportRepairedTest::headersSayHowItWasRepaired()
     QVERIFY2(how.contains(QLatin1String("tilt sheared out")), qPrintable(how));
     const QString description = attribute(path("rt.dcm"), DCM_StructureSetDescription);
     QVERIFY2(description.contains(QLatin1String("tilt sheared out")), qPrintable(description));
+}
+
+void ExportRepairedTest::whatWasNotNeededIsNotSaid()
+{
+    const LoadedVolume loaded = opened(QStringLiteral("tilted"), QStringLiteral("gap=fill,tilt"));
+    // The name of the volume is all that was asked for.
+    QCOMPARE(loaded.volume.repair, QStringLiteral("gap=fill,tilt"));
+    const std::vector<std::uint8_t> labels(loaded.volume.geometry.voxelCount(), 1);
+    for (const auto& [format, file] : {std::pair{ExportFormat::Nifti, "mask.nii"},
+             std::pair{ExportFormat::DicomSeg, "seg.dcm"}}) {
+        const auto report = exported(loaded.volume, labels, format, file);
+        QVERIFY2(report, report ? "" : qPrintable(messageOf(report.error())));
+        const QStringList cautions = ui::reportTexts(report->cautions);
+        QVERIFY2(!cautions.filter(QStringLiteral("loading (tilt sheared out)")).isEmpty(),
+            qPrintable(cautions.join(u'\n')));
+        QVERIFY2(cautions.filter(QStringLiteral("filled in")).isEmpty(),
+            qPrintable(cautions.join(u'\n')));
+    }
+    QCOMPARE(attribute(path("seg.dcm"), DCM_ContentDescription),
+        QStringLiteral("Repaired series: tilt"));
+    const LoadedVolume both =
+        opened(QStringLiteral("gapped and tilted"), QStringLiteral("gap=fill,tilt"));
+    QCOMPARE(repairMade(both.volume), QStringLiteral("gap=fill,tilt"));
 }
 
 void ExportRepairedTest::carvedSeriesIsRefused()
