@@ -122,6 +122,10 @@ int runMesh(const Arguments& arguments)
         return reportUsageError("mesh", QStringLiteral("--space must be lps or ras"));
     const bool isRas = space == QLatin1String("RAS");
 
+    // Known before minutes of work.
+    if (const core::Result<void> fits = core::checkFileTarget(out, arguments.has("force")); !fits)
+        return reportFailure(fits.error());
+
     const QString study = arguments.value("study");
     const auto loaded = core::loadVolume(study, seriesOf(arguments));
     if (!loaded)
@@ -140,7 +144,9 @@ int runMesh(const Arguments& arguments)
         const core::MaskSegment& segment = mask->segments[i];
         if (arguments.has("segment") && segment.name != arguments.value("segment"))
             continue;
-        const auto fit = core::measuredFit(segment.voxels, geometry, vertices, {});
+        // By the newest rules, as the window lays it: it never passes through itself.
+        constexpr bool keepsApart = true;
+        const auto fit = core::measuredFit(segment.voxels, geometry, vertices, {}, keepsApart);
         if (!fit)
             return reportFailure(fit.error());
         const core::SimplexMesh& mesh = fit->mesh;

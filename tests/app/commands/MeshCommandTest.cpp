@@ -95,6 +95,18 @@ private Q_SLOTS:
         QCOMPARE(double(read->parts.front().triangles.size()), 3.0 * vertices);
     }
 
+    /// As the window lays it: as few vertices as it takes, and nothing passes through itself.
+    void byTheNewestRules()
+    {
+        const test::Outcome outcome = mesh({QStringLiteral("--out"),
+            m_folder->filePath(QStringLiteral("a.ply")), QStringLiteral("--json")});
+        QCOMPARE(outcome.status, 0);
+        const QJsonObject facts = outcome.lines.value(0);
+        const int vertices = facts.value(QStringLiteral("vertices")).toInt();
+        QVERIFY2(vertices > 1000 && vertices < 5000, qPrintable(QString::number(vertices)));
+        QCOMPARE(facts.value(QStringLiteral("crossings")).toInt(), 0);
+    }
+
     void otherSpace()
     {
         const QString lps = m_folder->filePath(QStringLiteral("lps.stl"));
@@ -147,6 +159,8 @@ private Q_SLOTS:
         const test::Outcome outcome = mesh({QStringLiteral("--out"), out});
         QCOMPARE(outcome.status, 1);
         QVERIFY(outcome.complaint.contains(QStringLiteral("there.ply")));
+        // Before anything was worked out.
+        QVERIFY2(outcome.output.isEmpty(), outcome.output.constData());
         QCOMPARE(mesh({QStringLiteral("--out"), out, QStringLiteral("--force")}).status, 0);
     }
 };
