@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/steps/SourceArguments.h"
 
+#include "ui/base/ErrorText.h"
 #include "ui/settings/PacsSources.h"
+#include "ui/texts/ClauseText.h"
 
 #include <QStringList>
 
@@ -77,6 +79,23 @@ std::vector<Option> sourceOptions()
             "speaks TLS, and trusts the certificates of this authority (PEM)"},
         {"tls-certificate", "FILE", "our own certificate (PEM)"},
         {"tls-key", "FILE", "the key of our own certificate (PEM)"}};
+}
+
+QString sourceProblem(const core::Error& error)
+{
+    if (error.code != core::ErrorCode::InvalidField)
+        return ui::errorText(error);
+    const QString field = error.arguments.value(0);
+    const QString why = ui::clauseText(error.arguments.value(1));
+    if (field == QLatin1String("node"))
+        return QStringLiteral("SOURCE: %1").arg(why);
+    // Core calls the files of TLS by what they hold.
+    for (const Option& option : sourceOptions()) {
+        const QLatin1String name(option.name);
+        if (field == name || QStringLiteral("tls-") + field == name)
+            return QStringLiteral("--%1: %2").arg(name, why);
+    }
+    return QStringLiteral("%1: %2").arg(field, why);
 }
 
 core::Result<core::PacsSource> sourceOf(const Arguments& arguments)

@@ -4,7 +4,6 @@
 #include "app/steps/JsonLine.h"
 #include "app/steps/SourceArguments.h"
 #include "core/sources/PacsSource.h"
-#include "ui/base/ErrorText.h"
 
 #include <cstdio>
 
@@ -16,7 +15,7 @@ int runEcho(const Arguments& arguments)
 {
     const core::Result<core::PacsSource> source = sourceOf(arguments);
     if (!source)
-        return reportUsageError("echo", ui::errorText(source.error()));
+        return reportUsageError("echo", sourceProblem(source.error()));
     if (arguments.rest().size() > 1)
         return reportUsageError("echo", QStringLiteral("one source at a time"));
     if (const core::Result<void> answered = core::echoNode(*source, core::Progress()); !answered)

@@ -4,10 +4,11 @@
 #include "app/steps/JsonLine.h"
 #include "app/steps/SourceArguments.h"
 #include "core/sources/PacsSource.h"
-#include "ui/base/ErrorText.h"
 
+#include <QDate>
 #include <QJsonArray>
 
+#include <algorithm>
 #include <cstdio>
 
 namespace app {
@@ -17,6 +18,18 @@ namespace {
 QString word(const char* text)
 {
     return QLatin1String(text);
+}
+
+/// Nodes differ in what they make of anything else; some then list all that they hold.
+bool isDateOrRange(const QString& text)
+{
+    const QStringList days = text.split(u'-');
+    const bool isRange = days.size() == 2 && text.size() > 1;
+    return (isRange || days.size() == 1)
+        && std::all_of(days.begin(), days.end(), [isRange](const QString& day) {
+               return (isRange && day.isEmpty())
+                   || QDate::fromString(day, QStringLiteral("yyyyMMdd")).isValid();
+           });
 }
 
 QJsonValue count(int number)
@@ -89,10 +102,21 @@ int runFind(const Arguments& arguments)
 {
     const core::Result<core::PacsSource> source = sourceOf(arguments);
     if (!source)
-        return reportUsageError("find", ui::errorText(source.error()));
+        return reportUsageError("find", sourceProblem(source.error()));
     if (arguments.rest().size() > 1)
         return reportUsageError("find", QStringLiteral("one source at a time"));
     const bool asJson = arguments.has("json");
+    for (const char* option :
+        {"patient-name", "patient-id", "date", "modality", "accession", "description", "most"}) {
+        if (arguments.has("study") && arguments.has(option))
+            return reportUsageError("find",
+                QStringLiteral("--study lists all series of one study; --%1 is for studies")
+                    .arg(QLatin1String(option)));
+    }
+    if (arguments.has("date") && !isDateOrRange(arguments.value("date")))
+        return reportUsageError("find",
+            QStringLiteral("--date takes YYYYMMDD, or two such dates with a hyphen between, of "
+                           "which one may be missing"));
     if (arguments.has("study"))
         return findSeriesOf(*source, arguments.value("study"), asJson);
     constexpr int usualMost = 500;
@@ -129,7 +153,9 @@ const Command findCommand{.name = "find",
         std::vector<Option>{{"patient-name", "NAME",
                                 "the patient's name; * and ? stand for letters, here and below"},
             {"patient-id", "ID", "the patient's number"},
-            {"date", "FROM-TO", "the study's date as YYYYMMDD, or two dates with a hyphen between"},
+            {"date", "FROM-TO",
+                "the study's date as YYYYMMDD, or two dates with a hyphen between, of which one "
+                "may be missing"},
             {"modality", "MODALITY", "the modality, such as CT, MR or PT"},
             {"accession", "NUMBER", "the accession number"},
             {"description", "TEXT", "the study's description"},

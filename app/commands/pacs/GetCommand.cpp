@@ -4,7 +4,6 @@
 #include "app/steps/JsonLine.h"
 #include "app/steps/SourceArguments.h"
 #include "core/sources/PacsSource.h"
-#include "ui/base/ErrorText.h"
 
 #include <cstdio>
 
@@ -16,7 +15,7 @@ int runGet(const Arguments& arguments)
 {
     core::Result<core::PacsSource> source = sourceOf(arguments);
     if (!source)
-        return reportUsageError("get", ui::errorText(source.error()));
+        return reportUsageError("get", sourceProblem(source.error()));
     if (arguments.rest().size() > 1)
         return reportUsageError("get", QStringLiteral("one source at a time"));
     if (!arguments.has("study") || !arguments.has("to"))

@@ -5,7 +5,6 @@
 #include "app/steps/SourceArguments.h"
 #include "core/dicom/base/DicomFile.h"
 #include "core/sources/PacsSource.h"
-#include "ui/base/ErrorText.h"
 
 #include <QDirIterator>
 #include <QFileInfo>
@@ -45,7 +44,7 @@ int runSend(const Arguments& arguments)
 {
     const core::Result<core::PacsSource> source = sourceOf(arguments);
     if (!source)
-        return reportUsageError("send", ui::errorText(source.error()));
+        return reportUsageError("send", sourceProblem(source.error()));
     int others = 0;
     const QStringList files = filesOf(arguments.rest().mid(1), others);
     if (files.isEmpty())

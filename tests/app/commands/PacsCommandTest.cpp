@@ -160,6 +160,9 @@ void PacsCommandTest::wrongArguments_data()
     QTest::newRow("no title") << word("echo localhost:104");
     QTest::newRow("two nodes") << word("find A@b:104 C@d:104");
     QTest::newRow("no limit") << word("find A@b:104 --most 0");
+    QTest::newRow("no date") << word("find A@b:104 --date 2024");
+    QTest::newRow("half a range") << word("find A@b:104 --date 20240101-2024");
+    QTest::newRow("a filter for series") << word("find A@b:104 --study 1.2 --modality CT");
     QTest::newRow("no study") << word("get A@b:104 --to /tmp/x");
     QTest::newRow("no folder") << word("get A@b:104 --study 1.2");
     QTest::newRow("no port") << word("get A@b:104 --study 1.2 --to /tmp/x --move x");
@@ -182,6 +185,8 @@ void PacsCommandTest::wrongArguments()
     QCOMPARE(outcome.status, 2);
     QCOMPARE(outcome.complaint.count(u'\n'), 1);
     QVERIFY(!outcome.complaint.contains(word("secret")));
+    // Of the command line it names words that stand there.
+    QVERIFY2(!outcome.complaint.contains(word("field '")), qPrintable(outcome.complaint));
 }
 
 BURIN_TEST(PacsCommandTest)
