@@ -43,15 +43,13 @@ std::span<const Command* const> commands()
     return table;
 }
 
-void printHelp(FILE* out)
+void printHelp()
 {
-    std::fprintf(out,
-        "burin %s — segmentation workstation (research use; not a medical device)\n\n",
+    std::printf("burin %s — segmentation workstation (research use; not a medical device)\n\n",
         BURIN_VERSION);
     for (const Command* command : commands())
-        std::fprintf(
-            out, "  burin %s %s\n      %s\n", command->name, command->usage, command->summary);
-    std::fprintf(out, "\nburin COMMAND --help says what each option means.\n");
+        std::printf("  burin %s %s\n      %s\n", command->name, command->usage, command->summary);
+    std::printf("\nburin COMMAND --help says what each option means.\n");
 }
 
 } // namespace
@@ -105,11 +103,14 @@ int runCommandLine(int argc, char** argv)
         std::printf("burin %s\n", BURIN_VERSION);
         return 0;
     }
-    const bool askedForHelp = std::strcmp(verb, "--help") == 0 || std::strcmp(verb, "help") == 0;
-    if (!askedForHelp)
-        std::fprintf(stderr, "burin: unknown command '%s'\n\n", verb);
-    printHelp(askedForHelp ? stdout : stderr);
-    return askedForHelp ? 0 : 2;
+    for (const char* word : {"--help", "-h", "help"}) {
+        if (std::strcmp(verb, word) == 0) {
+            printHelp();
+            return 0;
+        }
+    }
+    std::fprintf(stderr, "burin: unknown command '%s' (burin --help)\n", verb);
+    return 2;
 }
 
 } // namespace app

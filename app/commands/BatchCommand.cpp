@@ -153,7 +153,7 @@ private:
             if (other.isEmpty())
                 return tell(task, "was done", {});
             if (!m_force)
-                return tell(task, "failed",
+                return tell(task, "other",
                     QStringLiteral("%1: %2; --force does it anew").arg(task.folder, other));
         }
         auto job = std::make_unique<StudyJob>(std::move(task), std::move(results));

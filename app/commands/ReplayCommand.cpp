@@ -330,17 +330,21 @@ int runReplay(const Arguments& arguments)
 
 const Command replayCommand{.name = "replay",
     .words = "FILE.burin",
-    .usage = "FILE.burin --verify [--to ROW] [--export FILE [--format FORMAT] [--layer NUMBER]"
-             " [--fill VALUE] [--deidentify] [--deflated] [--force]] [--study PATH] [--series UID]"
-             " [--trace FILE.json]",
-    .summary = "carries out a session's history again, from nothing, and compares every hash; "
-               "--export writes the masks of that state; with --format coverage --layer NUMBER it "
-               "writes what a sculpt layer carves (.nii.gz), with --format carved-volume the study "
-               "without what is carved (.nii.gz, or a new folder for a DICOM series), where --fill "
-               "gives the value that stands there, by default the least; --deidentify leaves out "
-               "who the patient is, --deflated makes a DICOM SEG smaller",
+    .usage = "FILE.burin [--verify] [--to ROW] [--export FILE [--format FORMAT] [--layer NUMBER]"
+             " [--fill VALUE] [--space lps|ras] [--deidentify] [--deflated] [--force]]"
+             " [--study PATH] [--series UID] [--trace FILE.json]",
+    .summary = "carries out a session's history again, from nothing, and compares every hash: all "
+               "of it with --verify, and what leads to the exported state with --export, one of "
+               "which is needed; --export writes the masks of that state; with --format coverage "
+               "--layer NUMBER it writes what a sculpt layer carves (.nii.gz), with --format "
+               "carved-volume the study without what is carved (.nii.gz, or a new folder for a "
+               "DICOM series), where --fill gives the value that stands there, by default the "
+               "least; --deidentify leaves out who the patient is, --deflated makes a DICOM SEG "
+               "smaller",
     .options =
-        std::vector<Option>{{"verify", nullptr, "compares every hash"},
+        std::vector<Option>{{"verify", nullptr,
+                                "carries out every step, also of other branches unless --to "
+                                "names one, and compares every hash"},
             {"to", "ROW", "carries out only what leads to this row, and stops there"},
             {"export", "FILE",
                 "writes the masks of that state; without --to, of where the session stands"},

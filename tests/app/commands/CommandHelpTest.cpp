@@ -16,6 +16,10 @@ class CommandHelpTest : public QObject {
 private Q_SLOTS:
     void verbs_data();
     void verbs();
+    void usageHasEveryOption_data() { verbs_data(); }
+    void usageHasEveryOption();
+    void overviewIsAskedFor();
+    void anUnknownVerbIsOneLine();
     void wordsAreUnderstood_data();
     void wordsAreUnderstood();
 
@@ -58,6 +62,46 @@ void CommandHelpTest::verbs()
     QVERIFY(said.erase(QStringLiteral("help")) == 1);
     for (const QString& option : optionsIn(usage))
         QVERIFY2(said.count(option) == 1, qPrintable(option));
+}
+
+/// Its line in the overview; what all that talk to a PACS take stands with `echo`.
+void CommandHelpTest::usageHasEveryOption()
+{
+    QFETCH(QString, verb);
+    QFETCH(QString, usage);
+    const auto helpOf = [](const QString& of) {
+        return QString::fromUtf8(test::burin({of, QStringLiteral("--help")}).output);
+    };
+    std::set<QString> told = optionsIn(usage);
+    told.insert(QStringLiteral("help"));
+    const std::set<QString> talks{QStringLiteral("echo"), QStringLiteral("find"),
+        QStringLiteral("get"), QStringLiteral("send")};
+    if (talks.count(verb) == 1)
+        told.merge(optionsIn(helpOf(QStringLiteral("echo"))));
+    const QString text = helpOf(verb);
+    for (const QString& option : optionsIn(text.mid(text.indexOf(QLatin1String("Options:")))))
+        QVERIFY2(told.count(option) == 1, qPrintable(option));
+}
+
+void CommandHelpTest::overviewIsAskedFor()
+{
+    const QByteArray overview = test::burin({QStringLiteral("--help")}).output;
+    QVERIFY(overview.contains("burin run RECIPE.json"));
+    for (const QStringList& words :
+        {QStringList(), QStringList(QStringLiteral("help")), QStringList(QStringLiteral("-h"))}) {
+        const test::Outcome outcome = test::burin(words);
+        QCOMPARE(outcome.status, 0);
+        QCOMPARE(outcome.output, overview);
+    }
+}
+
+/// Behind all verbs with all their options nobody would see it.
+void CommandHelpTest::anUnknownVerbIsOneLine()
+{
+    const test::Outcome outcome = test::burin({QStringLiteral("ifno"), QStringLiteral("x")});
+    QCOMPARE(outcome.status, 2);
+    QVERIFY(outcome.output.isEmpty());
+    QCOMPARE(outcome.complaint, QStringLiteral("burin: unknown command 'ifno' (burin --help)\n"));
 }
 
 void CommandHelpTest::wordsAreUnderstood_data()
