@@ -101,6 +101,8 @@ int runCompare(const Arguments& arguments)
     if (paths.size() != 2 || !arguments.has("study"))
         return reportUsageError(
             "compare", QStringLiteral("it needs two masks and --study, whose grid they lie on"));
+    if (const QString wrong = repairProblem(arguments); !wrong.isEmpty())
+        return reportUsageError("compare", wrong);
     const QString study = arguments.value("study");
     const auto loaded = core::loadVolume(study, seriesOf(arguments));
     if (!loaded)

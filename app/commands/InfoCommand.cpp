@@ -344,7 +344,7 @@ int printGraphics()
 
 int runInfo(const Arguments& arguments)
 {
-    if (const QString wrong = spacingProblem(arguments); !wrong.isEmpty())
+    if (const QString wrong = repairProblem(arguments); !wrong.isEmpty())
         return reportUsageError("info", wrong);
     const QStringList& paths = arguments.rest();
     if (arguments.has("gl")) {

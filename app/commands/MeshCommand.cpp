@@ -120,6 +120,8 @@ int runMesh(const Arguments& arguments)
     const QString space = arguments.value("space").toUpper();
     if (arguments.has("space") && space != QLatin1String("LPS") && space != QLatin1String("RAS"))
         return reportUsageError("mesh", QStringLiteral("--space must be lps or ras"));
+    if (const QString wrong = repairProblem(arguments); !wrong.isEmpty())
+        return reportUsageError("mesh", wrong);
     const bool isRas = space == QLatin1String("RAS");
 
     // Known before minutes of work.

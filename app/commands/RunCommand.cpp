@@ -424,7 +424,7 @@ int runRecipe(const Arguments& arguments)
 {
     if (arguments.rest().size() != 1)
         return reportUsageError("run", QStringLiteral("it needs one recipe"));
-    if (const QString wrong = spacingProblem(arguments); !wrong.isEmpty())
+    if (const QString wrong = repairProblem(arguments); !wrong.isEmpty())
         return reportUsageError("run", wrong);
     if (arguments.has("facts"))
         tellFailuresAsFacts();

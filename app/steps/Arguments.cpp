@@ -130,11 +130,14 @@ QString seriesOf(const Arguments& arguments, const QString& repair)
                : repairWords(repair, {}));
 }
 
-QString spacingProblem(const Arguments& arguments)
+QString repairProblem(const Arguments& arguments)
 {
     core::Clause why;
     if (arguments.has("spacing") && !core::spacingWord(arguments.value("spacing"), &why))
         return QStringLiteral("--spacing: %1").arg(why);
+    const QString words = repairWords(arguments.value("repair"), arguments.value("spacing"));
+    if (!core::SeriesRepair::fromText(words, &why))
+        return QStringLiteral("--repair: %1").arg(why);
     return {};
 }
 

@@ -46,8 +46,8 @@ private:
 /// The series that --series, --repair and --spacing describe together (core::withRepair()).
 /// @param repair used if neither --repair nor --spacing is given; "none" means none
 [[nodiscard]] QString seriesOf(const Arguments& arguments, const QString& repair = {});
-/// What is wrong with --spacing; empty if nothing is.
-[[nodiscard]] QString spacingProblem(const Arguments& arguments);
+/// What is wrong with the words of --repair or --spacing; empty if nothing is.
+[[nodiscard]] QString repairProblem(const Arguments& arguments);
 /// Joins the values of --repair and --spacing.
 [[nodiscard]] QString repairWords(const QString& repair, const QString& spacing);
 /// Reports a failure in one line on stderr.

@@ -406,6 +406,9 @@ Result<LoadedVolume> Study::load(
             alternatives.key = key;
             loaded->volume.alternatives =
                 std::make_shared<const SeriesAlternatives>(std::move(alternatives));
+        } else if (Error& error = loaded.error(); error.code == ErrorCode::InvalidField) {
+            // Of a repair that is not possible: whose.
+            error.arguments = {error.arguments.value(0), error.arguments.value(1), from};
         }
         return loaded;
     };
@@ -422,7 +425,7 @@ Result<LoadedVolume> Study::load(
     }
     if (!wanted.repair.isEmpty())
         return failure(ErrorCode::InvalidField, QStringLiteral("repair"),
-            Clause::saying("only DICOM series can be repaired"));
+            Clause::saying("only DICOM series can be repaired"), listing.path);
     for (const SingleFile& single : m_contents->singles) {
         // Without slices that name it, only this tells an export's check which file it was.
         const QString file = single.entry.files.front();

@@ -78,6 +78,8 @@ QString errorText(const core::Error& error)
                                   "nothing was changed: use Refine > Lay crossing parts anew, "
                                   "smooth it there, or lay it again")
                 .arg(second);
+        if (first == QLatin1String("repair"))
+            return third.isEmpty() ? second : ErrorTexts::tr("%1: %2").arg(third, second);
         return isStep(first) ? first + reason : ErrorTexts::tr("field '%1'%2").arg(first, reason);
     case ErrorCode::SegmentLocked:
         return first.isEmpty() ? ErrorTexts::tr("every segment is locked")

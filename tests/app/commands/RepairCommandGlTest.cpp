@@ -75,9 +75,30 @@ private Q_SLOTS:
 
     void wrongWordsAreWrongArguments()
     {
-        const Outcome mend = burin({key("info"), path("ct"), key("--repair"), key("mend")});
-        QCOMPARE(mend.status, 1);
-        QVERIFY2(mend.output.contains("'mend' is no repair"), mend.output.constData());
+        const QStringList mends{key("--repair"), key("mend")};
+        for (const QStringList& words : {QStringList{key("info"), path("ct")},
+                 QStringList{key("run"), path("x.json"), key("--study"), path("ct"),
+                     key("--session"), path("x.burin")},
+                 QStringList{
+                     key("compare"), path("a.nii"), path("b.nii"), key("--study"), path("ct")},
+                 QStringList{key("mesh"), path("a.nii"), key("--study"), path("ct"), key("--out"),
+                     path("a.ply")}}) {
+            const Outcome mend = burin(words + mends);
+            QCOMPARE(mend.status, 2);
+            QVERIFY2(mend.output.isEmpty(), mend.output.constData());
+            QVERIFY2(mend.complaint.contains(key("--repair: 'mend' is no repair")),
+                qPrintable(mend.complaint));
+        }
+    }
+
+    void whatTheSeriesDoesNotNeedIsSaidOfIt()
+    {
+        const Outcome outcome =
+            burin({key("info"), path("ct"), key("--spacing"), key("0.5,0.5,2")});
+        QCOMPARE(outcome.status, 1);
+        QVERIFY2(outcome.complaint.startsWith(
+                     QStringLiteral("burin: %1: the series itself says").arg(path("ct"))),
+            qPrintable(outcome.complaint));
     }
 
     void sessionAndRecipeKeepTheRepair()
