@@ -264,8 +264,9 @@ int run(core::Recipe recipe, const Arguments& arguments, CommandTermination& ter
         leftOut = *std::move(reported);
     }
     const auto fits = [&](const core::Document& document) {
-        return core::checkRecipe(
+        const Result<void> fit = core::checkRecipe(
             elsewhere ? elsewhere->foreseen(document).recipe : recipe, document, force);
+        return goesOn ? withoutForce(fit) : fit;
     };
     if (!goesOn) {
         if (const Result<void> fit = fits(core::initialDocument(loaded->volume)); !fit)
@@ -439,12 +440,10 @@ int runRecipe(const Arguments& arguments)
         return reportUsageError("run",
             QStringLiteral("--with-images is for a new session; one that goes on keeps what it "
                            "holds"));
-    for (const char* needed : {"study", "session"}) {
-        const bool spared = append && qstrcmp(needed, "study") == 0;
-        if (!arguments.has(needed) && !spared)
-            return reportUsageError(
-                "run", QStringLiteral("--%1 is missing").arg(QLatin1String(needed)));
-    }
+    if (!append && !arguments.has("study"))
+        return reportUsageError("run", QStringLiteral("--study is missing"));
+    if (!arguments.has("session"))
+        return reportUsageError("run", QStringLiteral("--session is missing"));
     const QString path = arguments.rest().first();
     const core::FileInUse recipeFile({path}, core::FileInUse::As::Recipe);
     // Of a folder it is known later which of its files are the study's.
@@ -483,7 +482,8 @@ const Command runCommand{.name = "run",
     .options =
         std::vector<Option>{{"study", "PATH", "the study, as a file or folder"},
             {"session", "FILE.burin", "the session file in which every step is kept"},
-            {"force", nullptr, "replaces a session, which stays until the new one is whole"},
+            {"force", nullptr,
+                "replaces a session, which stays until the new one is whole, and exported files"},
             {"append", nullptr, "goes on with a session that exists already"},
             {"with-images", nullptr,
                 "puts the study's images, and with them who the patient is, into the session"},

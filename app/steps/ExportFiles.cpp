@@ -230,6 +230,15 @@ private:
 
 } // namespace
 
+Result<void> withoutForce(const Result<void>& checked)
+{
+    if (checked || checked.error().code != core::ErrorCode::FileExists)
+        return checked;
+    return core::failure(core::ErrorCode::FileUnwritable, checked.error().arguments.value(0),
+        QStringLiteral("it exists already, and a session that goes on replaces no file; give the "
+                       "export another name"));
+}
+
 Result<void> exportFiles(const std::vector<core::RecipeExport>& targets, SteadySession& session,
     bool force, const ReadStudy& readStudy, const core::Progress& progress)
 {

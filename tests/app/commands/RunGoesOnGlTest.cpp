@@ -160,6 +160,29 @@ private Q_SLOTS:
         QVERIFY2(refused.complaint.startsWith(told), qPrintable(refused.complaint));
     }
 
+    /// --force cannot be the way out: it is refused beside --append.
+    void anExportThatIsThereIsNotReplaced()
+    {
+        const QString first = recipe("r.json", {{key("edits"), toJson({test::addSegment("A")})}});
+        QCOMPARE(run(first, "a.burin").status, 0);
+        QFile there(path("a.csv"));
+        QVERIFY(there.open(QIODevice::WriteOnly) && there.write("kept") == 4);
+        there.close();
+        const QJsonArray exports{
+            QJsonObject{{key("format"), key("csv")}, {key("file"), path("a.csv")}}};
+        const QString more = recipe("more.json",
+            {{key("edits"), toJson({test::addSegment("B")})}, {key("export"), exports}});
+        const Outcome refused =
+            burin({key("run"), more, key("--session"), path("a.burin"), key("--append")});
+        QCOMPARE(refused.status, 1);
+        QVERIFY2(refused.complaint.contains(path("a.csv"))
+                && refused.complaint.contains(key("another name"))
+                && !refused.complaint.contains(key("--force")),
+            qPrintable(refused.complaint));
+        QVERIFY(refused.lines.isEmpty());
+        QCOMPARE(history("a.burin")[key("commands")].toArray().size(), 1);
+    }
+
     void theFileIsTold()
     {
         std::vector<core::Edit> edits{test::addSegment("A")};
