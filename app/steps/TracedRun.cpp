@@ -42,8 +42,12 @@ int traced(const Arguments& arguments, int (*run)(const Arguments&))
     if (!arguments.has("trace"))
         return run(arguments);
     const QString file = arguments.value("trace");
+    // No --force replaces it: what else that would replace has nothing to do with a trace.
     if (const core::Result<void> fits = core::checkFileTarget(file, false); !fits)
-        return reportFailure(fits.error());
+        return reportFailure(fits.error().code == core::ErrorCode::FileExists
+                ? core::Error{core::ErrorCode::FileUnwritable,
+                    {file, core::Clause(QStringLiteral("a trace is written into a new file"))}}
+                : fits.error());
     core::Trace::begin();
     const int status = run(arguments);
     const std::string json = core::Trace::end();

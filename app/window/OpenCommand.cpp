@@ -196,7 +196,7 @@ int runOpen(const Arguments& arguments)
 {
     OpenArguments parsed;
     if (const QString wrong = parse(arguments, parsed); !wrong.isEmpty())
-        return complain(wrong, 2);
+        return reportUsageError("open", wrong);
     if (!parsed.path.isEmpty() && !QFileInfo::exists(parsed.path)) {
         return complain(ui::errorText({core::ErrorCode::FileNotFound, {parsed.path}}), 1);
     }
@@ -251,8 +251,7 @@ const Command openCommand{.name = "open",
     .words = "[PATH]",
     .usage = "[PATH [--series UID] [--repair REPAIRS] [--spacing COLUMNS,ROWS,SLICES] | FILE.burin "
              "[--study PATH] | --demo]"
-             " [--screenshot FILE.png]"
-             " [--size WxH] [--trace FILE.json]",
+             " [--screenshot FILE.png] [--size WxH] [--trace FILE.json]",
     .summary = "opens the workstation's window with a study, or with a session that goes on; "
                "--screenshot saves a picture of it once it is fully refined, as PNG or, for .dcm, "
                "as Secondary Capture of the study, and exits",
@@ -260,8 +259,8 @@ const Command openCommand{.name = "open",
         std::vector<Option>{{"demo", nullptr, "opens the demonstration study"},
             {"study", "PATH", "where the study of a session is, if not where the session says"},
             {"screenshot", "FILE.png",
-                "saves a picture of the window once it is fully refined, and exits; .dcm makes it "
-                "a Secondary Capture of the study"},
+                "saves a picture of the window once it is fully refined, in place of a file of "
+                "that name, and exits; .dcm makes it a Secondary Capture of the study"},
             {"size", "WxH", "the size of the window in pixels"}}
         + seriesOptions() + spacingOption() + traceOption(),
     .needsWindow = true,

@@ -101,7 +101,10 @@ private Q_SLOTS:
         const Outcome refused =
             run(strokesAndGrowths(), "a.burin", {key("--trace"), path("there.json")});
         QCOMPARE(refused.status, 1);
-        QVERIFY2(refused.complaint.contains(key("there.json")), qPrintable(refused.complaint));
+        QVERIFY2(refused.complaint.contains(key("there.json"))
+                && refused.complaint.contains(key("new file"))
+                && !refused.complaint.contains(key("--force")),
+            qPrintable(refused.complaint));
         QCOMPARE(test::bytesOf(path("there.json")), QByteArray("mine"));
         QVERIFY(!QFile::exists(path("a.burin")));
 

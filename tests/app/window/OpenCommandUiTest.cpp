@@ -96,6 +96,9 @@ void OpenCommandUiTest::saysWhatIsWrong()
     QVERIFY2(outcome.status == status,
         qPrintable(QStringLiteral("%1: %2").arg(outcome.status).arg(outcome.output)));
     QVERIFY2(outcome.output.contains(words), qPrintable(outcome.output));
+    if (status == 2)
+        QVERIFY2(outcome.output.contains(QStringLiteral("(burin open --help)")),
+            qPrintable(outcome.output));
 }
 
 void OpenCommandUiTest::saysWhyAFolderDoesNotOpen()
