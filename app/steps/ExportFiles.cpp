@@ -68,6 +68,9 @@ private:
             if (choice.chosen)
                 request.segments.push_back(choice.segment);
         }
+        if (request.segments.empty())
+            return core::failure(core::ErrorCode::NothingToExport, target.file,
+                QStringLiteral("no segment that is shown has a voxel"));
         if (const Result<void> coded = addCodes(request, target); !coded)
             return tl::unexpected(coded.error());
         if (core::factsOf(target.format).isStatistics) {

@@ -49,7 +49,7 @@ QString maskNoteText(const core::MaskNote& note)
         return MaskTexts::tr("'%1' goes before '%2' in %3 voxels (%4) that both have.")
             .arg(note.names.value(0), note.names.value(1), grouped(note.some), inMl(note.hereMl));
     case Code::OverlapsKept:
-        return MaskTexts::tr("Each segment keeps them all; the segments lie in %1 label planes.")
+        return MaskTexts::tr("Each segment keeps its voxels; the segments lie in %1 label planes.")
             .arg(note.some);
     case Code::SegmentsWithoutVoxel:
         return MaskTexts::tr("%1 of the file's %2 segments have no voxel inside the study and are "

@@ -95,8 +95,8 @@ void addFileActions(MainWindow& window)
         });
     actions.add({.id = QStringLiteral("file.importMask"),
         .text = Actions::tr("Import mask …"),
-        .tip = Actions::tr("Segments from a DICOM SEG, NIfTI, NRRD or MetaImage file, laid on "
-                           "this study"),
+        .tip = Actions::tr("Segments from a file of another program, laid on this study: DICOM "
+                           "SEG or RTSTRUCT, NIfTI, NRRD, MetaImage, STL, OBJ, PLY or glTF"),
         .run = [&importer] { importer.ask(); },
         .possible = [&workspace,
                         &importer] { return workspace.session() != nullptr && !importer.busy(); }});

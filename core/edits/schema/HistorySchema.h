@@ -15,8 +15,8 @@ inline constexpr const char* editMeaning<RevertRows> =
 template <class Visitor> void visitFields(Visitor& visit, RevertRows& edit)
 {
     visit.field("rows", Presence::Required, edit.rows, editFields::RowList{},
-        "the rows to undo, all of them before this one, in ascending order (burin history calls "
-        "them seq)");
+        "the rows to undo, all of them before this one, in ascending order (burin history --json "
+        "calls them seq)");
 }
 
 inline constexpr editFields::Number outlineFactor{"", 0.05, 20.0, 1024.0};
@@ -29,7 +29,8 @@ inline constexpr const char* editMeaning<ReviseStroke> =
 template <class Visitor> void visitFields(Visitor& visit, ReviseStroke& edit)
 {
     visit.field("row", Presence::Required, edit.row, editFields::Row{},
-        "the row of the cut, which is before this one (burin history calls it seq)");
+        "the row of the cut, which is before this one (burin history --json calls it "
+        "seq)");
     visit.maybe("radiusMm", edit.radiusMm, drillRadius, "the new radius of a disc or brush");
     visit.maybe("sideMm", edit.sideMm, maskSide, "the new side of a square mask");
     visit.maybe("widthMm", edit.widthMm, maskSide,

@@ -99,7 +99,8 @@ template <class Visitor> void visitFields(Visitor& visit, CleanSegment& edit)
             "removeClicked", "giveClicked"}},
         "holes are surrounded on all sides; islands do not touch each other, not even at a corner");
     visit.maybe("mm3", edit.mm3, editFields::Number{"mm³", 0.0, 1e9, quantum::perCubicMillimetre},
-        "the largest hole that is filled, or the smallest island that stays",
+        "the largest hole that is filled, or the smallest island that stays, without which "
+        "removeSmall is refused",
         "every hole is filled");
     visit.maybe("islandLps", edit.islandLps, positionLps,
         "for keepClicked, removeClicked and giveClicked, a place in the island, in patient "
@@ -306,8 +307,8 @@ inline constexpr const char* editMeaning<ImportMask> =
 template <class Visitor> void visitFields(Visitor& visit, ImportMask& edit)
 {
     visit.field("file", Presence::Required, edit.file, editFields::FileName{},
-        "the file: labels in NIfTI, NRRD, .seg.nrrd or MetaImage, a DICOM SEG or RTSTRUCT, or a "
-        "surface in STL, OBJ or PLY");
+        "the file, or a folder of such files: labels in NIfTI, NRRD, .seg.nrrd or MetaImage, a "
+        "DICOM SEG or RTSTRUCT, or surfaces in STL, OBJ, PLY or glTF");
     visit.maybe("as", edit.as, editFields::SegmentReference{},
         "the segment that receives everything: the number of an existing one, or a name, for which "
         "a segment is made if there is none",

@@ -41,6 +41,20 @@ private Q_SLOTS:
         makeFolder();
     }
 
+    void nothingToExportIsSaid()
+    {
+        const Outcome outcome =
+            run(recipe("empty.json",
+                    {{key("edits"), test::toJson({test::addSegment("A")})},
+                        {key("export"), QJsonArray{exportTo("nifti", "none.nii.gz")}}}),
+                "a.burin");
+        QCOMPARE(outcome.status, 1);
+        QVERIFY2(outcome.complaint.contains(key("none.nii.gz: nothing to export: no segment that "
+                                                "is shown has a voxel")),
+            qPrintable(outcome.complaint));
+        QVERIFY(!QFile::exists(path("none.nii.gz")));
+    }
+
     void whatWasExportedComesBackAsItWas_data()
     {
         QTest::addColumn<QString>("file");

@@ -131,7 +131,7 @@ private Q_SLOTS:
         QListWidget& given = listOf(*dialog, "maskOrderGiven");
         QCOMPARE(given.count(), 1);
         QCOMPARE(given.item(0)->text(),
-            QStringLiteral("Each segment keeps them all; the segments lie in 2 label planes."));
+            QStringLiteral("Each segment keeps its voxels; the segments lie in 2 label planes."));
         QTest::keyClick(dialog.data(), Qt::Key_Return);
         QVERIFY(fixture.session().settle());
         QCOMPARE(fixture.session().history().rows().size(), std::size_t(1));

@@ -36,7 +36,7 @@ std::vector<std::pair<MaskNote, const char*>> notes()
              .hereMl = 0.0301},
             "'A %2' goes before 'B' in 1 204 voxels (0.030 mL) that both have."},
         {{.code = Code::OverlapsKept, .some = 2},
-            "Each segment keeps them all; the segments lie in 2 label planes."},
+            "Each segment keeps its voxels; the segments lie in 2 label planes."},
         {{.code = Code::SegmentsWithoutVoxel, .some = 2, .all = 5},
             "2 of the file's 5 segments have no voxel inside the study and are left out."},
         {{.code = Code::ImagesLeftOut, .names = {QStringLiteral("ct %2.nii.gz")}},
