@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Installs what is missing, builds, and runs every test; says what each part took and which tests
+# Installs what is missing, builds, and runs the tests; says what each part took and which tests
 # were the slowest, and ends with ctest's summary. build/check/tests.xml holds the results (JUnit).
 #   packaging/test.sh            the counts of every day
 #   packaging/test.sh --long     the counts that the issues name, the figures, packaging/tsan.sh and asan.sh (hours)
