@@ -8,12 +8,17 @@ namespace core {
 
 namespace {
 
+bool isNamed(const MaskSegment& segment, const QString& name)
+{
+    return segment.name.compare(name, Qt::CaseInsensitive) == 0;
+}
+
 /// A single one needs no name; of several with one name the first.
 std::optional<std::size_t> placeOf(
     const std::vector<MaskSegment>& segments, const QString& name, bool mayBeTheOnly)
 {
     const auto found = std::find_if(segments.begin(), segments.end(),
-        [&](const auto& segment) { return segment.name.compare(name, Qt::CaseInsensitive) == 0; });
+        [&](const auto& segment) { return isNamed(segment, name); });
     if (found != segments.end())
         return std::size_t(found - segments.begin());
     if (mayBeTheOnly && segments.size() == 1)
@@ -43,9 +48,15 @@ std::vector<SegmentPair> segmentPairs(const std::vector<MaskSegment>& mask,
     if (!asked.segment.isEmpty() || !asked.reference.isEmpty())
         return askedPair(mask, reference, asked);
     std::vector<SegmentPair> pairs;
+    std::vector<bool> isPaired(mask.size(), false);
     for (std::size_t i = 0; i < reference.size(); ++i) {
-        if (const auto place = placeOf(mask, reference[i].name, false))
-            pairs.push_back({*place, i});
+        for (std::size_t place = 0; place < mask.size(); ++place) {
+            if (isPaired[place] || !isNamed(mask[place], reference[i].name))
+                continue;
+            isPaired[place] = true;
+            pairs.push_back({place, i});
+            break;
+        }
     }
     if (pairs.empty() && mask.size() == reference.size()) {
         for (std::size_t i = 0; i < reference.size(); ++i)

@@ -20,9 +20,11 @@ struct AskedSegments {
     QString reference; ///< empty: the one of the same name, or the only one
 };
 
-/// Pairs segments of the same name, ignoring case. If no name is in both, a single one is paired
-/// with a single one, or equally many in their order. The result is in the order of the reference;
-/// empty: nothing corresponds, or no segment has a name that was asked for.
+/// Pairs segments of the same name, ignoring case; of several with one name (files of a folder that
+/// all call theirs "Label 1") the first with the first, the second with the second. If no name is
+/// in both, a single one is paired with a single one, or equally many in their order. The result is
+/// in the order of the reference; empty: nothing corresponds, or no segment has a name that was
+/// asked for.
 [[nodiscard]] std::vector<SegmentPair> segmentPairs(const std::vector<MaskSegment>& mask,
     const std::vector<MaskSegment>& reference, const AskedSegments& asked);
 

@@ -250,6 +250,9 @@ private Q_SLOTS:
         QVERIFY(core::segmentPairs(organs, others, {}) == Pairs({{1, 0}}));
         QVERIFY(core::segmentPairs(numbers, organs, {}) == Pairs({{0, 0}, {1, 1}}));
         QVERIFY(core::segmentPairs(one, organs, {}).empty());
+        const std::vector<core::MaskSegment> files{named("1"), named("2"), named("1")};
+        QVERIFY(core::segmentPairs(files, files, {}) == Pairs({{0, 0}, {1, 1}, {2, 2}}));
+        QVERIFY(core::segmentPairs(numbers, files, {}) == Pairs({{0, 0}, {1, 1}}));
         const QString liver = QStringLiteral("Liver");
         const QString kidney = QStringLiteral("Kidney");
         QVERIFY(core::segmentPairs(organs, one, {.segment = liver, .reference = {}})
