@@ -115,7 +115,8 @@ QString errorText(const core::Error& error)
     case ErrorCode::ExportMismatch:
         return ErrorTexts::tr("%1: the export was checked and does not agree%2").arg(first, reason);
     case ErrorCode::SegmentNotCoded:
-        return ErrorTexts::tr("segment '%1' is not coded yet, as DICOM SEG and SR need it").arg(first);
+        return ErrorTexts::tr("segment '%1' is not coded yet, as DICOM SEG and SR need it")
+            .arg(first);
     case ErrorCode::NothingToExport:
         return ErrorTexts::tr("%1: nothing to export%2").arg(first, reason);
     case ErrorCode::SessionDamaged:
