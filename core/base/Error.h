@@ -74,4 +74,15 @@ struct Error {
     Clauses arguments;
 };
 
+/// Whether what is said of it ends without a reason. Where such an error came up, an entry of a
+/// recipe, is an argument of its own, entryArgument; of all others it stands behind the reason.
+[[nodiscard]] constexpr bool givesNoReason(ErrorCode code)
+{
+    return code == ErrorCode::SegmentLocked || code == ErrorCode::SegmentProtected
+        || code == ErrorCode::SeedsStay || code == ErrorCode::NothingGrown
+        || code == ErrorCode::EverythingGrown || code == ErrorCode::NoIslandThere
+        || code == ErrorCode::TooManyIslands || code == ErrorCode::StepsEntangled;
+}
+inline constexpr qsizetype entryArgument = 3;
+
 } // namespace core

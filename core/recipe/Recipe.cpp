@@ -20,7 +20,9 @@ namespace {
 Error placed(Error error, const char* list, int entry)
 {
     const QString place = QStringLiteral("(%1 %2)").arg(QLatin1String(list)).arg(entry);
-    if (error.arguments.size() < 2)
+    if (givesNoReason(error.code))
+        error.arguments.set(entryArgument, place);
+    else if (error.arguments.size() < 2)
         error.arguments.append(place);
     else
         error.arguments.set(1, Clause::saying("%1 %2", error.arguments[1], place));

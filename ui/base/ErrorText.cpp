@@ -34,9 +34,7 @@ QString behind(const QString& reason)
     return reason.isEmpty() ? QString() : QStringLiteral(": ") + reason;
 }
 
-} // namespace
-
-QString errorText(const core::Error& error)
+QString sentenceOf(const core::Error& error)
 {
     using core::ErrorCode;
     const QString first = clauseText(error.arguments.value(0));
@@ -182,6 +180,17 @@ QString errorText(const core::Error& error)
         return ErrorTexts::tr("internal error: %1%2").arg(first, reason);
     }
     return {};
+}
+
+} // namespace
+
+QString errorText(const core::Error& error)
+{
+    const QString sentence = sentenceOf(error);
+    const QString entry = core::givesNoReason(error.code)
+        ? clauseText(error.arguments.value(core::entryArgument))
+        : QString();
+    return entry.isEmpty() ? sentence : sentence + QLatin1Char(' ') + entry;
 }
 
 QString noFileText(const core::Error& why)
