@@ -156,7 +156,7 @@ private:
     {
         const core::SculptLayer* layer = document().layer(target.layer);
         if (!layer)
-            return core::failure(core::ErrorCode::InvalidField, QStringLiteral("export.layer"),
+            return core::failure(core::ErrorCode::NothingToExport, target.file,
                 QStringLiteral("there is no sculpt layer %1").arg(target.layer));
         const QString name = layer->name;
         const Result<std::vector<std::uint8_t>> bytes = coverageOf(layer->id);

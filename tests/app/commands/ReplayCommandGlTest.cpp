@@ -153,7 +153,7 @@ private Q_SLOTS:
         QVERIFY(named(exported("coverage1.nii.gz", coverage), 1, "--force"));
         QVERIFY(
             named(exported("x.nii", {key("--format"), key("coverage"), key("--layer"), key("9")}),
-                1, "no sculpt layer 9"));
+                1, "x.nii: nothing to export: there is no sculpt layer 9"));
         QVERIFY(
             named(burin(QStringList{key("replay"), path("a.burin"), key("--verify")} + coverage), 2,
                 "--export"));
