@@ -375,7 +375,7 @@ const Command infoCommand{.name = "info",
              " | --gl",
     .summary = "tells what a file or folder holds: its studies and volumes, what is wrong with "
                "them and how that can be repaired; with --repair, how they would open",
-    .options = std::vector<Option>{{"json", nullptr, "prints a line of JSON for each result"},
+    .options = std::vector<Option>{{"json", nullptr, "prints it as JSON"},
                    {"gl", nullptr, "prints only which graphics driver draws on this machine"}}
         + seriesOptions() + spacingOption(),
     .run = runInfo};
