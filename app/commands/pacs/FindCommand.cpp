@@ -95,6 +95,8 @@ int findSeriesOf(const core::PacsSource& source, const QString& studyUid, bool a
     if (!found)
         return reportFailure(found.error());
     printHits(*found, asJson);
+    if (found->empty())
+        std::fprintf(stderr, "burin: no series of that study is there\n");
     return 0;
 }
 
@@ -135,6 +137,9 @@ int runFind(const Arguments& arguments)
     if (!found)
         return reportFailure(found.error());
     printHits(found->hits, asJson);
+    // Silence would leave it open whether anybody was asked.
+    if (found->hits.empty())
+        std::fprintf(stderr, "burin: no study there matches\n");
     if (found->more)
         std::fprintf(stderr, "burin: there are more than %d studies; --most shows more\n", most);
     return 0;

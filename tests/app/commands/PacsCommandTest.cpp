@@ -73,6 +73,11 @@ void PacsCommandTest::fromSendToGet()
     QCOMPARE(list.lines[0][word("seriesUid")].toString(), series.seriesUid);
     QVERIFY(test::burin({word("find"), node}).output.contains("Synthetic^Subject"));
 
+    const test::Outcome none = test::burin({word("find"), node, word("--patient-id"), word("X")});
+    QCOMPARE(none.status, 0);
+    QVERIFY(none.output.isEmpty());
+    QCOMPARE(none.complaint, word("burin: no study there matches\n"));
+
     const QString target = folder.filePath(word("got"));
     const test::Outcome got = test::burin({word("get"), node, word("--study"), series.studyUid,
         word("--to"), target, word("--json")});
