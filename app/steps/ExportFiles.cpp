@@ -103,8 +103,10 @@ private:
             const auto segment = std::find_if(request.segments.begin(), request.segments.end(),
                 [&name = name](const core::Segment& each) { return each.name == name; });
             if (segment == request.segments.end())
-                return core::failure(core::ErrorCode::InvalidField, QStringLiteral("export.codes"),
-                    QStringLiteral("no segment '%1' is exported").arg(name));
+                return core::failure(core::ErrorCode::UnsupportedFormat, target.file,
+                    QStringLiteral(
+                        "it has codes for a segment '%1', and no such segment is exported")
+                        .arg(name));
             request.seg.codes[segment->label] = codes;
         }
         return {};

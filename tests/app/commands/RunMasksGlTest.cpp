@@ -45,7 +45,7 @@ private Q_SLOTS:
     {
         const Outcome outcome =
             run(recipe("empty.json",
-                    {{key("edits"), test::toJson({test::addSegment("A")})},
+                    {{key("edits"), toJson({test::addSegment("A")})},
                         {key("export"), QJsonArray{exportTo("nifti", "none.nii.gz")}}}),
                 "a.burin");
         QCOMPARE(outcome.status, 1);
@@ -53,6 +53,21 @@ private Q_SLOTS:
                                                 "is shown has a voxel")),
             qPrintable(outcome.complaint));
         QVERIFY(!QFile::exists(path("none.nii.gz")));
+    }
+
+    void codesOfNobodyAreRefused()
+    {
+        QJsonObject target = exportTo("seg-nrrd", "coded.seg.nrrd");
+        target[key("codes")] = QJsonObject{{key("Nobody"),
+            QJsonObject{{key("region"), QJsonArray{key("SCT"), key("64033007"), key("Kidney")}}}}};
+        const Outcome outcome = run(
+            recipe("coded.json",
+                {{key("edits"), toJson(test::manyEdits())}, {key("export"), QJsonArray{target}}}),
+            "a.burin");
+        QCOMPARE(outcome.status, 1);
+        QVERIFY2(outcome.complaint.contains(key("coded.seg.nrrd: "))
+                && outcome.complaint.contains(key("'Nobody'")),
+            qPrintable(outcome.complaint));
     }
 
     void whatWasExportedComesBackAsItWas_data()
