@@ -113,7 +113,7 @@ QString sentenceOf(const core::Error& error)
     case ErrorCode::ExportMismatch:
         return ErrorTexts::tr("%1: the export was checked and does not agree%2").arg(first, reason);
     case ErrorCode::SegmentNotCoded:
-        return ErrorTexts::tr("segment '%1' is not coded yet, as DICOM SEG and SR need it")
+        return ErrorTexts::tr("segment '%1' is not coded yet; DICOM SEG and SR need that")
             .arg(first);
     case ErrorCode::NothingToExport:
         return ErrorTexts::tr("%1: nothing to export%2").arg(first, reason);
