@@ -45,10 +45,15 @@ int runSend(const Arguments& arguments)
     const core::Result<core::PacsSource> source = sourceOf(arguments);
     if (!source)
         return reportUsageError("send", sourceProblem(source.error()));
-    int others = 0;
-    const QStringList files = filesOf(arguments.rest().mid(1), others);
-    if (files.isEmpty())
+    const QStringList paths = arguments.rest().mid(1);
+    if (paths.isEmpty())
         return reportUsageError("send", QStringLiteral("no files to send"));
+    int others = 0;
+    const QStringList files = filesOf(paths, others);
+    // Only folders can have none; a file that is named is read.
+    if (files.isEmpty())
+        return reportFailure({core::ErrorCode::UnsupportedFormat,
+            {paths.join(QStringLiteral(", ")), QStringLiteral("no file in it is a DICOM file")}});
     const core::Result<core::SentObjects> done = core::sendFiles(*source, files, core::Progress());
     if (!done)
         return reportFailure(done.error());

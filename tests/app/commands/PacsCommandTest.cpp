@@ -156,6 +156,13 @@ void PacsCommandTest::failuresAreOneLine()
             QStringLiteral("burin: %1 cannot be reached: Connection refused\n").arg(nobody));
     }
     QVERIFY(!QDir(target).exists());
+    // Nothing to send is no matter of the words.
+    const QString empty = folder.filePath(word("empty"));
+    QVERIFY(QDir().mkpath(empty));
+    const test::Outcome nothing = test::burin({word("send"), nobody, empty});
+    QCOMPARE(nothing.status, 1);
+    QVERIFY2(nothing.complaint.startsWith(QStringLiteral("burin: %1: ").arg(empty)),
+        qPrintable(nothing.complaint));
 }
 
 void PacsCommandTest::wrongArguments_data()
