@@ -6,6 +6,7 @@
 #include "app/steps/JsonLine.h"
 #include "app/steps/SessionProblems.h"
 #include "app/steps/SteadySession.h"
+#include "core/base/files/FileInUse.h"
 #include "core/base/files/StagedFile.h"
 #include "core/export/common/ExportMask.h"
 #include "core/export/common/ImportedSegments.h"
@@ -161,6 +162,10 @@ std::optional<core::DeidentifyOptions> datesFrom(const QString& dates)
 int writeDeidentified(
     const QString& path, const QString& target, bool force, const core::DeidentifyOptions& options)
 {
+    // A copy for others in its place would leave nothing of who did what.
+    const core::FileInUse own({path}, core::FileInUse::As::Session);
+    if (const core::Result<void> fits = core::checkFileTarget(target, force); !fits)
+        return reportFailure(fits.error());
     const core::Result<core::SessionContents> contents = core::checkSession(path);
     if (!contents)
         return reportFailure(contents.error());

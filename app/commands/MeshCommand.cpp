@@ -3,6 +3,7 @@
 
 #include "app/steps/Arguments.h"
 #include "app/steps/JsonLine.h"
+#include "core/base/files/FileInUse.h"
 #include "core/base/files/StagedFile.h"
 #include "core/document/SegmentColours.h"
 #include "core/masks/MaskOnVolume.h"
@@ -124,6 +125,8 @@ int runMesh(const Arguments& arguments)
         return reportUsageError("mesh", wrong);
     const bool isRas = space == QLatin1String("RAS");
 
+    const core::FileInUse mine({maskPath}, core::FileInUse::As::Mask);
+    const core::FileInUse images({arguments.value("study")}, core::FileInUse::As::Study);
     // Known before minutes of work.
     if (const core::Result<void> fits = core::checkFileTarget(out, arguments.has("force")); !fits)
         return reportFailure(fits.error());

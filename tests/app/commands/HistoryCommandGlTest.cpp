@@ -463,6 +463,17 @@ private Q_SLOTS:
         QVERIFY(!QFile::exists(path("a.burin")));
     }
 
+    void aDeidentifiedCopyDoesNotTakeItsPlace()
+    {
+        const QJsonArray edits = toJson({test::addSegment("A")});
+        QCOMPARE(run(recipe("r.json", {{key("edits"), edits}}), "a.burin").status, 0);
+        const QByteArray before = test::bytesOf(path("a.burin"));
+        const Outcome outcome = burin({key("history"), path("a.burin"), key("--deidentified"),
+            path("a.burin"), key("--force")});
+        QCOMPARE(outcome.status, 1);
+        QCOMPARE(test::bytesOf(path("a.burin")), before);
+    }
+
     void historyRefusesWhatIsNoSession()
     {
         QFile empty(path("empty.burin"));

@@ -162,6 +162,9 @@ private Q_SLOTS:
         // Before anything was worked out.
         QVERIFY2(outcome.output.isEmpty(), outcome.output.constData());
         QCOMPARE(mesh({QStringLiteral("--out"), out, QStringLiteral("--force")}).status, 0);
+        // Nor what is read, whatever is said.
+        m_mask = out;
+        QCOMPARE(mesh({QStringLiteral("--out"), out, QStringLiteral("--force")}).status, 1);
     }
 };
 
