@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/growth/BrickFront.h"
+#include "core/growth/front/BrickFront.h"
 #include "core/growth/GrowthCommands.h"
 #include "gpu/fields/bricks/BrickField.h"
 #include "gpu/gl/Buffer.h"

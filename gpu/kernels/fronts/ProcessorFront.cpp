@@ -3,6 +3,7 @@
 
 #include "core/base/ParallelFor.h"
 #include "core/growth/SeedWord.h"
+#include "gpu/fields/BrickVoxels.h"
 
 #include <algorithm>
 #include <bit>
@@ -59,65 +60,6 @@ template <typename T> std::span<std::byte> bytesOf(std::vector<T>& values)
 {
     return std::as_writable_bytes(std::span<T>(values));
 }
-
-/// A brick of the dense label plane.
-class LabelBrick {
-public:
-    LabelBrick(const Texture3D& plane, const core::BrickGrid& grid, std::uint32_t brick)
-        : m_plane(plane)
-    {
-        const core::VoxelBox box = grid.boxOf(int(brick));
-        m_origin = box.minimum;
-        m_size = glm::min(box.maximum, grid.volumeSize) - box.minimum;
-    }
-    void read(std::vector<std::uint8_t>& labels) const
-    {
-        if (isWhole()) {
-            m_plane.read(m_origin, m_size, bytesOf(labels));
-            return;
-        }
-        std::vector<std::uint8_t> within(voxelCount());
-        m_plane.read(m_origin, m_size, bytesOf(within));
-        std::fill(labels.begin(), labels.end(), std::uint8_t(0));
-        forEachRow([&](std::size_t inBrick, std::size_t inBox) {
-            std::copy_n(&within[inBox], m_size.x, &labels[inBrick]);
-        });
-    }
-    void write(std::vector<std::uint8_t>& labels) const
-    {
-        if (isWhole()) {
-            m_plane.upload(m_origin, m_size, bytesOf(labels));
-            return;
-        }
-        std::vector<std::uint8_t> within(voxelCount());
-        forEachRow([&](std::size_t inBrick, std::size_t inBox) {
-            std::copy_n(&labels[inBrick], m_size.x, &within[inBox]);
-        });
-        m_plane.upload(m_origin, m_size, bytesOf(within));
-    }
-
-private:
-    [[nodiscard]] std::size_t voxelCount() const
-    {
-        return std::size_t(m_size.x) * std::size_t(m_size.y) * std::size_t(m_size.z);
-    }
-    [[nodiscard]] bool isWhole() const { return voxelCount() == voxelsOfBrick; }
-    template <typename Work> void forEachRow(const Work& work) const
-    {
-        constexpr auto side = std::size_t(core::BrickGrid::side);
-        std::size_t inBox = 0;
-        for (std::size_t z = 0; z < std::size_t(m_size.z); ++z) {
-            for (std::size_t y = 0; y < std::size_t(m_size.y); ++y) {
-                work(side * (y + side * z), inBox);
-                inBox += std::size_t(m_size.x);
-            }
-        }
-    }
-
-    const Texture3D& m_plane;
-    glm::ivec3 m_origin{0};
-    glm::ivec3 m_size{0}; ///< within the volume
-};
 
 } // namespace
 
@@ -287,7 +229,7 @@ void ProcessorFront::fetch(Brick& brick, const std::set<std::uint32_t>& newPages
     else
         m_fields.seedWords(plane).read(brick.number, bytesOf(images.words));
     if (m_fields.hasData({.field = core::Field::Labels, .plane = plane, .brick = brick.number}))
-        LabelBrick(m_fields.labels(plane), m_fields.grid(), brick.number).read(images.labels);
+        readLabels(m_fields.labels(plane), m_fields.grid(), brick.number, images.labels);
     else
         std::fill(images.labels.begin(), images.labels.end(), std::uint8_t(0));
     images.overwritten.clear();
@@ -347,7 +289,7 @@ void ProcessorFront::write(std::uint32_t generation, const std::set<std::uint32_
     for (Brick* const brick : changed) {
         Images& images = *brick->images;
         words.write(brick->number, bytesOf(images.words));
-        LabelBrick(labels, m_fields.grid(), brick->number).write(images.labels);
+        writeLabels(labels, m_fields.grid(), brick->number, images.labels);
         if (!images.overwritten.empty())
             m_fields.overwritten(m_options.plane).write(brick->number, bytesOf(images.overwritten));
         brick->wasWritten = true;

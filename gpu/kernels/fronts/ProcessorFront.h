@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/growth/BrickFront.h"
 #include "core/growth/LeakGuard.h"
+#include "core/growth/front/BrickFront.h"
 #include "gpu/fields/VoxelFields.h"
 
 #include <cstdint>

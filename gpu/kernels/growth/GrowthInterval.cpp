@@ -3,6 +3,7 @@
 // voxel that has grown.
 #include "core/growth/interval/IntervalOpener.h"
 #include "gpu/fields/BrickImages.h"
+#include "gpu/fields/BrickVoxels.h"
 #include "gpu/gl/Gl.h"
 #include "gpu/gl/SoftwareDriver.h"
 #include "gpu/kernels/growth/GrowthKernel.h"
@@ -27,56 +28,13 @@ std::vector<core::BrickKey> keysIn(
     return keys;
 }
 
-/// The codes of a brick out of those of its row.
-/// @param left where it begins in the row
-std::vector<std::uint16_t> codesOfBrick(
-    const std::vector<std::uint16_t>& row, const glm::ivec3& rowSize, int left)
-{
-    std::vector<std::uint16_t> codes(core::BrickGrid::voxelsPerBrick, 0);
-    const int width = std::min(core::BrickGrid::side, rowSize.x - left);
-    for (int z = 0; z < rowSize.z; ++z) {
-        for (int y = 0; y < rowSize.y; ++y)
-            std::copy_n(row.begin() + left + rowSize.x * (y + rowSize.y * z), width,
-                codes.begin() + core::BrickGrid::offsetInBrick({0, y, z}));
-    }
-    return codes;
-}
-
-/// Bricks that follow each other in a row are read at once: reading a few voxels takes a driver
-/// that computes on the processor hardly less time than reading many.
-std::vector<std::vector<std::uint16_t>> codesOf(
-    const VoxelFields& fields, std::span<const std::uint32_t> bricks)
-{
-    constexpr int side = core::BrickGrid::side;
-    const core::BrickGrid& grid = fields.grid();
-    std::vector<std::vector<std::uint16_t>> codes;
-    codes.reserve(bricks.size());
-    std::vector<std::uint16_t> row;
-    for (std::size_t first = 0; first < bricks.size();) {
-        std::size_t last = first + 1;
-        while (last < bricks.size() && bricks[last] == bricks[last - 1] + 1
-            && grid.brickPosition(int(bricks[last])).x > 0)
-            ++last;
-        const core::VoxelBox box =
-            grid.boxOf(int(bricks[first])).united(grid.boxOf(int(bricks[last - 1])));
-        const glm::ivec3 size = box.maximum - box.minimum;
-        row.resize(std::size_t(size.x) * std::size_t(size.y) * std::size_t(size.z));
-        fields.codes().read(
-            box.minimum, size, std::as_writable_bytes(std::span<std::uint16_t>(row)));
-        for (std::size_t i = first; i < last; ++i)
-            codes.push_back(codesOfBrick(row, size, side * int(i - first)));
-        first = last;
-    }
-    return codes;
-}
-
 std::vector<core::GrowthBrick> contentsOf(
     VoxelFields& fields, std::uint8_t plane, std::span<const std::uint32_t> bricks)
 {
     auto words = readImages(fields, keysIn(core::Field::SeedWords, plane, bricks));
     auto labels = readImages(fields, keysIn(core::Field::Labels, plane, bricks));
     auto overwritten = readImages(fields, keysIn(core::Field::Overwritten, plane, bricks));
-    auto codes = codesOf(fields, bricks);
+    auto codes = readCodes(fields.codes(), fields.grid(), bricks);
     std::vector<core::GrowthBrick> contents;
     contents.reserve(bricks.size());
     for (std::size_t i = 0; i < bricks.size(); ++i)

@@ -197,6 +197,7 @@ private:
     // The same where the processor moves the front on (GrowthOnProcessor.cpp).
     [[nodiscard]] bool isOnProcessor() const;
     int advanceOnProcessor(int rings);
+    [[nodiscard]] std::vector<core::BrickBits> openVoxelsIn(std::span<const std::uint32_t> bricks);
     /// Notes how many voxels each generation of a batch added.
     void count(std::span<const std::uint32_t> sizes);
     /// The voxels that the last generation added, for the leak guard: from the queue or, if that is

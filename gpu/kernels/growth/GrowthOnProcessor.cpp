@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "core/growth/front/OpenVoxels.h"
+#include "gpu/fields/BrickVoxels.h"
 #include "gpu/kernels/growth/GrowthKernel.h"
 
 namespace gpu {
@@ -8,6 +10,47 @@ bool GrowthKernel::isOnProcessor() const
     // The backward flood, which narrows a growth, claims nothing.
     return m_programs.growsOnProcessor() && !m_floodsBack && m_onlyLabel
         && FrontBits::isFor(m_burst.limits);
+}
+
+std::vector<core::BrickBits> GrowthKernel::openVoxelsIn(std::span<const std::uint32_t> bricks)
+{
+    const core::BrickGrid& grid = m_fields.grid();
+    BrickField& words = m_fields.seedWords(m_burst.plane);
+    const std::optional<core::OpenRule> rule =
+        core::openRule(m_burst, *m_onlyLabel, grid.volumeSize);
+    if (!rule) {
+        const std::shared_ptr<Program> program = m_programs.openBits(m_kind);
+        setUniforms(*program);
+        bind();
+        return openBits(*program, words, grid.bricks(), *m_onlyLabel, bricks);
+    }
+    std::vector<core::BrickBits> open(bricks.size());
+    std::vector<std::uint32_t> asked;
+    std::vector<std::size_t> places; // of those among all
+    for (std::size_t i = 0; i < bricks.size(); ++i) {
+        if (!m_fields.mayHold(bricks[i], rule->lowCode, rule->highCode))
+            continue;
+        asked.push_back(bricks[i]);
+        places.push_back(i);
+    }
+    const std::vector<std::vector<std::uint16_t>> codes = readCodes(m_fields.codes(), grid, asked);
+    std::vector<std::uint32_t> wordsOfBrick(core::BrickGrid::voxelsPerBrick);
+    std::vector<std::uint8_t> labels(core::BrickGrid::voxelsPerBrick);
+    for (std::size_t i = 0; i < asked.size(); ++i) {
+        core::AskedBrick brick{.origin = grid.boxOf(int(asked[i])).minimum, .codes = codes[i]};
+        // What was empty before the burst has been asked about before anything is claimed there.
+        if (!m_newPages.contains(asked[i])) {
+            words.read(asked[i], std::as_writable_bytes(std::span(wordsOfBrick)));
+            brick.words = wordsOfBrick;
+        }
+        if (m_fields.hasData(
+                {.field = core::Field::Labels, .plane = m_burst.plane, .brick = asked[i]})) {
+            readLabels(m_fields.labels(m_burst.plane), grid, asked[i], labels);
+            brick.labels = labels;
+        }
+        open[places[i]] = core::openVoxels(*rule, brick);
+    }
+    return open;
 }
 
 int GrowthKernel::advanceOnProcessor(int rings)
@@ -23,14 +66,8 @@ int GrowthKernel::advanceOnProcessor(int rings)
     }
     ProcessorFront& front = *m_processorFront;
     const std::vector<std::uint32_t> unknown = front.unknown(reachable);
-    if (!unknown.empty()) {
-        const std::shared_ptr<Program> program = m_programs.openBits(m_kind);
-        setUniforms(*program);
-        bind();
-        front.setOpen(unknown,
-            openBits(*program, m_fields.seedWords(m_burst.plane), m_fields.grid().bricks(),
-                *m_onlyLabel, unknown));
-    }
+    if (!unknown.empty())
+        front.setOpen(unknown, openVoxelsIn(unknown));
     const std::vector<std::uint32_t> sizes = front.advance(m_generation, rings, m_newPages);
     count(sizes);
     m_frontCount = int(sizes.size()) == rings ? sizes.back() : 0;

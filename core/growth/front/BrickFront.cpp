@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/growth/BrickFront.h"
+#include "core/growth/front/BrickFront.h"
 
 #include "core/growth/SeedWord.h"
 
