@@ -7,7 +7,7 @@ namespace gpu {
 
 namespace {
 
-constexpr int side = core::BrickGrid::side;
+constexpr int sideOfBrick = core::BrickGrid::side;
 
 /// The part of a brick that lies in the volume.
 struct Part {
@@ -18,7 +18,7 @@ struct Part {
     {
         return std::size_t(size.x) * std::size_t(size.y) * std::size_t(size.z);
     }
-    [[nodiscard]] bool isWhole() const { return size == glm::ivec3(side); }
+    [[nodiscard]] bool isWhole() const { return size == glm::ivec3(sideOfBrick); }
     /// Calls work(inBrick, inPart) with the place of the first voxel of each row.
     template <typename Work> void forEachRow(const Work& work) const
     {
@@ -44,7 +44,7 @@ std::vector<std::uint16_t> codesOfBrick(
     const std::vector<std::uint16_t>& row, const glm::ivec3& rowSize, int left)
 {
     std::vector<std::uint16_t> codes(core::BrickGrid::voxelsPerBrick, 0);
-    const int width = std::min(side, rowSize.x - left);
+    const int width = std::min(sideOfBrick, rowSize.x - left);
     for (int z = 0; z < rowSize.z; ++z) {
         for (int y = 0; y < rowSize.y; ++y)
             std::copy_n(row.begin() + left + rowSize.x * (y + rowSize.y * z), width,
@@ -105,7 +105,7 @@ std::vector<std::vector<std::uint16_t>> readCodes(
         row.resize(std::size_t(size.x) * std::size_t(size.y) * std::size_t(size.z));
         texture.read(box.minimum, size, std::as_writable_bytes(std::span<std::uint16_t>(row)));
         for (std::size_t i = first; i < last; ++i)
-            codes.push_back(codesOfBrick(row, size, side * int(i - first)));
+            codes.push_back(codesOfBrick(row, size, sideOfBrick * int(i - first)));
         first = last;
     }
     return codes;

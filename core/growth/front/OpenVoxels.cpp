@@ -9,7 +9,7 @@ namespace core {
 
 namespace {
 
-constexpr int side = BrickGrid::side;
+constexpr int rowVoxels = BrickGrid::side;
 
 /// Whether a criterion asks for no more than a voxel's own code and place.
 bool asksForCodesOnly(const GrowLimits& limits)
@@ -26,7 +26,7 @@ bool asksForCodesOnly(const GrowLimits& limits)
 template <typename Condition> unsigned bitsWhere(const Condition& holds)
 {
     unsigned bits = 0;
-    for (unsigned x = 0; x < side; ++x)
+    for (unsigned x = 0; x < rowVoxels; ++x)
         bits |= unsigned(holds(x)) << x;
     return bits;
 }
@@ -34,8 +34,8 @@ template <typename Condition> unsigned bitsWhere(const Condition& holds)
 /// The bits of a row from one voxel to another, both among them; they may lie outside of it.
 unsigned bitsBetween(int first, int last)
 {
-    const int from = std::clamp(first, 0, side);
-    const int to = std::clamp(last + 1, from, side);
+    const int from = std::clamp(first, 0, rowVoxels);
+    const int to = std::clamp(last + 1, from, rowVoxels);
     return (1u << to) - (1u << from);
 }
 
@@ -75,10 +75,10 @@ BrickBits openVoxels(const OpenRule& rule, const AskedBrick& brick)
         return open;
     if (brick.labels.empty() && !rule.mayEnter.test(0))
         return open;
-    for (int z = std::max(from.z, 0); z <= std::min(to.z, side - 1); ++z) {
-        for (int y = std::max(from.y, 0); y <= std::min(to.y, side - 1); ++y) {
-            const auto row = std::size_t(y + side * z);
-            const std::size_t first = side * row;
+    for (int z = std::max(from.z, 0); z <= std::min(to.z, rowVoxels - 1); ++z) {
+        for (int y = std::max(from.y, 0); y <= std::min(to.y, rowVoxels - 1); ++y) {
+            const auto row = std::size_t(y + rowVoxels * z);
+            const std::size_t first = rowVoxels * row;
             unsigned bits = alongRow
                 & bitsWhere([&](unsigned x) { return brick.codes[first + x] - low <= span; });
             if (bits != 0 && !brick.words.empty())
