@@ -9,11 +9,11 @@
 namespace core {
 
 /// The voxels of a brick as bits: row y + 16 z holds the 16 voxels along x, bit x that at x.
-using BrickBits = std::array<std::uint16_t, BrickGrid::side * BrickGrid::side>;
+using VoxelBits = std::array<std::uint16_t, BrickGrid::side * BrickGrid::side>;
 
 /// The fronts in a brick and in its 26 neighbours; null: none there. The brick at an offset of
 /// (dx, dy, dz) has the index dx + 1 + 3 (dy + 1) + 9 (dz + 1).
-using FrontsAround = std::array<const BrickBits*, 27>;
+using FrontsAround = std::array<const VoxelBits*, 27>;
 
 /// The voxels that generations of a growth claim in a brick, each with the direction of its claim,
 /// until they are written. A voxel is claimed once, so there is always room.
@@ -28,6 +28,7 @@ public:
     }
     void clear() { m_count = 0; }
     [[nodiscard]] bool empty() const { return m_count == 0; }
+    [[nodiscard]] std::size_t size() const { return m_count; }
 
     /// Calls work(ring, offset, direction) for each of them.
     template <typename Work> void forEach(const Work& work) const
@@ -43,6 +44,11 @@ private:
     std::size_t m_count = 0;
 };
 
+struct Claimed {
+    int voxels = 0;
+    unsigned sides = 0; ///< that they reach, as by sidesReached()
+};
+
 /// Computes one generation of a growth in one brick: every open voxel that has a neighbour in the
 /// front is claimed, by the lowest direction (seedWord::offsets) that leads to it from the front.
 /// Any thread.
@@ -50,9 +56,8 @@ private:
 /// @param ring as for BrickClaims::add()
 /// @param open the voxels that may be claimed; those that are claimed are taken out
 /// @param next receives the claimed voxels, and nothing else
-/// @return the number of claimed voxels
-int claimVoxels(int connectivity, int ring, const FrontsAround& fronts, BrickBits& open,
-    BrickBits& next, BrickClaims& claims);
+Claimed claimVoxels(int connectivity, int ring, const FrontsAround& fronts, VoxelBits& open,
+    VoxelBits& next, BrickClaims& claims);
 
 /// How a growth of one label writes the voxels that it claims.
 struct ClaimRule {
@@ -74,6 +79,6 @@ void writeClaims(const ClaimRule& rule, const BrickClaims& claims, const GrownVo
 
 /// The sides of a brick at which it has voxels of a set: bit 2 · axis for the lower end of an axis,
 /// bit 2 · axis + 1 for the upper one.
-[[nodiscard]] unsigned sidesReached(const BrickBits& bits);
+[[nodiscard]] unsigned sidesReached(const VoxelBits& bits);
 
 } // namespace core

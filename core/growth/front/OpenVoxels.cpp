@@ -63,9 +63,9 @@ std::optional<OpenRule> openRule(
     return rule;
 }
 
-BrickBits openVoxels(const OpenRule& rule, const AskedBrick& brick)
+VoxelBits openVoxels(const OpenRule& rule, const AskedBrick& brick)
 {
-    BrickBits open{};
+    VoxelBits open{};
     const glm::ivec3 from = rule.boxFrom - brick.origin;
     const glm::ivec3 to = rule.boxTo - brick.origin;
     const unsigned alongRow = bitsBetween(from.x, to.x);

@@ -34,6 +34,6 @@ struct AskedBrick {
 };
 
 /// The voxels of a brick that may be claimed, as frontBitsOpen.comp finds them. Any thread.
-[[nodiscard]] BrickBits openVoxels(const OpenRule& rule, const AskedBrick& brick);
+[[nodiscard]] VoxelBits openVoxels(const OpenRule& rule, const AskedBrick& brick);
 
 } // namespace core

@@ -75,7 +75,7 @@ Program openBitsProgram(const ShaderLibrary& shaders, const core::GrowLimits& li
     return program(shaders, "kernels/fronts/frontBitsOpen.comp", definesOfOpen(limits, ranged));
 }
 
-std::vector<core::BrickBits> openBits(Program& program, const BrickField& words,
+std::vector<core::VoxelBits> openBits(Program& program, const BrickField& words,
     const glm::ivec3& grid, std::uint8_t label, std::span<const std::uint32_t> bricks)
 {
     if (bricks.empty())
@@ -89,7 +89,7 @@ std::vector<core::BrickBits> openBits(Program& program, const BrickField& words,
     glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
     std::vector<std::uint32_t> bits(bricks.size() * wordsOfOpen);
     found.read(std::span<std::uint32_t>(bits));
-    std::vector<core::BrickBits> open(bricks.size());
+    std::vector<core::VoxelBits> open(bricks.size());
     for (std::size_t i = 0; i < open.size(); ++i)
         std::memcpy(open[i].data(), &bits[i * wordsOfOpen], sizeof open[i]);
     return open;

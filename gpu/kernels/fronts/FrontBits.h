@@ -22,7 +22,7 @@ namespace gpu {
 /// Runs it over bricks that have pages, and reads what it finds. Engine thread only. Bind what
 /// growth.glsl declares before.
 /// @param grid size of the volume in bricks
-[[nodiscard]] std::vector<core::BrickBits> openBits(Program& program, const BrickField& words,
+[[nodiscard]] std::vector<core::VoxelBits> openBits(Program& program, const BrickField& words,
     const glm::ivec3& grid, std::uint8_t label, std::span<const std::uint32_t> bricks);
 
 /// The compiled kernels of growth fronts stored as bits (frontBits*.comp).

@@ -13,8 +13,11 @@ namespace gpu {
 namespace {
 
 constexpr std::size_t voxelsOfBrick = core::BrickGrid::voxelsPerBrick;
-/// Of so many bricks on one generation is worth the start of threads.
-constexpr std::size_t manyBricks = 256;
+constexpr std::size_t ownPlace = 13; // in core::FrontsAround
+/// From so much work on, in bricks that are looked at, the start of threads takes less time than
+/// they save. A brick costs as much as so many voxels that are claimed.
+constexpr std::size_t muchWork = 1000;
+constexpr std::size_t voxelsLikeABrick = 64;
 constexpr std::uint32_t never = 0xFFFFFFFFu; // no generation
 
 glm::ivec3 offsetOf(std::size_t place)
@@ -40,10 +43,11 @@ unsigned sidesTowards(const glm::ivec3& offset)
     return sides;
 }
 
-/// Calls work(0) … work(count - 1), on several threads where that is worth their start.
-template <typename Work> void forEach(std::size_t count, const Work& work)
+/// Calls work(0) … work(count - 1), one for each brick, on several threads where that is worth it.
+/// @param voxels that are claimed in all of them, about
+template <typename Work> void forEach(std::size_t count, std::size_t voxels, const Work& work)
 {
-    if (count < manyBricks) {
+    if (count + voxels / voxelsLikeABrick < muchWork) {
         for (std::size_t i = 0; i < count; ++i)
             work(i);
         return;
@@ -77,10 +81,10 @@ struct ProcessorFront::Brick {
     bool isOpenKnown = false;
     bool wasWritten = false;
     int open = 0; ///< number of open voxels
-    core::BrickBits openVoxels{};
+    core::VoxelBits openVoxels{};
     // The fronts of even and of odd generations. One of another generation than the one that is
     // looked for counts as none.
-    core::BrickBits fronts[2]{};
+    core::VoxelBits fronts[2]{};
     std::uint32_t frontGeneration[2]{never, never};
     unsigned sides = 0; ///< that the newest front reaches
     std::uint32_t reachedBy = never; ///< the last generation that might change it
@@ -94,7 +98,13 @@ ProcessorFront::ProcessorFront(VoxelFields& fields, const Options& options,
     , m_options(options)
     , m_bricks(std::size_t(fields.grid().brickCount()))
     , m_generation(generation)
+    , m_size(front.size())
 {
+    for (std::size_t place = 0; place < core::FrontsAround().size(); ++place) {
+        const glm::ivec3 offset = offsetOf(place);
+        if (isNeighbour(offset, options.connectivity))
+            m_ways.push_back({.place = place, .sides = sidesTowards(offset)});
+    }
     for (const core::LeakGuard::Voxel voxel : front) {
         Brick& brick = known(voxel >> 12);
         std::uint32_t& frontOf = brick.frontGeneration[generation & 1u];
@@ -139,7 +149,7 @@ std::vector<std::uint32_t> ProcessorFront::unknown(std::span<const std::uint32_t
 }
 
 void ProcessorFront::setOpen(
-    std::span<const std::uint32_t> bricks, std::span<const core::BrickBits> openVoxels)
+    std::span<const std::uint32_t> bricks, std::span<const core::VoxelBits> openVoxels)
 {
     for (std::size_t i = 0; i < bricks.size(); ++i) {
         Brick& brick = known(bricks[i]);
@@ -163,14 +173,11 @@ void ProcessorFront::findReached(std::uint32_t generation)
     };
     for (Brick* const brick : m_front) {
         reach(*brick);
-        for (std::size_t i = 0; i < brick->neighbours.size(); ++i) {
-            const glm::ivec3 offset = offsetOf(i);
-            const unsigned sides = sidesTowards(offset);
-            if (brick->neighbours[i] < 0 || (brick->sides & sides) != sides
-                || !isNeighbour(offset, m_options.connectivity))
-                continue;
-            if (Brick* const beside = m_bricks[std::size_t(brick->neighbours[i])].get())
-                reach(*beside);
+        for (const Way& way : m_ways) {
+            const std::int32_t beside = brick->neighbours[way.place];
+            if ((brick->sides & way.sides) == way.sides && beside >= 0
+                && m_bricks[std::size_t(beside)])
+                reach(*m_bricks[std::size_t(beside)]);
         }
     }
 }
@@ -180,27 +187,32 @@ int ProcessorFront::claimIn(Brick& brick, int ring) const
     const std::uint32_t generation = m_generation;
     const std::uint32_t before = generation - 1;
     core::FrontsAround fronts{};
-    for (std::size_t i = 0; i < fronts.size(); ++i) {
-        if (brick.neighbours[i] < 0)
-            continue;
-        const Brick* const beside = m_bricks[std::size_t(brick.neighbours[i])].get();
-        if (beside && beside->frontGeneration[before & 1u] == before)
-            fronts[i] = &beside->fronts[before & 1u];
+    const auto look = [&](const Brick* from, std::size_t place) {
+        if (from && from->frontGeneration[before & 1u] == before)
+            fronts[place] = &from->fronts[before & 1u];
+    };
+    look(&brick, ownPlace);
+    for (const Way& way : m_ways) {
+        const std::int32_t beside = brick.neighbours[way.place];
+        if (beside >= 0)
+            look(m_bricks[std::size_t(beside)].get(), way.place);
     }
-    const int claimed = core::claimVoxels(m_options.connectivity, ring, fronts, brick.openVoxels,
-        brick.fronts[generation & 1u], brick.images->claims);
-    if (claimed > 0) {
-        brick.open -= claimed;
+    const core::Claimed claimed = core::claimVoxels(m_options.connectivity, ring, fronts,
+        brick.openVoxels, brick.fronts[generation & 1u], brick.images->claims);
+    if (claimed.voxels > 0) {
+        brick.open -= claimed.voxels;
         brick.frontGeneration[generation & 1u] = generation;
-        brick.sides = core::sidesReached(brick.fronts[generation & 1u]);
+        brick.sides = claimed.sides;
     }
-    return claimed;
+    return claimed.voxels;
 }
 
 void ProcessorFront::claim(int ring)
 {
     m_claimed.assign(m_reached.size(), 0);
-    forEach(m_reached.size(), [&](std::size_t i) { m_claimed[i] = claimIn(*m_reached[i], ring); });
+    // About as many as in the generation before.
+    forEach(m_reached.size(), m_size,
+        [&](std::size_t i) { m_claimed[i] = claimIn(*m_reached[i], ring); });
 }
 
 void ProcessorFront::takeImages(Brick& brick)
@@ -239,63 +251,68 @@ void ProcessorFront::fetch(Brick& brick, const std::set<std::uint32_t>& newPages
     m_fields.overwritten(plane).read(brick.number, bytesOf(images.overwritten));
 }
 
-std::vector<std::uint32_t> ProcessorFront::advance(
-    std::uint32_t generation, int rings, const std::set<std::uint32_t>& newPages)
+std::vector<std::uint32_t> ProcessorFront::advance(std::uint32_t generation, int rings)
 {
     std::vector<std::uint32_t> sizes;
-    m_written.clear();
+    m_rule = {.label = m_options.label, .tellsHeld = m_options.tellsHeld, .generation = generation};
     for (int ring = 1; ring <= std::min(rings, mostRings); ++ring) {
         m_generation = generation + std::uint32_t(ring);
         findReached(m_generation);
         for (Brick* const brick : m_reached)
             takeImages(*brick);
         claim(ring);
-        std::uint32_t size = 0;
+        m_size = 0;
         m_front.clear();
         for (std::size_t i = 0; i < m_reached.size(); ++i) {
             if (m_claimed[i] > 0)
                 m_front.push_back(m_reached[i]);
-            size += std::uint32_t(m_claimed[i]);
+            m_size += std::size_t(m_claimed[i]);
         }
-        if (size == 0)
+        if (m_size == 0)
             break;
-        sizes.push_back(size);
+        sizes.push_back(std::uint32_t(m_size));
     }
-    write(generation, newPages);
     return sizes;
 }
 
-void ProcessorFront::write(std::uint32_t generation, const std::set<std::uint32_t>& newPages)
+std::vector<std::uint32_t> ProcessorFront::claimedBricks() const
 {
-    BrickField& words = m_fields.seedWords(m_options.plane);
-    const Texture3D& labels = m_fields.labels(m_options.plane);
-    const core::ClaimRule rule{
-        .label = m_options.label, .tellsHeld = m_options.tellsHeld, .generation = generation};
-    std::vector<Brick*> changed;
-    for (Brick* const brick : m_imaged) {
+    std::vector<std::uint32_t> bricks;
+    for (const Brick* const brick : m_imaged) {
         if (!brick->images->claims.empty())
-            changed.push_back(brick);
+            bricks.push_back(brick->number);
     }
-    for (Brick* const brick : changed)
-        fetch(*brick, newPages);
-    forEach(changed.size(), [&](std::size_t i) {
-        Images& images = *changed[i]->images;
-        core::writeClaims(rule, images.claims,
+    std::sort(bricks.begin(), bricks.end());
+    return bricks;
+}
+
+void ProcessorFront::write(
+    std::span<const std::uint32_t> bricks, const std::set<std::uint32_t>& newPages)
+{
+    std::size_t claimed = 0;
+    for (const std::uint32_t number : bricks) {
+        fetch(*m_bricks[number], newPages);
+        claimed += m_bricks[number]->images->claims.size();
+    }
+    forEach(bricks.size(), claimed, [&](std::size_t i) {
+        Images& images = *m_bricks[bricks[i]]->images;
+        core::writeClaims(m_rule, images.claims,
             {.words = images.words.data(),
                 .labels = images.labels.data(),
                 .overwritten = images.overwritten.empty() ? nullptr : images.overwritten.data()});
         images.claims.clear();
     });
-    for (Brick* const brick : changed) {
-        Images& images = *brick->images;
-        words.write(brick->number, bytesOf(images.words));
-        writeLabels(labels, m_fields.grid(), brick->number, images.labels);
+    BrickField& words = m_fields.seedWords(m_options.plane);
+    const Texture3D& labels = m_fields.labels(m_options.plane);
+    for (const std::uint32_t number : bricks) {
+        Brick& brick = *m_bricks[number];
+        Images& images = *brick.images;
+        words.write(number, bytesOf(images.words));
+        writeLabels(labels, m_fields.grid(), number, images.labels);
         if (!images.overwritten.empty())
-            m_fields.overwritten(m_options.plane).write(brick->number, bytesOf(images.overwritten));
-        brick->wasWritten = true;
-        m_written.push_back(brick->number);
+            m_fields.overwritten(m_options.plane).write(number, bytesOf(images.overwritten));
+        brick.wasWritten = true;
     }
-    std::sort(m_written.begin(), m_written.end());
     std::erase_if(m_imaged, [this](Brick* brick) {
         const bool holdsFront = brick->frontGeneration[m_generation & 1u] == m_generation;
         if (!holdsFront)
@@ -318,7 +335,7 @@ std::vector<core::LeakGuard::Voxel> ProcessorFront::voxels() const
 {
     std::vector<core::LeakGuard::Voxel> voxels;
     for (const std::uint32_t number : frontBricks()) {
-        const core::BrickBits& front = m_bricks[number]->fronts[m_generation & 1u];
+        const core::VoxelBits& front = m_bricks[number]->fronts[m_generation & 1u];
         for (std::uint32_t row = 0; row < front.size(); ++row) {
             for (std::uint32_t bits = front[row]; bits != 0; bits &= bits - 1)
                 voxels.push_back(number << 12 | row << 4 | std::uint32_t(std::countr_zero(bits)));

@@ -18,8 +18,9 @@ namespace gpu {
 /// generation and an image access for each voxel hold up (ALGORITHMS 1.6.10). It serves the same
 /// growths as FrontBits, and what it writes is the same, to the bit.
 ///
-/// The fields are written once after each batch of generations. Takes 1.7 KiB for each brick that
-/// the growth has reached, and 36 KiB more for those that hold its front. Engine thread only.
+/// The fields are written once after each batch of generations, and only where it has claimed
+/// voxels. Takes 1.7 KiB for each brick that the growth has reached, and 36 KiB more for those that
+/// hold its front. Engine thread only.
 class ProcessorFront {
 public:
     struct Options {
@@ -40,20 +41,23 @@ public:
     [[nodiscard]] std::vector<std::uint32_t> unknown(std::span<const std::uint32_t> bricks) const;
     /// Tells the voxels of these bricks that may be claimed.
     void setOpen(
-        std::span<const std::uint32_t> bricks, std::span<const core::BrickBits> openVoxels);
+        std::span<const std::uint32_t> bricks, std::span<const core::VoxelBits> openVoxels);
 
     static constexpr int mostRings = core::BrickClaims::mostRings;
-    /// Runs at most mostRings generations one after the other, and writes what they claim into the
-    /// fields. The open voxels of all bricks that they may reach must be known.
+    /// Runs at most mostRings generations one after the other. The open voxels of all bricks that
+    /// they may reach must be known. write() must follow before the next call.
     /// @param generation of the front
-    /// @param newPages bricks whose seed words were empty before the burst
     /// @return the number of voxels that each generation claimed; the first that claims none is the
     /// last, and is left out
-    std::vector<std::uint32_t> advance(
-        std::uint32_t generation, int rings, const std::set<std::uint32_t>& newPages);
+    std::vector<std::uint32_t> advance(std::uint32_t generation, int rings);
+    /// The bricks in which advance() has claimed voxels, ascending.
+    [[nodiscard]] std::vector<std::uint32_t> claimedBricks() const;
+    /// Writes what advance() has claimed into the fields.
+    /// @param bricks claimedBricks(), all of which have pages
+    /// @param newPages bricks whose seed words were empty before the burst; the content of their
+    /// pages does not matter
+    void write(std::span<const std::uint32_t> bricks, const std::set<std::uint32_t>& newPages);
 
-    /// The bricks that the last advance() has written, ascending.
-    [[nodiscard]] const std::vector<std::uint32_t>& written() const { return m_written; }
     /// The bricks that hold the front, ascending.
     [[nodiscard]] std::vector<std::uint32_t> frontBricks() const;
     /// The voxels of the front, by brick, then by offset.
@@ -71,20 +75,24 @@ private:
     int claimIn(Brick& brick, int ring) const;
     /// Gives a brick room for images, if it has none.
     void takeImages(Brick& brick);
-    /// Reads them, if that was not done yet.
+    /// Reads them from the fields, if that was not done yet.
     void fetch(Brick& brick, const std::set<std::uint32_t>& newPages);
-    /// Writes what the batch has claimed into the fields.
-    /// @param generation before the batch
-    void write(std::uint32_t generation, const std::set<std::uint32_t>& newPages);
+    /// From a brick to one that its front may reach next.
+    struct Way {
+        std::size_t place = 0; ///< in core::FrontsAround
+        unsigned sides = 0; ///< that the front must reach (core::sidesReached())
+    };
 
     VoxelFields& m_fields;
     Options m_options;
+    std::vector<Way> m_ways; ///< by connectivity
     std::vector<std::unique_ptr<Brick>> m_bricks; ///< by number; null: not reached yet
     std::vector<Brick*> m_front; ///< those that hold the front
     std::vector<Brick*> m_reached; ///< those that the next generation may change
     std::vector<int> m_claimed; ///< in each of them
     std::uint32_t m_generation = 0; ///< of the front
-    std::vector<std::uint32_t> m_written;
+    std::size_t m_size = 0; ///< its voxels
+    core::ClaimRule m_rule; ///< of the last advance()
     std::vector<Brick*> m_imaged; ///< those that have images
     std::vector<std::unique_ptr<Images>> m_spare;
 };

@@ -237,19 +237,23 @@ std::vector<std::uint32_t> GrowthKernel::prepareBricks()
 {
     std::vector<std::uint32_t> reachable = m_fields.withNeighbours(m_frontBricks);
     releaseUnused(reachable);
-    std::vector<std::uint32_t> fresh = reachable;
-    std::erase_if(fresh, [this](std::uint32_t brick) { return m_prepared[brick]; });
-    if (fresh.empty())
-        return reachable;
+    prepare(reachable, BrickField::NewPages::Empty);
+    return reachable;
+}
+
+void GrowthKernel::prepare(std::vector<std::uint32_t> bricks, BrickField::NewPages pages)
+{
+    std::erase_if(bricks, [this](std::uint32_t brick) { return m_prepared[brick]; });
+    if (bricks.empty())
+        return;
     BrickField& words = m_fields.seedWords(m_burst.plane);
-    capture(fresh);
-    for (const std::uint32_t brick : fresh) {
+    capture(bricks);
+    for (const std::uint32_t brick : bricks) {
         m_prepared[brick] = true;
         if (!words.holds(brick))
             m_newPages.insert(brick);
     }
-    words.ensure(fresh);
-    return reachable;
+    words.ensure(bricks, pages);
 }
 
 void GrowthKernel::chooseForm(const std::vector<std::uint32_t>& bricks)

@@ -184,6 +184,8 @@ private:
     void findFront(const std::vector<std::uint32_t>& bricks);
     /// The bricks that a batch may reach, with pages and captured.
     std::vector<std::uint32_t> prepareBricks();
+    /// Captures bricks that are not yet, and gives them pages.
+    void prepare(std::vector<std::uint32_t> bricks, BrickField::NewPages pages);
     void preparePassages();
     void start(const State& state);
     /// Reads the counters and the list of bricks reached since start().
@@ -197,7 +199,7 @@ private:
     // The same where the processor moves the front on (GrowthOnProcessor.cpp).
     [[nodiscard]] bool isOnProcessor() const;
     int advanceOnProcessor(int rings);
-    [[nodiscard]] std::vector<core::BrickBits> openVoxelsIn(std::span<const std::uint32_t> bricks);
+    [[nodiscard]] std::vector<core::VoxelBits> openVoxelsIn(std::span<const std::uint32_t> bricks);
     /// Notes how many voxels each generation of a batch added.
     void count(std::span<const std::uint32_t> sizes);
     /// The voxels that the last generation added, for the leak guard: from the queue or, if that is

@@ -12,19 +12,20 @@ bool GrowthKernel::isOnProcessor() const
         && FrontBits::isFor(m_burst.limits);
 }
 
-std::vector<core::BrickBits> GrowthKernel::openVoxelsIn(std::span<const std::uint32_t> bricks)
+std::vector<core::VoxelBits> GrowthKernel::openVoxelsIn(std::span<const std::uint32_t> bricks)
 {
     const core::BrickGrid& grid = m_fields.grid();
     BrickField& words = m_fields.seedWords(m_burst.plane);
     const std::optional<core::OpenRule> rule =
         core::openRule(m_burst, *m_onlyLabel, grid.volumeSize);
     if (!rule) {
+        prepare({bricks.begin(), bricks.end()}, BrickField::NewPages::Empty);
         const std::shared_ptr<Program> program = m_programs.openBits(m_kind);
         setUniforms(*program);
         bind();
         return openBits(*program, words, grid.bricks(), *m_onlyLabel, bricks);
     }
-    std::vector<core::BrickBits> open(bricks.size());
+    std::vector<core::VoxelBits> open(bricks.size());
     std::vector<std::uint32_t> asked;
     std::vector<std::size_t> places; // of those among all
     for (std::size_t i = 0; i < bricks.size(); ++i) {
@@ -38,8 +39,8 @@ std::vector<core::BrickBits> GrowthKernel::openVoxelsIn(std::span<const std::uin
     std::vector<std::uint8_t> labels(core::BrickGrid::voxelsPerBrick);
     for (std::size_t i = 0; i < asked.size(); ++i) {
         core::AskedBrick brick{.origin = grid.boxOf(int(asked[i])).minimum, .codes = codes[i]};
-        // What was empty before the burst has been asked about before anything is claimed there.
-        if (!m_newPages.contains(asked[i])) {
+        // A page that is new has no content yet.
+        if (words.holds(asked[i]) && !m_newPages.contains(asked[i])) {
             words.read(asked[i], std::as_writable_bytes(std::span(wordsOfBrick)));
             brick.words = wordsOfBrick;
         }
@@ -55,7 +56,6 @@ std::vector<core::BrickBits> GrowthKernel::openVoxelsIn(std::span<const std::uin
 
 int GrowthKernel::advanceOnProcessor(int rings)
 {
-    const std::vector<std::uint32_t> reachable = prepareBricks();
     if (!m_processorFront) {
         const ProcessorFront::Options options{.label = *m_onlyLabel,
             .plane = m_burst.plane,
@@ -65,14 +65,17 @@ int GrowthKernel::advanceOnProcessor(int rings)
         m_processorFront.emplace(m_fields, options, listedFront(), m_generation);
     }
     ProcessorFront& front = *m_processorFront;
-    const std::vector<std::uint32_t> unknown = front.unknown(reachable);
+    const std::vector<std::uint32_t> unknown =
+        front.unknown(m_fields.withNeighbours(m_frontBricks));
     if (!unknown.empty())
         front.setOpen(unknown, openVoxelsIn(unknown));
-    const std::vector<std::uint32_t> sizes = front.advance(m_generation, rings, m_newPages);
+    const std::vector<std::uint32_t> sizes = front.advance(m_generation, rings);
+    m_lastTouched = front.claimedBricks();
+    prepare(m_lastTouched, BrickField::NewPages::AnyContent);
+    front.write(m_lastTouched, m_newPages);
     count(sizes);
     m_frontCount = int(sizes.size()) == rings ? sizes.back() : 0;
     m_frontBricks = front.frontBricks();
-    m_lastTouched = front.written();
     m_allTouched.insert(m_lastTouched.begin(), m_lastTouched.end());
     if (!m_lastTouched.empty())
         m_fields.noteChanged(core::Field::Labels, m_lastTouched);

@@ -25,18 +25,18 @@ struct Claims {
     std::vector<std::uint32_t> words;
     std::vector<std::uint8_t> labels;
     std::vector<std::uint8_t> overwritten;
-    BrickBits open{};
-    BrickBits next{};
+    VoxelBits open{};
+    VoxelBits next{};
     int count = 0;
     bool operator==(const Claims&) const = default;
 };
 
-bool holds(const BrickBits& bits, const glm::ivec3& voxel)
+bool holds(const VoxelBits& bits, const glm::ivec3& voxel)
 {
     return (bits[std::size_t(voxel.y + side * voxel.z)] >> voxel.x & 1) != 0;
 }
 
-void set(BrickBits& bits, const glm::ivec3& voxel, bool isSet)
+void set(VoxelBits& bits, const glm::ivec3& voxel, bool isSet)
 {
     std::uint16_t& row = bits[std::size_t(voxel.y + side * voxel.z)];
     const unsigned bit = 1u << voxel.x;
@@ -49,7 +49,7 @@ bool isInFront(const FrontsAround& fronts, const glm::ivec3& voxel)
     glm::ivec3 brick(0);
     for (int axis = 0; axis < 3; ++axis)
         brick[axis] = voxel[axis] < 0 ? -1 : voxel[axis] >= side ? 1 : 0;
-    const BrickBits* const bits =
+    const VoxelBits* const bits =
         fronts[std::size_t(brick.x + 1 + 3 * (brick.y + 1) + 9 * (brick.z + 1))];
     return bits && holds(*bits, voxel - side * brick);
 }
@@ -57,7 +57,7 @@ bool isInFront(const FrontsAround& fronts, const glm::ivec3& voxel)
 /// Voxel by voxel, as seedWord.h and growth.glsl say it.
 Claims expected(const ClaimRule& rule, int connectivity, const FrontsAround& fronts, Claims claims)
 {
-    const BrickBits open = claims.open;
+    const VoxelBits open = claims.open;
     claims.next = {};
     for (int z = 0; z < side; ++z)
         for (int y = 0; y < side; ++y)
@@ -86,9 +86,9 @@ Claims expected(const ClaimRule& rule, int connectivity, const FrontsAround& fro
     return claims;
 }
 
-BrickBits randomBits(test::Random& random, int ofThousand)
+VoxelBits randomBits(test::Random& random, int ofThousand)
 {
-    BrickBits bits{};
+    VoxelBits bits{};
     for (int i = 0; i < BrickGrid::voxelsPerBrick; ++i)
         set(bits, {i % side, i / side % side, i / (side * side)},
             test::randomInt(random, 0, 999) < ofThousand);
@@ -133,7 +133,7 @@ void BrickFrontTest::claimsAsVoxelByVoxel()
             .tellsHeld = round % 2 == 0,
             .generation =
                 std::uint32_t(test::randomInt(random, 0, int(seedWord::maxGeneration) - 3))};
-        std::vector<BrickBits> bits(27);
+        std::vector<VoxelBits> bits(27);
         FrontsAround fronts{};
         for (std::size_t i = 0; i < bits.size(); ++i) {
             bits[i] = randomBits(random, front);
@@ -153,7 +153,10 @@ void BrickFrontTest::claimsAsVoxelByVoxel()
 
         Claims actual = before;
         const auto claims = std::make_unique<BrickClaims>();
-        actual.count = claimVoxels(connectivity, 3, fronts, actual.open, actual.next, *claims);
+        const Claimed claimed =
+            claimVoxels(connectivity, 3, fronts, actual.open, actual.next, *claims);
+        actual.count = claimed.voxels;
+        QCOMPARE(claimed.sides, sidesReached(actual.next));
         writeClaims(rule, *claims,
             {.words = actual.words.data(),
                 .labels = actual.labels.data(),
@@ -185,15 +188,15 @@ void BrickFrontTest::oneVoxelReachesItsNeighbours()
                 glm::ivec3 brick(0);
                 for (int axis = 0; axis < 3; ++axis)
                     brick[axis] = voxel[axis] < 0 ? -1 : voxel[axis] >= side ? 1 : 0;
-                BrickBits front{};
+                VoxelBits front{};
                 set(front, voxel - side * brick, true);
                 FrontsAround fronts{};
                 fronts[std::size_t(brick.x + 1 + 3 * (brick.y + 1) + 9 * (brick.z + 1))] = &front;
-                BrickBits open;
+                VoxelBits open;
                 open.fill(0xFFFF);
-                BrickBits next{};
+                VoxelBits next{};
                 claims->clear();
-                const int count = claimVoxels(connectivity, 16, fronts, open, next, *claims);
+                const Claimed claimed = claimVoxels(connectivity, 16, fronts, open, next, *claims);
                 claims->forEach([&](std::uint32_t ring, std::size_t offset, std::uint32_t d) {
                     directions[offset] = ring == 16 ? int(d) : -1;
                 });
@@ -209,7 +212,7 @@ void BrickFrontTest::oneVoxelReachesItsNeighbours()
                     const auto at = std::size_t(child.x + side * (child.y + side * child.z));
                     QCOMPARE(directions[at], d);
                 }
-                QCOMPARE(count, wanted);
+                QCOMPARE(claimed.voxels, wanted);
             }
 }
 
@@ -218,7 +221,7 @@ void BrickFrontTest::sidesAreThoseOfTheVoxels()
     QCOMPARE(sidesReached({}), 0u);
     for (int i = 0; i < BrickGrid::voxelsPerBrick; ++i) {
         const glm::ivec3 voxel(i % side, i / side % side, i / (side * side));
-        BrickBits bits{};
+        VoxelBits bits{};
         set(bits, voxel, true);
         unsigned wanted = 0;
         for (int axis = 0; axis < 3; ++axis) {
