@@ -12,7 +12,7 @@
 #include "ui/panels/growth/SpreadBar.h"
 #include "ui/panels/refine/ChunksPanel.h"
 #include "ui/settings/GrowSettings.h"
-#include "ui/tasks/LiveInterval.h"
+#include "ui/tasks/growth/LiveInterval.h"
 #include "ui/tools/contour/ContourTool.h"
 #include "ui/tools/growth/FloodFillTool.h"
 #include "ui/tools/growth/PaintTool.h"

@@ -7,7 +7,7 @@
 #include "ui/base/StudyTexts.h"
 #include "ui/base/Theme.h"
 #include "ui/panels/growth/GenerationBar.h"
-#include "ui/tasks/GrowthTurns.h"
+#include "ui/tasks/growth/GrowthTurns.h"
 #include "ui/workspace/Workspace.h"
 
 #include <QPointer>

@@ -10,7 +10,7 @@
 #include "core/session/StepFindings.h"
 #include "ui/base/NumberText.h"
 #include "ui/base/Theme.h"
-#include "ui/tasks/GrowthTurns.h"
+#include "ui/tasks/growth/GrowthTurns.h"
 #include "ui/widgets/BringIntoView.h"
 #include "ui/widgets/fields/NumberField.h"
 #include "ui/workspace/PendingSeeds.h"

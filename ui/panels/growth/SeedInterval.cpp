@@ -7,7 +7,7 @@
 #include "ui/base/StudyTexts.h"
 #include "ui/base/Theme.h"
 #include "ui/settings/SeedValues.h"
-#include "ui/tasks/SketchLook.h"
+#include "ui/tasks/growth/SketchLook.h"
 #include "ui/workspace/PendingSeeds.h"
 #include "ui/workspace/Workspace.h"
 

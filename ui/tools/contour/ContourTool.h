@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "ui/tasks/SketchLook.h"
+#include "ui/tasks/growth/SketchLook.h"
 #include "ui/tools/common/CursorTool.h"
 #include "ui/tools/common/PenPressure.h"
 #include "ui/tools/contour/ContourDrawing.h"

@@ -11,7 +11,7 @@
 #include "tests/support/scenes/PlainEdits.h"
 #include "ui/panels/growth/GenerationBar.h"
 #include "ui/panels/growth/GrowthPanel.h"
-#include "ui/tasks/LiveInterval.h"
+#include "ui/tasks/growth/LiveInterval.h"
 #include "ui/workspace/SegmentActions.h"
 
 #include <QAbstractButton>

@@ -10,7 +10,7 @@
 #include "tests/support/scenes/PlainEdits.h"
 #include "ui/panels/growth/GrowthPanel.h"
 #include "ui/settings/SeedValues.h"
-#include "ui/tasks/SketchLook.h"
+#include "ui/tasks/growth/SketchLook.h"
 #include "ui/tools/aim/LookingDirection.h"
 #include "ui/window/display/ToolSettings.h"
 #include "ui/workspace/PendingSeeds.h"

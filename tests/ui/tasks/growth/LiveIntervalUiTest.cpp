@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/session/questions/VoxelQuestions.h"
-#include "ui/tasks/LiveInterval.h"
+#include "ui/tasks/growth/LiveInterval.h"
 
 #include "core/edits/kinds/growth/ChangeInterval.h"
 #include "core/edits/kinds/growth/GrowCriteria.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ui/tasks/GrowthTurns.h"
+#include "ui/tasks/growth/GrowthTurns.h"
 
 #include "core/edits/kinds/EditParts.h"
 #include "core/edits/kinds/growth/ChangeInterval.h"
@@ -11,7 +11,7 @@
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/PlainEdits.h"
 #include "ui/panels/growth/GrowthPanel.h"
-#include "ui/tasks/GrowthRun.h"
+#include "ui/tasks/growth/GrowthRun.h"
 #include "ui/widgets/HistogramRange.h"
 #include "ui/workspace/PendingSeeds.h"
 #include "ui/workspace/SegmentActions.h"

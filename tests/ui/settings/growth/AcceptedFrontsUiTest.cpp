@@ -13,7 +13,7 @@
 #include "tests/support/scenes/PlainEdits.h"
 #include "ui/panels/growth/GrowthPanel.h"
 #include "ui/panels/growth/LeakSection.h"
-#include "ui/tasks/LiveInterval.h"
+#include "ui/tasks/growth/LiveInterval.h"
 #include "ui/workspace/PendingSeeds.h"
 #include "ui/workspace/SegmentActions.h"
 

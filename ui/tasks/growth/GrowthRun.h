@@ -3,7 +3,7 @@
 
 #include "core/edits/kinds/Edit.h"
 #include "core/growth/GrowthCommands.h"
-#include "ui/tasks/GrowthTurns.h"
+#include "ui/tasks/growth/GrowthTurns.h"
 
 #include <QObject>
 #include <QTimer>

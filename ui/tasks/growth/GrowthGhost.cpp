@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ui/tasks/GrowthGhost.h"
+#include "ui/tasks/growth/GrowthGhost.h"
 
 #include "core/edits/kinds/growth/GrowSteps.h"
 #include "core/edits/kinds/parts/GrowthPlane.h"

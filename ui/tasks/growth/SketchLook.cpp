@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ui/tasks/SketchLook.h"
+#include "ui/tasks/growth/SketchLook.h"
 
 #include "core/session/EditSession.h"
 #include "core/session/questions/VoxelQuestions.h"

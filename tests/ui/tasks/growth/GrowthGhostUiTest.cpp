@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ui/tasks/GrowthGhost.h"
+#include "ui/tasks/growth/GrowthGhost.h"
 
 #include "core/session/EditSession.h"
 #include "core/session/questions/VoxelQuestions.h"
