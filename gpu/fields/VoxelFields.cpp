@@ -155,8 +155,11 @@ BrickField* VoxelFields::paged(core::Field field, std::uint8_t plane)
 FieldTextures VoxelFields::textures(core::Field field, std::uint8_t plane)
 {
     if (BrickField* bricks = paged(field, plane))
-        return {.voxels = &bricks->atlas(), .pageTable = &bricks->pageTable(), .field = field};
-    return {.voxels = &labels(plane), .pageTable = nullptr, .field = field};
+        return {.voxels = &bricks->atlas(),
+            .pageTable = &bricks->pageTable(),
+            .pages = bricks,
+            .field = field};
+    return {.voxels = &labels(plane), .field = field};
 }
 
 bool VoxelFields::hasData(const core::BrickKey& key)

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "gpu/fields/bricks/BrickCopier.h"
 
+#include "gpu/fields/bricks/BrickVoxels.h"
 #include "gpu/gl/GlFailure.h"
+#include "gpu/gl/SoftwareDriver.h"
 
 #include <algorithm>
 #include <cstring>
@@ -53,16 +55,46 @@ std::size_t packedBrickBytes(core::Field field)
     return std::size_t(core::BrickGrid::voxelsPerBrick) * std::size_t(core::bytesPerVoxel(field));
 }
 
-BrickCopier::BrickCopier(CopyPrograms& programs, const core::BrickGrid& grid)
+BrickCopier::BrickCopier(CopyPrograms& programs, const core::BrickGrid& grid, CopyBy by)
     : m_grid(grid)
     , m_programs(programs)
+    , m_byProcessor(by == CopyBy::Driver ? isSoftwareDriver() : by == CopyBy::Processor)
 {
+}
+
+void BrickCopier::read(
+    const FieldTextures& source, std::uint32_t brick, std::span<std::uint8_t> image) const
+{
+    if (!source.pages)
+        readDense(*source.voxels, m_grid, brick, image);
+    else if (source.pages->holds(brick))
+        source.pages->read(brick, std::as_writable_bytes(image));
+    else
+        std::fill(image.begin(), image.end(), core::emptyByte(source.field));
+}
+
+void BrickCopier::write(
+    const FieldTextures& target, std::uint32_t brick, std::span<const std::uint8_t> image) const
+{
+    if (target.pages)
+        target.pages->write(brick, std::as_bytes(image));
+    else
+        writeDense(*target.voxels, m_grid, brick, image);
 }
 
 Buffer BrickCopier::packed(const FieldTextures& source, std::span<const std::uint32_t> bricks) const
 {
     Buffer target(
         {.label = "packed bricks", .bytes = packedBrickBytes(source.field) * bricks.size()});
+    if (m_byProcessor) {
+        std::vector<std::uint8_t> image(packedBrickBytes(source.field));
+        for (std::size_t i = 0; i < bricks.size(); ++i) {
+            read(source, bricks[i], image);
+            target.write(std::span<const std::uint8_t>(image), i * image.size());
+        }
+        requireNoError(); // as below
+        return target;
+    }
     Program& pack = !source.pageTable            ? m_programs.packDense
         : source.field == core::Field::SeedWords ? m_programs.packWords
                                                  : m_programs.packBytes;
@@ -94,6 +126,17 @@ std::vector<std::vector<std::uint8_t>> BrickCopier::images(
     const FieldTextures& source, std::span<const std::uint32_t> bricks) const
 {
     std::vector<std::vector<std::uint8_t>> result;
+    if (m_byProcessor) {
+        std::vector<std::uint8_t> image(packedBrickBytes(source.field));
+        result.resize(bricks.size());
+        for (std::size_t i = 0; i < bricks.size(); ++i) {
+            read(source, bricks[i], image);
+            if (!isEmpty(image, core::emptyByte(source.field)))
+                result[i] = image;
+        }
+        requireNoError();
+        return result;
+    }
     for (std::size_t first = 0; first < bricks.size(); first += bricksPerReadback) {
         const auto piece =
             bricks.subspan(first, std::min(bricksPerReadback, bricks.size() - first));
@@ -107,6 +150,12 @@ void BrickCopier::write(const FieldTextures& target, std::span<const std::uint32
     std::span<const std::vector<std::uint8_t>* const> images) const
 {
     const std::size_t bytes = packedBrickBytes(target.field);
+    if (m_byProcessor) {
+        const std::vector<std::uint8_t> empty(bytes, core::emptyByte(target.field));
+        for (std::size_t i = 0; i < bricks.size(); ++i)
+            write(target, bricks[i], images[i]->empty() ? empty : *images[i]);
+        return;
+    }
     for (std::size_t first = 0; first < bricks.size(); first += bricksPerReadback) {
         const auto piece =
             bricks.subspan(first, std::min(bricksPerReadback, bricks.size() - first));
@@ -128,6 +177,16 @@ void BrickCopier::write(const FieldTextures& target, std::span<const std::uint32
 void BrickCopier::write(
     const FieldTextures& target, std::span<const std::uint32_t> bricks, const Buffer& packed) const
 {
+    if (m_byProcessor) {
+        std::vector<std::uint8_t> image(packedBrickBytes(target.field));
+        for (std::size_t i = 0; i < bricks.size(); ++i) {
+            if (bricks[i] == skipped)
+                continue;
+            packed.read(std::span<std::uint8_t>(image), i * image.size());
+            write(target, bricks[i], image);
+        }
+        return;
+    }
     Program& unpack = !target.pageTable          ? m_programs.unpackDense
         : target.field == core::Field::SeedWords ? m_programs.unpackWords
                                                  : m_programs.unpackBytes;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/brick/BrickGrid.h"
+#include "gpu/fields/bricks/BrickField.h"
 #include "gpu/fields/bricks/FieldPrograms.h"
 #include "gpu/gl/Buffer.h"
 #include "gpu/gl/Texture3D.h"
@@ -16,16 +17,24 @@ namespace gpu {
 struct FieldTextures {
     const Texture3D* voxels = nullptr; ///< atlas, or the dense texture
     const Texture3D* pageTable = nullptr; ///< null for a dense field
+    const BrickField* pages = nullptr; ///< null for a dense field
     core::Field field = core::Field::Coverage;
 };
 
-/// Moves whole bricks between fields and buffers (packBricks.comp, unpackBricks.comp).
+/// Who copies bricks. The results are the same.
+enum class CopyBy : std::uint8_t {
+    Driver, ///< the processor with a software driver, kernels with any other
+    Kernels, ///< packBricks.comp, unpackBricks.comp
+    Processor, ///< which copies a brick in one piece, and a kernel voxel by voxel
+};
+
+/// Moves whole bricks between fields and buffers.
 ///
 /// A packed brick is 4096 voxels, x fastest, 1 or 4 bytes each. Engine thread only.
 class BrickCopier {
 public:
     /// @param programs outlive the copier
-    BrickCopier(CopyPrograms& programs, const core::BrickGrid& grid);
+    BrickCopier(CopyPrograms& programs, const core::BrickGrid& grid, CopyBy by = CopyBy::Driver);
 
     /// Packs the bricks into a new buffer on the GPU; does not wait.
     [[nodiscard]] Buffer packed(
@@ -47,8 +56,15 @@ public:
         const Buffer& packed) const;
 
 private:
+    // As the processor copies one brick.
+    void read(
+        const FieldTextures& source, std::uint32_t brick, std::span<std::uint8_t> image) const;
+    void write(const FieldTextures& target, std::uint32_t brick,
+        std::span<const std::uint8_t> image) const;
+
     core::BrickGrid m_grid;
     CopyPrograms& m_programs;
+    bool m_byProcessor;
 };
 
 /// Bytes of one packed brick.

@@ -121,7 +121,7 @@ void BrickField::read(std::uint32_t brick, std::span<std::byte> voxels) const
     m_atlas.read(pageOrigin(pageOf(brick)), pageSize, voxels);
 }
 
-void BrickField::write(std::uint32_t brick, std::span<const std::byte> voxels)
+void BrickField::write(std::uint32_t brick, std::span<const std::byte> voxels) const
 {
     m_atlas.upload(pageOrigin(pageOf(brick)), pageSize, voxels);
 }

@@ -49,8 +49,9 @@ public:
 
     /// Reads the voxels of a brick that has a page; waits for the GPU.
     void read(std::uint32_t brick, std::span<std::byte> voxels) const;
-    /// Writes all voxels of a brick that has a page.
-    void write(std::uint32_t brick, std::span<const std::byte> voxels);
+    /// Writes all voxels of a brick that has a page. What a page holds belongs to the GPU, as what
+    /// kernels write into the atlas.
+    void write(std::uint32_t brick, std::span<const std::byte> voxels) const;
 
     [[nodiscard]] const Texture3D& atlas() const { return m_atlas; }
     /// The page table; uploads it first if it has changed.

@@ -3,7 +3,7 @@
 
 #include "core/base/ParallelFor.h"
 #include "core/growth/SeedWord.h"
-#include "gpu/fields/BrickVoxels.h"
+#include "gpu/fields/bricks/BrickVoxels.h"
 
 #include <algorithm>
 #include <bit>
@@ -241,7 +241,7 @@ void ProcessorFront::fetch(Brick& brick, const std::set<std::uint32_t>& newPages
     else
         m_fields.seedWords(plane).read(brick.number, bytesOf(images.words));
     if (m_fields.hasData({.field = core::Field::Labels, .plane = plane, .brick = brick.number}))
-        readLabels(m_fields.labels(plane), m_fields.grid(), brick.number, images.labels);
+        readDense(m_fields.labels(plane), m_fields.grid(), brick.number, images.labels);
     else
         std::fill(images.labels.begin(), images.labels.end(), std::uint8_t(0));
     images.overwritten.clear();
@@ -308,7 +308,7 @@ void ProcessorFront::write(
         Brick& brick = *m_bricks[number];
         Images& images = *brick.images;
         words.write(number, bytesOf(images.words));
-        writeLabels(labels, m_fields.grid(), number, images.labels);
+        writeDense(labels, m_fields.grid(), number, images.labels);
         if (!images.overwritten.empty())
             m_fields.overwritten(m_options.plane).write(number, bytesOf(images.overwritten));
         brick.wasWritten = true;

@@ -3,7 +3,7 @@
 // voxel that has grown.
 #include "core/growth/interval/IntervalOpener.h"
 #include "gpu/fields/BrickImages.h"
-#include "gpu/fields/BrickVoxels.h"
+#include "gpu/fields/bricks/BrickVoxels.h"
 #include "gpu/gl/Gl.h"
 #include "gpu/gl/SoftwareDriver.h"
 #include "gpu/kernels/growth/GrowthKernel.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/growth/front/OpenVoxels.h"
-#include "gpu/fields/BrickVoxels.h"
+#include "gpu/fields/bricks/BrickVoxels.h"
 #include "gpu/kernels/growth/GrowthKernel.h"
 
 namespace gpu {
@@ -46,7 +46,7 @@ std::vector<core::VoxelBits> GrowthKernel::openVoxelsIn(std::span<const std::uin
         }
         if (m_fields.hasData(
                 {.field = core::Field::Labels, .plane = m_burst.plane, .brick = asked[i]})) {
-            readLabels(m_fields.labels(m_burst.plane), grid, asked[i], labels);
+            readDense(m_fields.labels(m_burst.plane), grid, asked[i], labels);
             brick.labels = labels;
         }
         open[places[i]] = core::openVoxels(*rule, brick);

@@ -3,12 +3,15 @@
 #include "gpu/gl/Program.h"
 #include "tests/support/fixtures/frames/FrameTest.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/TestVolumes.h"
 
 #include <QTest>
 
 #include <algorithm>
+#include <array>
 #include <numeric>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace brickCopierGlTest {
@@ -33,7 +36,8 @@ private Q_SLOTS:
         for (std::size_t i = 0; i < values.size(); ++i)
             values[i] = std::uint8_t(1 + i % 251);
         m_fixture->put(state);
-        const BrickCopier& copier = m_fixture->edits.fields->copier();
+        CopyPrograms programs(m_fixture->shaders);
+        const BrickCopier copier(programs, core::BrickGrid{size}, CopyBy::Kernels);
         const FieldTextures labels = m_fixture->edits.fields->textures(core::Field::Labels, 0);
         const std::size_t grid = 8;
         std::vector<Image> expected;
@@ -65,6 +69,76 @@ private Q_SLOTS:
         std::fill(bricks.begin(), bricks.end() - std::ptrdiff_t(grid), BrickCopier::skipped);
         copier.write(labels, bricks, packed);
         QCOMPARE(copier.images(labels, whole), expected);
+    }
+
+    void processorAndKernelsAgree_data()
+    {
+        QTest::addColumn<core::Field>("field");
+        for (const auto& [name, field] :
+            {std::pair("coverage", core::Field::Coverage), std::pair("labels", core::Field::Labels),
+                std::pair("overwritten labels", core::Field::Overwritten),
+                std::pair("seed words", core::Field::SeedWords)})
+            QTest::addRow("%s", name) << field;
+    }
+
+    /// In a volume whose last bricks reach beyond it, with bricks that hold nothing.
+    void processorAndKernelsAgree()
+    {
+        QFETCH(core::Field, field);
+        const glm::ivec3 size(35, 16, 17);
+        m_fixture->open(test::centredGeometry(size), [](const glm::dvec3&) { return 1000.0; });
+        const core::BrickGrid grid{size};
+        reference::DenseFields state(size);
+        std::vector<std::uint32_t> bricks;
+        std::vector<Image> expected;
+        test::Random random(std::uint32_t(field) + 5);
+        for (std::uint32_t brick = 0; brick < std::uint32_t(grid.brickCount()); ++brick) {
+            Image image(packedBrickBytes(field));
+            for (std::uint8_t& byte : image)
+                byte = std::uint8_t(test::randomInt(random, 0, 255));
+            if (brick % 3 != 1)
+                state.writeBrick({field, 0, brick}, image);
+            bricks.push_back(brick);
+            expected.push_back(state.readBrick({field, 0, brick}));
+        }
+        m_fixture->put(state);
+        CopyPrograms programs(m_fixture->shaders);
+        const BrickCopier kernels(programs, grid, CopyBy::Kernels);
+        const BrickCopier processor(programs, grid, CopyBy::Processor);
+        const auto textures = [&] { return m_fixture->edits.fields->textures(field, 0); };
+        const std::array copiers{&kernels, &processor};
+        for (const BrickCopier* const reads : copiers)
+            QCOMPARE(reads->images(textures(), bricks), expected);
+        if (BrickField* const paged = m_fixture->edits.fields->paged(field, 0))
+            paged->ensure(bricks);
+
+        std::vector<Image> others(expected.rbegin(), expected.rend());
+        for (std::size_t i = 0; i < others.size(); ++i) {
+            // What lies outside of the volume stays empty.
+            state.writeBrick({field, 0, bricks[i]},
+                others[i].empty() ? Image(packedBrickBytes(field), core::emptyByte(field))
+                                  : others[i]);
+            others[i] = state.readBrick({field, 0, bricks[i]});
+        }
+        const Image none;
+        for (const BrickCopier* const writes : copiers) {
+            const BrickCopier* const reads = writes == &kernels ? &processor : &kernels;
+            std::vector<const Image*> images;
+            for (const Image& image : others)
+                images.push_back(&image);
+            writes->write(textures(), bricks, images);
+            QCOMPARE(reads->images(textures(), bricks), others);
+            // By way of a buffer; one brick is left out.
+            const Buffer packed = writes->packed(textures(), bricks);
+            writes->write(textures(), bricks, std::vector<const Image*>(bricks.size(), &none));
+            QCOMPARE(reads->images(textures(), bricks), std::vector<Image>(bricks.size()));
+            std::vector<std::uint32_t> asked = bricks;
+            asked[0] = BrickCopier::skipped;
+            writes->write(textures(), asked, packed);
+            std::vector<Image> wanted = others;
+            wanted[0] = {};
+            QCOMPARE(reads->images(textures(), bricks), wanted);
+        }
     }
 };
 

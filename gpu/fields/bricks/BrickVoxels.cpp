@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "gpu/fields/BrickVoxels.h"
+#include "gpu/fields/bricks/BrickVoxels.h"
 
 #include <algorithm>
 
@@ -55,35 +55,35 @@ std::vector<std::uint16_t> codesOfBrick(
 
 } // namespace
 
-void readLabels(const Texture3D& plane, const core::BrickGrid& grid, std::uint32_t brick,
-    std::span<std::uint8_t> labels)
+void readDense(const Texture3D& texture, const core::BrickGrid& grid, std::uint32_t brick,
+    std::span<std::uint8_t> voxels)
 {
     const Part part = partOf(grid, brick);
     if (part.isWhole()) {
-        plane.read(part.origin, part.size, std::as_writable_bytes(labels));
+        texture.read(part.origin, part.size, std::as_writable_bytes(voxels));
         return;
     }
     std::vector<std::uint8_t> within(part.voxels());
-    plane.read(part.origin, part.size, std::as_writable_bytes(std::span(within)));
-    std::fill(labels.begin(), labels.end(), std::uint8_t(0));
+    texture.read(part.origin, part.size, std::as_writable_bytes(std::span(within)));
+    std::fill(voxels.begin(), voxels.end(), std::uint8_t(0));
     part.forEachRow([&](std::size_t inBrick, std::size_t inPart) {
-        std::copy_n(&within[inPart], part.size.x, &labels[inBrick]);
+        std::copy_n(&within[inPart], part.size.x, &voxels[inBrick]);
     });
 }
 
-void writeLabels(const Texture3D& plane, const core::BrickGrid& grid, std::uint32_t brick,
-    std::span<const std::uint8_t> labels)
+void writeDense(const Texture3D& texture, const core::BrickGrid& grid, std::uint32_t brick,
+    std::span<const std::uint8_t> voxels)
 {
     const Part part = partOf(grid, brick);
     if (part.isWhole()) {
-        plane.upload(part.origin, part.size, std::as_bytes(labels));
+        texture.upload(part.origin, part.size, std::as_bytes(voxels));
         return;
     }
     std::vector<std::uint8_t> within(part.voxels());
     part.forEachRow([&](std::size_t inBrick, std::size_t inPart) {
-        std::copy_n(&labels[inBrick], part.size.x, &within[inPart]);
+        std::copy_n(&voxels[inBrick], part.size.x, &within[inPart]);
     });
-    plane.upload(part.origin, part.size, std::as_bytes(std::span(within)));
+    texture.upload(part.origin, part.size, std::as_bytes(std::span(within)));
 }
 
 std::vector<std::vector<std::uint16_t>> readCodes(

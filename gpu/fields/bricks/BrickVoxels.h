@@ -14,10 +14,11 @@ namespace gpu {
 // software driver. A brick in memory has BrickGrid::voxelsPerBrick voxels, x fastest; those outside
 // the volume are 0. Engine thread only; waits for the GPU.
 
-void readLabels(const Texture3D& plane, const core::BrickGrid& grid, std::uint32_t brick,
-    std::span<std::uint8_t> labels);
-void writeLabels(const Texture3D& plane, const core::BrickGrid& grid, std::uint32_t brick,
-    std::span<const std::uint8_t> labels);
+/// @param texture of the volume, a byte per voxel
+void readDense(const Texture3D& texture, const core::BrickGrid& grid, std::uint32_t brick,
+    std::span<std::uint8_t> voxels);
+void writeDense(const Texture3D& texture, const core::BrickGrid& grid, std::uint32_t brick,
+    std::span<const std::uint8_t> voxels);
 
 /// The codes of each of the bricks.
 /// @param bricks ascending
