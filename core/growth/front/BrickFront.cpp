@@ -189,6 +189,27 @@ void writeClaims(const ClaimRule& rule, const BrickClaims& claims, const GrownVo
     });
 }
 
+VoxelBits besideOpen(int connectivity, const FrontsAround& open, const VoxelBits& voxels)
+{
+    const PaddedFront around(open, connectivity);
+    VoxelBits beside{};
+    for (int slice = 0; slice < side; ++slice) {
+        const auto at = std::size_t(side * slice);
+        SliceWords asked;
+        std::memcpy(asked.data(), &voxels[at], sizeof asked);
+        if (isEmpty(asked) || around.isFarFrom(slice))
+            continue;
+        SliceWords near{};
+        for (std::uint32_t direction = 0; direction < std::uint32_t(connectivity); ++direction) {
+            const SliceWords there = around.cameBy(seedWord::offsets[direction], slice);
+            for (std::size_t i = 0; i < wordsOfSlice; ++i)
+                near[i] |= there[i] & asked[i];
+        }
+        std::memcpy(&beside[at], near.data(), sizeof near);
+    }
+    return beside;
+}
+
 unsigned sidesReached(const VoxelBits& bits)
 {
     unsigned sides = 0;
@@ -204,6 +225,14 @@ unsigned sidesReached(const VoxelBits& bits)
             sides |= 1u << 5;
     }
     return sides;
+}
+
+void appendVoxels(const VoxelBits& bits, std::uint32_t brick, std::vector<std::uint32_t>& voxels)
+{
+    for (std::uint32_t row = 0; row < bits.size(); ++row) {
+        for (unsigned left = bits[row]; left != 0; left &= left - 1)
+            voxels.push_back(brick << 12 | row << 4 | std::uint32_t(std::countr_zero(left)));
+    }
 }
 
 } // namespace core

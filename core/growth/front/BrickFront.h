@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdint>
+#include <vector>
 
 namespace core {
 
@@ -77,8 +78,17 @@ struct GrownVoxels {
 /// bit. Any thread.
 void writeClaims(const ClaimRule& rule, const BrickClaims& claims, const GrownVoxels& voxels);
 
+/// Those of some voxels of a brick that have an open neighbour. Any thread.
+/// @param connectivity 6, 18 or 26
+/// @param open the open voxels in the brick and around it, laid out as fronts are
+[[nodiscard]] VoxelBits besideOpen(
+    int connectivity, const FrontsAround& open, const VoxelBits& voxels);
+
 /// The sides of a brick at which it has voxels of a set: bit 2 · axis for the lower end of an axis,
 /// bit 2 · axis + 1 for the upper one.
 [[nodiscard]] unsigned sidesReached(const VoxelBits& bits);
+
+/// Appends voxels of a brick to a list, by offset, each as brick << 12 | offset (LeakGuard::Voxel).
+void appendVoxels(const VoxelBits& bits, std::uint32_t brick, std::vector<std::uint32_t>& voxels);
 
 } // namespace core

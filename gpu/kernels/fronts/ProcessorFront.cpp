@@ -334,13 +334,8 @@ std::vector<std::uint32_t> ProcessorFront::frontBricks() const
 std::vector<core::LeakGuard::Voxel> ProcessorFront::voxels() const
 {
     std::vector<core::LeakGuard::Voxel> voxels;
-    for (const std::uint32_t number : frontBricks()) {
-        const core::VoxelBits& front = m_bricks[number]->fronts[m_generation & 1u];
-        for (std::uint32_t row = 0; row < front.size(); ++row) {
-            for (std::uint32_t bits = front[row]; bits != 0; bits &= bits - 1)
-                voxels.push_back(number << 12 | row << 4 | std::uint32_t(std::countr_zero(bits)));
-        }
-    }
+    for (const std::uint32_t number : frontBricks())
+        core::appendVoxels(m_bricks[number]->fronts[m_generation & 1u], number, voxels);
     return voxels;
 }
 

@@ -159,8 +159,10 @@ void GrowthKernel::open()
         restart();
     setOpenGeneration();
     if (m_generation < core::seedWord::maxGeneration)
-        admitSeeds(held);
-    findFront(m_fields.seedWords(m_burst.plane).heldBricks());
+        admitSeeds(m_programs.growsOnProcessor() ? withPendingSeeds(held) : held);
+    const std::vector<std::uint32_t> now = m_fields.seedWords(m_burst.plane).heldBricks();
+    if (!findFrontOnProcessor(now))
+        findFront(now);
 }
 
 void GrowthKernel::setOpenGeneration()
@@ -173,6 +175,8 @@ void GrowthKernel::setOpenGeneration()
 
 void GrowthKernel::admitSeeds(const std::vector<std::uint32_t>& held)
 {
+    if (held.empty())
+        return;
     m_rings->admit.set("admittedGeneration", m_generation + 1);
     const std::uint32_t admitted = runOver(m_rings->admit, held).admitted;
     if (admitted == 0)

@@ -199,6 +199,14 @@ private:
     // The same where the processor moves the front on (GrowthOnProcessor.cpp).
     [[nodiscard]] bool isOnProcessor() const;
     int advanceOnProcessor(int rings);
+    /// Those of the bricks in which seeds wait; by kernels they are found out about on the way.
+    [[nodiscard]] std::vector<std::uint32_t> withPendingSeeds(
+        const std::vector<std::uint32_t>& bricks);
+    /// Finds the front, where one label grows and codes decide alone.
+    /// @param bricks where to look for it
+    /// @return false: kernels have to
+    bool findFrontOnProcessor(const std::vector<std::uint32_t>& bricks);
+    void beginOnProcessor(std::span<const core::LeakGuard::Voxel> front);
     [[nodiscard]] std::vector<core::VoxelBits> openVoxelsIn(std::span<const std::uint32_t> bricks);
     /// Notes how many voxels each generation of a batch added.
     void count(std::span<const std::uint32_t> sizes);

@@ -107,6 +107,9 @@ private Q_SLOTS:
     void oneVoxelReachesItsNeighbours_data();
     void oneVoxelReachesItsNeighbours();
     void sidesAreThoseOfTheVoxels();
+    void thoseBesideOpenVoxelsHaveAnOpenNeighbour_data();
+    void thoseBesideOpenVoxelsHaveAnOpenNeighbour();
+    void voxelsAreListedByOffset();
 };
 
 void BrickFrontTest::claimsAsVoxelByVoxel_data()
@@ -230,6 +233,53 @@ void BrickFrontTest::sidesAreThoseOfTheVoxels()
         }
         QCOMPARE(sidesReached(bits), wanted);
     }
+}
+
+void BrickFrontTest::thoseBesideOpenVoxelsHaveAnOpenNeighbour_data()
+{
+    QTest::addColumn<int>("connectivity");
+    for (const int connectivity : {6, 18, 26})
+        QTest::addRow("%d", connectivity) << connectivity;
+}
+
+void BrickFrontTest::thoseBesideOpenVoxelsHaveAnOpenNeighbour()
+{
+    QFETCH(int, connectivity);
+    test::Random random(std::uint32_t(connectivity) + 77);
+    int beside = 0;
+    for (int round = 0; round < (test::longRun() ? 400 : 12); ++round) {
+        std::vector<VoxelBits> bits(27);
+        FrontsAround open{};
+        for (std::size_t i = 0; i < bits.size(); ++i) {
+            bits[i] = randomBits(random, round % 2 == 0 ? 30 : 3);
+            open[i] = test::randomInt(random, 0, 3) != 0 ? &bits[i] : nullptr;
+        }
+        const VoxelBits voxels = randomBits(random, 400);
+        const VoxelBits found = besideOpen(connectivity, open, voxels);
+        for (int i = 0; i < BrickGrid::voxelsPerBrick; ++i) {
+            const glm::ivec3 voxel(i % side, i / side % side, i / (side * side));
+            bool wanted = false;
+            for (int d = 0; d < connectivity && holds(voxels, voxel); ++d) {
+                const std::array<int, 3>& step = seedWord::offsets[std::size_t(d)];
+                wanted = wanted || isInFront(open, voxel + glm::ivec3(step[0], step[1], step[2]));
+            }
+            QCOMPARE(holds(found, voxel), wanted);
+            beside += wanted ? 1 : 0;
+        }
+    }
+    QVERIFY(beside > 100);
+}
+
+void BrickFrontTest::voxelsAreListedByOffset()
+{
+    VoxelBits bits{};
+    set(bits, {15, 15, 15}, true);
+    set(bits, {3, 0, 0}, true);
+    set(bits, {0, 2, 1}, true);
+    std::vector<std::uint32_t> voxels{7};
+    appendVoxels(bits, 5, voxels);
+    QCOMPARE(
+        voxels, (std::vector<std::uint32_t>{7, 5u << 12 | 3u, 5u << 12 | 288u, 5u << 12 | 4095u}));
 }
 
 BURIN_TEST(BrickFrontTest)
