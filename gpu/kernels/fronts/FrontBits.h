@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/growth/front/BrickFront.h"
 #include "core/growth/GrowthCommands.h"
+#include "core/growth/front/BrickFront.h"
 #include "gpu/fields/bricks/BrickField.h"
 #include "gpu/gl/Buffer.h"
 #include "gpu/gl/Program.h"

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cstdlib>
 
 namespace gpu {
 
@@ -70,8 +71,9 @@ template <typename T> std::span<std::byte> bytesOf(std::vector<T>& values)
 /// What the fields hold in a brick, and what is to be written into them.
 struct ProcessorFront::Images {
     bool isFetched = false;
-    std::vector<std::uint32_t> words = std::vector<std::uint32_t>(voxelsOfBrick);
-    std::vector<std::uint8_t> labels = std::vector<std::uint8_t>(voxelsOfBrick);
+    // These two take no memory before they are fetched: many bricks are only looked at.
+    std::vector<std::uint32_t> words;
+    std::vector<std::uint8_t> labels;
     std::vector<std::uint8_t> overwritten; ///< empty: not kept here
     core::BrickClaims claims;
 };
@@ -235,6 +237,8 @@ void ProcessorFront::fetch(Brick& brick, const std::set<std::uint32_t>& newPages
     if (images.isFetched)
         return;
     images.isFetched = true;
+    images.words.resize(voxelsOfBrick);
+    images.labels.resize(voxelsOfBrick);
     const std::uint8_t plane = m_options.plane;
     if (!brick.wasWritten && newPages.contains(brick.number))
         std::fill(images.words.begin(), images.words.end(), core::seedWord::unvisited);
@@ -319,6 +323,9 @@ void ProcessorFront::write(
             m_spare.push_back(std::move(brick->images));
         return !holdsFront;
     });
+    // The next batch needs about as many as this one leaves, and none at closure: a burst may stay
+    // open for long.
+    m_spare.resize(std::min(m_spare.size(), m_imaged.size()));
 }
 
 std::vector<std::uint32_t> ProcessorFront::frontBricks() const

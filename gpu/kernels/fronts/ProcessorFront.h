@@ -19,8 +19,8 @@ namespace gpu {
 /// growths as FrontBits, and what it writes is the same, to the bit.
 ///
 /// The fields are written once after each batch of generations, and only where it has claimed
-/// voxels. Takes 1.7 KiB for each brick that the growth has reached, and 36 KiB more for those that
-/// hold its front. Engine thread only.
+/// voxels. Takes 1.7 KiB for each brick that the growth has looked at, and 36 to 40 KiB more for
+/// each that the front reaches in one batch. Engine thread only.
 class ProcessorFront {
 public:
     struct Options {
@@ -94,7 +94,7 @@ private:
     std::size_t m_size = 0; ///< its voxels
     core::ClaimRule m_rule; ///< of the last advance()
     std::vector<Brick*> m_imaged; ///< those that have images
-    std::vector<std::unique_ptr<Images>> m_spare;
+    std::vector<std::unique_ptr<Images>> m_spare; ///< for bricks that the front reaches next
 };
 
 } // namespace gpu

@@ -6,9 +6,15 @@
 #include "gpu/kernels/growth/GrowthKernel.h"
 
 #include <algorithm>
-#include <bitset>
 
 namespace gpu {
+
+namespace {
+
+/// As many bricks have their codes read at once: 8 MiB of them, however many a wide front reaches.
+constexpr std::size_t bricksPerReading = 1024;
+
+} // namespace
 
 bool GrowthKernel::isOnProcessor() const
 {
@@ -111,7 +117,10 @@ std::vector<core::VoxelBits> GrowthKernel::openVoxelsIn(std::span<const std::uin
         const std::shared_ptr<Program> program = m_programs.openBits(m_kind);
         setUniforms(*program);
         bind();
-        return openBits(*program, words, grid.bricks(), *m_onlyLabel, bricks);
+        std::vector<core::VoxelBits> open =
+            openBits(*program, words, grid.bricks(), *m_onlyLabel, bricks);
+        releaseUnused(); // only the kernel wanted pages of bricks that are merely looked at
+        return open;
     }
     std::vector<core::VoxelBits> open(bricks.size());
     std::vector<std::uint32_t> asked;
@@ -122,13 +131,17 @@ std::vector<core::VoxelBits> GrowthKernel::openVoxelsIn(std::span<const std::uin
         asked.push_back(bricks[i]);
         places.push_back(i);
     }
-    const std::vector<std::vector<std::uint16_t>> codes = readCodes(m_fields.codes(), grid, asked);
+    std::vector<std::vector<std::uint16_t>> codes; // of those that are read at once
     std::vector<std::uint32_t> wordsOfBrick(core::BrickGrid::voxelsPerBrick);
     std::vector<std::uint8_t> labels(core::BrickGrid::voxelsPerBrick);
     for (std::size_t i = 0; i < asked.size(); ++i) {
-        core::AskedBrick brick{.origin = grid.boxOf(int(asked[i])).minimum, .codes = codes[i]};
-        // A page that is new has no content yet.
-        if (words.holds(asked[i]) && !m_newPages.contains(asked[i])) {
+        const std::size_t inReading = i % bricksPerReading;
+        if (inReading == 0)
+            codes = readCodes(m_fields.codes(), grid,
+                std::span(asked).subspan(i, std::min(bricksPerReading, asked.size() - i)));
+        core::AskedBrick brick{
+            .origin = grid.boxOf(int(asked[i])).minimum, .codes = codes[inReading]};
+        if (words.holds(asked[i])) {
             words.read(asked[i], std::as_writable_bytes(std::span(wordsOfBrick)));
             brick.words = wordsOfBrick;
         }
