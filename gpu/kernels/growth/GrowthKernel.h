@@ -115,7 +115,8 @@ std::vector<std::uint32_t> placeSeeds(GrowthPrograms& programs, VoxelFields& fie
 /// a front stays in its bricks and their neighbours, which get pages and are captured before the
 /// batch. The front is stored as a queue of voxels or, while it is wide and simple enough, as bits
 /// (FrontBits). With a software driver the processor moves a simple front on, however wide it is
-/// (ProcessorFront). Engine thread only.
+/// (ProcessorFront); then only bricks in which a batch has claimed voxels are captured and get
+/// pages, before they are written. Engine thread only.
 class GrowthKernel {
 public:
     static constexpr int ringsPerBatch = 16;

@@ -14,6 +14,23 @@ using test::EngineCase;
 
 namespace {
 
+/// Generations of so many voxels that the processor claims them on several threads; bricks at three
+/// sides are not whole.
+EngineCase manyAtOnce(int connectivity)
+{
+    const glm::ivec3 size(234, 230, 5);
+    EngineCase made{"a plane of seeds, " + QByteArray::number(connectivity) + " neighbours",
+        test::constantVolume(size, 7), {}};
+    core::SeedPlacement seeds{.label = 1};
+    for (int y = 0; y < size.y; ++y)
+        for (int x = 0; x < size.x; ++x)
+            seeds.voxels.emplace_back(x, y, 0);
+    test::appendWhole(made.steps, seeds);
+    const core::GrowBurst burst{.lowCode = 0, .highCode = 7, .connectivity = connectivity};
+    test::appendBurst(made.steps, burst, core::GrowAdvance::toClosure);
+    return made;
+}
+
 std::vector<EngineCase> cases()
 {
     const bool all = test::longRun();
@@ -23,6 +40,8 @@ std::vector<EngineCase> cases()
              test::wideGrowthCases(all ? 300 : 16), test::editableCases(all ? 400 : 8),
              test::barrierCases(all ? 400 : 8)})
         made.insert(made.end(), more.begin(), more.end());
+    for (const int connectivity : {6, 26})
+        made.push_back(manyAtOnce(connectivity));
     return made;
 }
 
