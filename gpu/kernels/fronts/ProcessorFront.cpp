@@ -81,7 +81,6 @@ struct ProcessorFront::Images {
 struct ProcessorFront::Brick {
     std::uint32_t number = 0;
     bool isOpenKnown = false;
-    bool wasWritten = false;
     int open = 0; ///< number of open voxels
     core::VoxelBits openVoxels{};
     // The fronts of even and of odd generations. One of another generation than the one that is
@@ -231,7 +230,7 @@ void ProcessorFront::takeImages(Brick& brick)
     m_imaged.push_back(&brick);
 }
 
-void ProcessorFront::fetch(Brick& brick, const std::set<std::uint32_t>& newPages)
+void ProcessorFront::fetch(Brick& brick, std::span<const std::uint32_t> newPages)
 {
     Images& images = *brick.images;
     if (images.isFetched)
@@ -240,7 +239,7 @@ void ProcessorFront::fetch(Brick& brick, const std::set<std::uint32_t>& newPages
     images.words.resize(voxelsOfBrick);
     images.labels.resize(voxelsOfBrick);
     const std::uint8_t plane = m_options.plane;
-    if (!brick.wasWritten && newPages.contains(brick.number))
+    if (std::binary_search(newPages.begin(), newPages.end(), brick.number))
         std::fill(images.words.begin(), images.words.end(), core::seedWord::unvisited);
     else
         m_fields.seedWords(plane).read(brick.number, bytesOf(images.words));
@@ -291,7 +290,7 @@ std::vector<std::uint32_t> ProcessorFront::claimedBricks() const
 }
 
 void ProcessorFront::write(
-    std::span<const std::uint32_t> bricks, const std::set<std::uint32_t>& newPages)
+    std::span<const std::uint32_t> bricks, std::span<const std::uint32_t> newPages)
 {
     std::size_t claimed = 0;
     for (const std::uint32_t number : bricks) {
@@ -315,7 +314,6 @@ void ProcessorFront::write(
         writeDense(labels, m_fields.grid(), number, images.labels);
         if (!images.overwritten.empty())
             m_fields.overwritten(m_options.plane).write(number, bytesOf(images.overwritten));
-        brick.wasWritten = true;
     }
     std::erase_if(m_imaged, [this](Brick* brick) {
         const bool holdsFront = brick->frontGeneration[m_generation & 1u] == m_generation;

@@ -7,7 +7,6 @@
 
 #include <cstdint>
 #include <memory>
-#include <set>
 #include <span>
 #include <vector>
 
@@ -54,9 +53,9 @@ public:
     [[nodiscard]] std::vector<std::uint32_t> claimedBricks() const;
     /// Writes what advance() has claimed into the fields.
     /// @param bricks claimedBricks(), all of which have pages
-    /// @param newPages bricks whose seed words were empty before the burst; the content of their
-    /// pages does not matter
-    void write(std::span<const std::uint32_t> bricks, const std::set<std::uint32_t>& newPages);
+    /// @param newPages those of them that had no page until now, ascending; what the pages hold
+    /// does not matter
+    void write(std::span<const std::uint32_t> bricks, std::span<const std::uint32_t> newPages);
 
     /// The bricks that hold the front, ascending.
     [[nodiscard]] std::vector<std::uint32_t> frontBricks() const;
@@ -76,7 +75,7 @@ private:
     /// Gives a brick room for images, if it has none.
     void takeImages(Brick& brick);
     /// Reads them from the fields, if that was not done yet.
-    void fetch(Brick& brick, const std::set<std::uint32_t>& newPages);
+    void fetch(Brick& brick, std::span<const std::uint32_t> newPages);
     /// From a brick to one that its front may reach next.
     struct Way {
         std::size_t place = 0; ///< in core::FrontsAround

@@ -245,19 +245,20 @@ std::vector<std::uint32_t> GrowthKernel::prepareBricks()
     return reachable;
 }
 
-void GrowthKernel::prepare(std::vector<std::uint32_t> bricks, BrickField::NewPages pages)
+std::vector<std::uint32_t> GrowthKernel::prepare(
+    std::vector<std::uint32_t> bricks, BrickField::NewPages pages)
 {
     std::erase_if(bricks, [this](std::uint32_t brick) { return m_prepared[brick]; });
     if (bricks.empty())
-        return;
+        return bricks;
     BrickField& words = m_fields.seedWords(m_burst.plane);
     capture(bricks);
-    for (const std::uint32_t brick : bricks) {
+    for (const std::uint32_t brick : bricks)
         m_prepared[brick] = true;
-        if (!words.holds(brick))
-            m_newPages.insert(brick);
-    }
+    std::erase_if(bricks, [&](std::uint32_t brick) { return words.holds(brick); });
+    m_newPages.insert(bricks.begin(), bricks.end());
     words.ensure(bricks, pages);
+    return bricks;
 }
 
 void GrowthKernel::chooseForm(const std::vector<std::uint32_t>& bricks)
@@ -406,7 +407,11 @@ int GrowthKernel::advanceBatch(int rings)
         m_frontCount = state.counts[std::size_t(wanted)];
         if (!m_frontBits.holdsFront() && done > 0
             && state.counts[std::size_t(done)] > m_queueCapacity) {
-            // The ring that overflowed is complete in the words; only its list is not.
+            // The ring that overflowed is complete in the words; only its list is not. So it is not
+            // known which bricks it came to: it may have ended in some, where no front is found.
+            m_lastTouched = reachable;
+            m_allTouched.insert(reachable.begin(), reachable.end());
+            m_fields.noteChanged(core::Field::Labels, reachable);
             watch(frontInWords());
             setQueues(4 * m_queueCapacity);
             findFront(m_fields.seedWords(m_burst.plane).heldBricks());

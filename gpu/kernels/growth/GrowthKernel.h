@@ -186,7 +186,9 @@ private:
     /// The bricks that a batch may reach, with pages and captured.
     std::vector<std::uint32_t> prepareBricks();
     /// Captures bricks that are not yet, and gives them pages.
-    void prepare(std::vector<std::uint32_t> bricks, BrickField::NewPages pages);
+    /// @return those that had none, in the order in which they were listed
+    std::vector<std::uint32_t> prepare(
+        std::vector<std::uint32_t> bricks, BrickField::NewPages pages);
     void preparePassages();
     void start(const State& state);
     /// Reads the counters and the list of bricks reached since start().

@@ -166,8 +166,10 @@ int GrowthKernel::advanceOnProcessor(int rings)
         front.setOpen(unknown, openVoxelsIn(unknown));
     const std::vector<std::uint32_t> sizes = front.advance(m_generation, rings);
     m_lastTouched = front.claimedBricks();
-    prepare(m_lastTouched, BrickField::NewPages::AnyContent);
-    front.write(m_lastTouched, m_newPages);
+    // Not all pages of this burst are empty: kernels may have moved its front before.
+    const std::vector<std::uint32_t> newPages =
+        prepare(m_lastTouched, BrickField::NewPages::AnyContent);
+    front.write(m_lastTouched, newPages);
     count(sizes);
     m_frontCount = int(sizes.size()) == rings ? sizes.back() : 0;
     m_frontBricks = front.frontBricks();

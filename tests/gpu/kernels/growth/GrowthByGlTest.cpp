@@ -31,6 +31,34 @@ EngineCase manyAtOnce(int connectivity)
     return made;
 }
 
+/// The second generation has more voxels than the kernels' queue holds at first, by when one of two
+/// labels has ended: the processor takes the front over in the middle of the burst, in bricks that
+/// kernels have filled. That generation also ends in a brick which no other comes to.
+EngineCase takenOver()
+{
+    const glm::ivec3 size(384, 384, 18);
+    const int width = 368; // whole bricks
+    const int seeded = 15; // the last slice of the lower bricks; growth goes up into empty ones
+    EngineCase made{"a front that is taken over", test::constantVolume(size, 0), {}};
+    const glm::ivec3 apart(0, 0, 0);
+    for (const glm::ivec3& single :
+        {apart, apart + glm::ivec3(1, 0, 0), glm::ivec3(width, 1, seeded)})
+        made.codes.at(single) = 7;
+    for (int z = seeded; z < size.z; ++z)
+        for (int y = 0; y < size.y; ++y)
+            for (int x = 0; x < width; ++x)
+                made.codes.at({x, y, z}) = 7;
+    core::SeedPlacement seeds{.label = 1};
+    for (int y = 1; y < size.y; y += 3)
+        for (int x = 1; x < width; x += 3)
+            seeds.voxels.emplace_back(x, y, seeded);
+    test::appendWhole(made.steps, seeds);
+    test::appendWhole(made.steps, core::SeedPlacement{.label = 2, .voxels = {apart}});
+    const core::GrowBurst burst{.lowCode = 7, .highCode = 7, .connectivity = 26};
+    test::appendBurst(made.steps, burst, core::GrowAdvance::toClosure);
+    return made;
+}
+
 std::vector<EngineCase> cases()
 {
     const bool all = test::longRun();
@@ -42,6 +70,7 @@ std::vector<EngineCase> cases()
         made.insert(made.end(), more.begin(), more.end());
     for (const int connectivity : {6, 26})
         made.push_back(manyAtOnce(connectivity));
+    made.push_back(takenOver());
     return made;
 }
 
