@@ -15,9 +15,9 @@ namespace {
 
 constexpr std::size_t voxelsOfBrick = core::BrickGrid::voxelsPerBrick;
 constexpr std::size_t ownPlace = 13; // in core::FrontsAround
-/// From so much work on, in bricks that are looked at, the start of threads takes less time than
-/// they save. A brick costs as much as so many voxels that are claimed.
+/// Fewer bricks are worked on by one thread: to start others would take more time than they save.
 constexpr std::size_t muchWork = 1000;
+/// To claim so many voxels takes as long as to look at a brick.
 constexpr std::size_t voxelsLikeABrick = 64;
 constexpr std::uint32_t never = 0xFFFFFFFFu; // no generation
 
@@ -321,8 +321,7 @@ void ProcessorFront::write(
             m_spare.push_back(std::move(brick->images));
         return !holdsFront;
     });
-    // The next batch needs about as many as this one leaves, and none at closure: a burst may stay
-    // open for long.
+    // A front that has become small needs few.
     m_spare.resize(std::min(m_spare.size(), m_imaged.size()));
 }
 

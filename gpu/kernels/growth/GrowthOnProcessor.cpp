@@ -178,6 +178,8 @@ int GrowthKernel::advanceOnProcessor(int rings)
         m_fields.noteChanged(core::Field::Labels, m_lastTouched);
     if (m_guard && !sizes.empty())
         watch(front.voxels());
+    if (m_frontCount == 0)
+        m_processorFront.reset(); // at closure; a burst may stay open for long after that
     return int(sizes.size());
 }
 
