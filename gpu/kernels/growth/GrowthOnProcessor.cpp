@@ -6,6 +6,7 @@
 #include "gpu/kernels/growth/GrowthKernel.h"
 
 #include <algorithm>
+#include <bitset>
 
 namespace gpu {
 
