@@ -221,9 +221,9 @@ Result<ExportReport> exportCarvedVolume(
     report.written += ReportSentence{ReportCode::CarvedVolume,
         {std::int64_t(carved), std::int64_t(request.coverage.size()),
             numberText(fill, volume.unit)}};
-    if (!volume.repair.isEmpty())
-        report.cautions += ReportSentence{
-            ReportCode::Repaired, {SeriesRepair::fromText(repairMade(volume))->inWords()}};
+    if (const QString made = repairMade(volume); !made.isEmpty())
+        report.cautions +=
+            ReportSentence{ReportCode::Repaired, {SeriesRepair::fromText(made)->inWords()}};
     for (const VolumeProblem& problem : volume.problems) {
         if (problem.caution)
             report.cautions += problem.said;

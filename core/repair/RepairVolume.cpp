@@ -7,8 +7,6 @@
 #include "core/volume/MemoryLimit.h"
 #include "core/volume/encoding/VolumeEncoder.h"
 
-#include <QStringList>
-
 #include <algorithm>
 #include <atomic>
 #include <optional>
@@ -198,6 +196,19 @@ QString repairedBy(VolumeProblem::Kind kind, const SeriesRepair& repair)
     return only.toText();
 }
 
+/// Whether a slice is elsewhere in the lattice, or the lattice has further ones.
+bool movesSlices(const VolumeGeometry& slices, const SeriesRepair& repair)
+{
+    const RepairLattice lattice = repairLattice(slices, repair);
+    std::int64_t z = 0;
+    for (const LatticePlace& place : lattice.places) {
+        if (place.x != 0 || place.y != 0 || place.z != z)
+            return true;
+        z += wholeVoxel;
+    }
+    return lattice.geometry.size.z != slices.size.z;
+}
+
 } // namespace
 
 Result<LoadedVolume> repairVolume(
@@ -251,14 +262,18 @@ Result<LoadedVolume> repairVolume(
 
 QString repairMade(const Volume& volume)
 {
-    QStringList words;
-    for (const VolumeProblem& problem : volume.problems) {
-        if (!problem.repairedBy.isEmpty())
-            words += problem.repairedBy;
-    }
-    // Several problems may be repaired by one word; reading them takes each once.
-    const std::optional<SeriesRepair> made = SeriesRepair::fromText(words.join(u','));
-    return made && !made->isNone() ? made->toText() : volume.repair;
+    std::optional<SeriesRepair> made = SeriesRepair::fromText(volume.repair);
+    if (!made || !made->movesVoxels() || !volume.asIs)
+        return volume.repair;
+    // Of all else a series that does not need it is refused, or it is given.
+    VolumeGeometry slices = volume.asIs->geometry;
+    if (made->part != 0)
+        slices = geometryOfPart(slices, gapParts(slices)[std::size_t(made->part - 1)]);
+    if (!movesSlices(slices, {.lattice = made->lattice}))
+        made->lattice = SeriesRepair::Lattice::AsIs;
+    if (made->tilt && !movesSlices(slices, {.tilt = true}))
+        made->tilt = false;
+    return made->toText();
 }
 
 } // namespace core

@@ -24,9 +24,9 @@ namespace core {
     LoadedVolume loaded, const SeriesRepair& repair, const Progress& progress = Progress());
 
 /// What of its repair changed a loaded volume, in the form of Volume::repair: a repair may also ask
-/// for what the series does not need, such as `gap=fill` where no slice is missing. All of it if no
-/// problem says that it was repaired. For sentences about what was done; a volume's name is its
-/// whole repair.
+/// for what the series does not need, such as `gap=fill` where no slice is missing; empty if all
+/// slices are where they were. For sentences about what was done; a volume's name is its whole
+/// repair.
 [[nodiscard]] QString repairMade(const Volume& volume);
 
 } // namespace core

@@ -2,6 +2,7 @@
 #include "core/repair/WayBack.h"
 
 #include "core/repair/RepairLattice.h"
+#include "core/repair/RepairVolume.h"
 
 #include <algorithm>
 
@@ -24,7 +25,8 @@ WayBack::WayBack(const Volume& volume)
     SliceRun part{.first = 0, .count = asIs.geometry.size.z};
     if (repair.part != 0)
         part = gapParts(asIs.geometry)[std::size_t(repair.part - 1)];
-    // On these nothing was moved.
+    // On these nothing was moved; what was is known of the whole volume only.
+    m_slices.repair = repairMade(volume);
     m_slices.asIs.reset();
     m_slices.geometry = geometryOfPart(asIs.geometry, part);
     m_slices.sources = {

@@ -22,8 +22,8 @@ public:
     /// None if the voxels of @p volume lie on the slices of its images.
     [[nodiscard]] static std::optional<WayBack> of(const Volume& volume);
 
-    /// The volume of the original slices: their grid, sources and identity, and still the name of
-    /// the repair.
+    /// The volume of the original slices: their grid, sources and identity, and as repair what of
+    /// it moved voxels (repairMade()).
     [[nodiscard]] const Volume& slices() const { return m_slices; }
 
     /// Converts labels of the repaired volume (x fastest) to the grid of slices().

@@ -201,9 +201,9 @@ Result<StagedExport> stageOn(const Volume& volume, const ExportRequest& request,
         report.cautions += ReportSentence{ReportCode::CheckedAgainstSession};
     for (const QString& name : selection->empty)
         report.cautions += ReportSentence{ReportCode::SegmentEmpty, {name}};
-    if (!volume.repair.isEmpty())
-        report.cautions += ReportSentence{
-            ReportCode::Repaired, {SeriesRepair::fromText(repairMade(volume))->inWords()}};
+    if (const QString made = repairMade(volume); !made.isEmpty())
+        report.cautions +=
+            ReportSentence{ReportCode::Repaired, {SeriesRepair::fromText(made)->inWords()}};
     for (const VolumeProblem& problem : volume.problems) {
         if (problem.caution)
             report.cautions += problem.said;

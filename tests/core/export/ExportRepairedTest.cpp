@@ -318,6 +318,16 @@ void ExportRepairedTest::whatWasNotNeededIsNotSaid()
     const LoadedVolume both =
         opened(QStringLiteral("gapped and tilted"), QStringLiteral("gap=fill,tilt"));
     QCOMPARE(repairMade(both.volume), QStringLiteral("gap=fill,tilt"));
+    // Of a series that needed nothing nothing is said.
+    const LoadedVolume sound = opened(QStringLiteral("sound"), QStringLiteral("gap=fill,tilt"));
+    QCOMPARE(sound.volume.repair, QStringLiteral("gap=fill,tilt"));
+    QCOMPARE(repairMade(sound.volume), QString());
+    const std::vector<std::uint8_t> full(sound.volume.geometry.voxelCount(), 1);
+    const auto report = exported(sound.volume, full, ExportFormat::Nifti, "sound.nii");
+    QVERIFY2(report, report ? "" : qPrintable(messageOf(report.error())));
+    const QStringList cautions = ui::reportTexts(report->cautions);
+    QVERIFY2(
+        cautions.filter(QStringLiteral("on loading")).isEmpty(), qPrintable(cautions.join(u'\n')));
 }
 
 void ExportRepairedTest::carvedSeriesIsRefused()
