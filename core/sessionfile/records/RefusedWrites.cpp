@@ -16,7 +16,8 @@ thread_local int refusedWith = 0;
 /// @param answer of a call: less than 0: it failed
 template <class Answer> Answer noted(Answer answer)
 {
-    if (answer < 0)
+    // SQLite asks again what a signal interrupted.
+    if (answer < 0 && errno != EINTR)
         refusedWith = errno;
     return answer;
 }

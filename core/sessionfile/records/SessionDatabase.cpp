@@ -111,7 +111,9 @@ void SessionDatabase::closeAt(const QString& file)
 {
     m_connection.close();
     m_use = SessionUse();
-    static_cast<void>(open(file, false));
+    // SQLite would make one that is not there any more.
+    if (m_followed.isAt(file))
+        static_cast<void>(open(file, false));
 }
 
 /// Renames the file of last writes with the file that was renamed. @return whether it is there now

@@ -79,7 +79,10 @@ QString reasonOf(const QSqlDatabase& database, const QSqlError& error)
 {
     const int code = error.nativeErrorCode().toInt();
     const int kind = code & 0xFF;
-    const bool isOfSystem = kind == SQLITE_IOERR || kind == SQLITE_FULL || kind == SQLITE_CANTOPEN;
+    // What could not be read is no matter of what the same statement could not write.
+    const bool isOfReading = code == SQLITE_IOERR_READ || code == SQLITE_IOERR_SHORT_READ;
+    const bool isOfSystem =
+        (kind == SQLITE_IOERR && !isOfReading) || kind == SQLITE_FULL || kind == SQLITE_CANTOPEN;
     int refused = isOfSystem ? lastRefusedWrite() : 0;
     if (code == SQLITE_IOERR_FSYNC)
         refused = refusedSync(sqliteOf(database));
