@@ -111,6 +111,7 @@ core::Result<ui::AuditSegments> measuredSegments(
 int writeReport(
     const QString& path, const QString& target, bool force, const ui::AuditSegments* segments)
 {
+    const core::FileInUse own({path}, core::FileInUse::As::Session);
     // A report also tells of a damaged session what is left of it.
     const auto opened = core::SessionFile::open(path, core::SessionFile::Access::SoundPart);
     if (!opened)

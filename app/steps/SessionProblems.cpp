@@ -43,7 +43,9 @@ void reportLeft(const QString& file, const core::SessionContents& contents)
 int reportUnfollowed(const core::Error& why, const QString& file)
 {
     const int status = reportFailure(why);
-    reportLeftBeside(file, core::sessionLoss(file).leftBeside);
+    // If the file that has its name lacks something itself, what lies beside is told with that.
+    const core::SessionLoss loss = core::sessionLoss(file);
+    reportLeftBeside(file, loss.leftBeside.isEmpty() ? loss.leftOpen : loss.leftBeside);
     return status;
 }
 
