@@ -125,7 +125,8 @@ int runMesh(const Arguments& arguments)
         return reportUsageError("mesh", wrong);
     const bool isRas = space == QLatin1String("RAS");
 
-    const core::FileInUse mine({maskPath}, core::FileInUse::As::Mask);
+    const core::FileInUse mine(
+        core::maskFilesIn(maskPath) + QStringList(maskPath), core::FileInUse::As::Mask);
     const core::FileInUse images({arguments.value("study")}, core::FileInUse::As::Study);
     // Known before minutes of work.
     if (const core::Result<void> fits = core::checkFileTarget(out, arguments.has("force")); !fits)

@@ -8,6 +8,7 @@
 #include "app/steps/SessionProblems.h"
 #include "app/steps/SteadySession.h"
 #include "app/steps/TracedRun.h"
+#include "core/base/files/FileInUse.h"
 #include "core/sessionfile/HistoryListing.h"
 #include "core/sessionfile/SessionSalvage.h"
 #include "core/sessionfile/SessionStudy.h"
@@ -302,6 +303,8 @@ int runReplay(const Arguments& arguments)
     }
 
     const QString path = arguments.rest().first();
+    // No export replaces what it is made of, with --force either.
+    const core::FileInUse own({path}, core::FileInUse::As::Session);
     Result<core::SessionContents> contents = core::checkSession(path);
     if (!contents)
         return reportFailure(contents.error());

@@ -48,7 +48,8 @@ struct RecipeMaskNote {
 /// Errors: those of readMask() (core/masks/MaskOnVolume.h) and readProbabilities().
 [[nodiscard]] Result<std::vector<RecipeMaskNote>> readMasks(Recipe& recipe, const Volume& volume);
 
-/// The files that readMasks() will read, as the steps name them and beside the recipe.
+/// The files that readMasks() will read, as the steps name them and beside the recipe; of a folder
+/// also those in it.
 [[nodiscard]] QStringList masksOf(const Recipe& recipe);
 
 /// Checks everything about a recipe that can be checked on this document (with its volume) before

@@ -2,6 +2,7 @@
 #include "core/edits/kinds/FileKinds.h"
 #include "core/edits/kinds/chunks/DivideSegment.h"
 #include "core/edits/kinds/segments/ImportMask.h"
+#include "core/masks/MaskOnVolume.h"
 #include "core/masks/ReadImport.h"
 #include "core/masks/ReadProbabilities.h"
 #include "core/recipe/Recipe.h"
@@ -89,8 +90,13 @@ QStringList masksOf(const Recipe& recipe)
 {
     QStringList files;
     const auto add = [&](const auto& known) {
-        if (const QString* file = fileToRead(known))
-            files += {*file, QFileInfo(recipe.path).dir().filePath(*file)};
+        const QString* file = fileToRead(known);
+        if (!file)
+            return;
+        for (const QString& path : {*file, QFileInfo(recipe.path).dir().filePath(*file)}) {
+            files += path;
+            files += maskFilesIn(path);
+        }
     };
     for (const RecipeStep& step : recipe.steps) {
         if (const auto* edit = std::get_if<Edit>(&step))

@@ -163,8 +163,14 @@ private Q_SLOTS:
         QVERIFY2(outcome.output.isEmpty(), outcome.output.constData());
         QCOMPARE(mesh({QStringLiteral("--out"), out, QStringLiteral("--force")}).status, 0);
         // Nor what is read, whatever is said.
-        m_mask = out;
-        QCOMPARE(mesh({QStringLiteral("--out"), out, QStringLiteral("--force")}).status, 1);
+        for (const QString& read : {out, QFileInfo(out).path()}) {
+            m_mask = read;
+            const test::Outcome refused =
+                mesh({QStringLiteral("--out"), out, QStringLiteral("--force")});
+            QCOMPARE(refused.status, 1);
+            QVERIFY2(refused.complaint.contains(QStringLiteral("there.ply")),
+                qPrintable(refused.complaint));
+        }
     }
 };
 

@@ -273,6 +273,11 @@ private Q_SLOTS:
         const auto& mask = std::get<Edit>(recipe->steps.front()).get<ImportMask>();
         QCOMPARE(mask.segments->size(), std::size_t(2));
         QVERIFY(checkAgainst(initialDocument(volume), Edit(mask)));
+        write(
+            R"({"edits": [{"edit": "importMask", "file": ")" + folder.path().toUtf8() + R"("}]})");
+        const Result<Recipe> ofFolder = readRecipe(path);
+        QVERIFY(
+            ofFolder && masksOf(*ofFolder).contains(folder.filePath(QStringLiteral("part.nrrd"))));
         write(R"({"edits": [{"edit": "importMask", "file": "gone.nrrd"}]})");
         recipe = readRecipe(path);
         QCOMPARE(readMasks(*recipe, volume).error().code, ErrorCode::FileNotFound);
