@@ -197,6 +197,13 @@ bool Application::showSessionProblem(const SessionOpening& opening, const QStrin
 {
     const SessionPlan& plan = *opening.plan;
     const core::SessionContents& contents = *opening.contents;
+    // The bar shows one message: what stands beside the file is told with what else is told.
+    const QString beside = contents.leftBeside.isEmpty()
+        ? QString()
+        : tr("%1.").arg(ui::clauseText(contents.leftBeside));
+    const auto andBeside = [&beside](const QString& sentence) {
+        return beside.isEmpty() ? sentence : sentence + QLatin1Char(' ') + beside;
+    };
     const bool nothingLost =
         plan.damage && !contents.damage && plan.redo.size() == contents.redo.size();
     if (nothingLost) {
@@ -205,19 +212,20 @@ bool Application::showSessionProblem(const SessionOpening& opening, const QStrin
         m_workspace->fail(*plan.damage);
     } else if (!plan.whyReadOnly.isEmpty()) {
         m_window->messages().show(ui::MessageBar::Kind::Caution,
-            tr("%1 is %2. Here it can be looked at, not edited.")
-                .arg(QFileInfo(file).fileName(), plan.whyReadOnly),
+            andBeside(tr("%1 is %2. Here it can be looked at, not edited.")
+                          .arg(QFileInfo(file).fileName(), plan.whyReadOnly)),
             tr("Save session as …"), [this] { m_window->saveSessionAs(); });
     } else if (!contents.leftOpen.isEmpty()) {
         m_window->messages().show(ui::MessageBar::Kind::Caution,
             tr("%1: %2. Its last steps may be missing.")
                 .arg(QFileInfo(file).fileName(), ui::clauseText(contents.leftOpen)));
     } else if (opening.notFromStudy) {
-        showWhereImagesAre(*opening.notFromStudy, file);
-    } else if (!contents.leftBeside.isEmpty()) {
+        m_window->messages().show(
+            beside.isEmpty() ? ui::MessageBar::Kind::Notice : ui::MessageBar::Kind::Caution,
+            andBeside(whereImagesAre(*opening.notFromStudy, file)));
+    } else if (!beside.isEmpty()) {
         m_window->messages().show(ui::MessageBar::Kind::Caution,
-            tr("%1 is whole. %2.")
-                .arg(QFileInfo(file).fileName(), ui::clauseText(contents.leftBeside)));
+            andBeside(tr("%1 is whole.").arg(QFileInfo(file).fileName())));
     } else {
         return false;
     }
@@ -252,14 +260,13 @@ void Application::beginAnew(const QString& path, const QString& series)
         m_window->opener().open(path, series);
 }
 
-void Application::showWhereImagesAre(const core::Error& whyNotFromStudy, const QString& file)
+QString Application::whereImagesAre(const core::Error& whyNotFromStudy, const QString& file)
 {
     const QString name = QFileInfo(file).fileName();
     const QString why = whyNotFromStudy.code == core::ErrorCode::StudyMissing
         ? tr("The study is no longer at %1").arg(whyNotFromStudy.arguments.value(1))
         : ui::errorText(whyNotFromStudy);
-    m_window->messages().show(ui::MessageBar::Kind::Notice,
-        tr("%1. Its images are taken from %2 and agree with the session.").arg(why, name));
+    return tr("%1. Its images are taken from %2 and agree with the session.").arg(why, name);
 }
 
 void Application::showError(const core::Error& error)

@@ -66,8 +66,9 @@ private:
     /// holds steps that are on no disk, and the user keeps it open).
     core::Result<void> makeRoom();
     void showError(const core::Error& error);
-    /// Tells the user that the images were read from the session file.
-    void showWhereImagesAre(const core::Error& whyNotFromStudy, const QString& file);
+    /// That the images were read from the session file.
+    [[nodiscard]] static QString whereImagesAre(
+        const core::Error& whyNotFromStudy, const QString& file);
     void showWhyNot(
         const core::Error& error, const QString& file, const QString& path, const QString& series);
     /// Removes the file of a session that was opened and closed without an edit.

@@ -85,12 +85,19 @@ private Q_SLOTS:
         window().closeStudy();
 
         QVERIFY(QDir().rename(path("case/ct"), path("case/gone")));
+        QFile left(path("with.burin-wal.left"));
+        QVERIFY(left.open(QIODevice::WriteOnly) && left.write("steps") == 5);
+        left.close();
         open(path("with.burin"));
+        QVERIFY(left.remove());
         QVERIFY(session().settle());
         QCOMPARE(session().stateHash(), hash);
         QCOMPARE(workspace().volume()->voxelsSha256, voxels);
         QVERIFY2(bar().contains(QStringLiteral("The study is no longer at ")), qPrintable(bar()));
         QVERIFY2(bar().contains(QStringLiteral("Its images are taken from with.burin")),
+            qPrintable(bar()));
+        // Neither hides the other.
+        QVERIFY2(bar().contains(QStringLiteral("with.burin-wal.left' holds the last steps")),
             qPrintable(bar()));
         QTRY_VERIFY_WITH_TIMEOUT(window().views().refined(), patience);
         look(window().grab(), "images-from-session.png");
