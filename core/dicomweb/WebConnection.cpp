@@ -192,17 +192,18 @@ private:
     void take();
     void watch();
     void conclude();
-    void end(const Error& error)
+    void end(Error error)
     {
-        m_outcome.error = error;
+        m_outcome.error = std::move(error);
         m_reply->abort();
     }
     /// For what the event loop calls. No exception may pass through the loop, and what was being
     /// taken when one was thrown is missing in the answer: the exchange ends with it.
     void calledByLoop(void (Exchange::*step)())
     {
-        if (const Result<void> done = guarded([&] { (this->*step)(); }); !done)
-            end(done.error());
+        // Moved: copying it wants memory, which may be what is short.
+        if (Result<void> done = guarded([&] { (this->*step)(); }); !done)
+            end(std::move(done.error()));
     }
 
     Parts& m_parts;
