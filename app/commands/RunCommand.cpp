@@ -403,7 +403,6 @@ int run(core::Recipe recipe, const Arguments& arguments, CommandTermination& ter
         return exportFiles(
             exports, steady, force, [&] { return readStudy(openFile); }, termination.progress());
     });
-    // A file may have come there since it was looked at.
     if (!exported)
         return reportFailure((goesOn ? withoutForce(exported) : exported).error());
     termination.setClosing({});
