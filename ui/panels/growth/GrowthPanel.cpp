@@ -74,7 +74,6 @@ GrowthPanel::GrowthPanel(Workspace& workspace, QWidget* parent)
     connect(m_toSeeds, &QPushButton::clicked, this, &GrowthPanel::shrinkToSeeds);
     connect(m_connectivity, &QComboBox::activated, this, &GrowthPanel::takeSettings);
 
-    buildGhost();
     connect(&workspace, &Workspace::sessionChanged, this, &GrowthPanel::showVolume);
     connect(&workspace, &Workspace::growSettingsChanged, this, &GrowthPanel::showSettings);
     connect(&workspace, &Workspace::activeSegmentChanged, this, [this] {
@@ -180,21 +179,6 @@ void GrowthPanel::build()
     connect(m_generations, &GenerationSection::scrubMoved, this, &GrowthPanel::showState);
     connect(m_leak, &LeakSection::alarmChanged, m_generations, &GenerationSection::showLeak);
 
-    m_ghostShown = new PreviewBox(QStringLiteral("growth"), this);
-    m_ghostShown->setText(tr("show what it would take"));
-    m_ghostShown->setToolTip(
-        tr("While you sketch seeds, show in all views what a growth in this interval would take, "
-           "about: large volumes are looked at coarsely, and criteria and barriers, which take "
-           "less, are left out"));
-    m_ghostText = new FittingLabel(Qt::AlignRight, this);
-    m_ghostText->setObjectName(QStringLiteral("growthGhost"));
-    m_ghostText->setFont(theme::smallFont());
-    m_ghostText->setProperty("role", QStringLiteral("secondary"));
-
-    auto* ghost = new QHBoxLayout;
-    ghost->setSpacing(theme::smallPadding);
-    ghost->addWidget(m_ghostShown);
-    ghost->addWidget(m_ghostText, 1);
     auto* transport = new QHBoxLayout;
     transport->setSpacing(theme::smallPadding);
     transport->addWidget(m_step, 2);
@@ -226,7 +210,7 @@ void GrowthPanel::build()
     layout->addWidget(m_intervalChange);
     layout->addWidget(new PlainLimits(m_workspace, this));
     layout->addWidget(new EditableButton(m_workspace, this, EditableButton::In::Column));
-    layout->addLayout(ghost);
+    layout->addLayout(buildGhost());
     layout->addLayout(transport);
     layout->addWidget(m_turnsText);
     layout->addWidget(m_fromSeeds->note());
@@ -241,8 +225,24 @@ void GrowthPanel::build()
     layout->addWidget(new SpreadBar(m_workspace, this));
 }
 
-void GrowthPanel::buildGhost()
+/// The row of what a growth would take.
+QLayout* GrowthPanel::buildGhost()
 {
+    m_ghostShown = new PreviewBox(QStringLiteral("growth"), this);
+    m_ghostShown->setText(tr("show what it would take"));
+    m_ghostShown->setToolTip(
+        tr("While you sketch seeds, show in all views roughly what a growth in this interval would "
+           "take: large volumes are looked at coarsely, and criteria and barriers are left out, "
+           "with which it takes less"));
+    m_ghostText = new FittingLabel(Qt::AlignRight, this);
+    m_ghostText->setObjectName(QStringLiteral("growthGhost"));
+    m_ghostText->setFont(theme::smallFont());
+    m_ghostText->setProperty("role", QStringLiteral("secondary"));
+
+    auto* ghost = new QHBoxLayout;
+    ghost->setSpacing(theme::smallPadding);
+    ghost->addWidget(m_ghostShown);
+    ghost->addWidget(m_ghostText, 1);
     m_ghost = new GrowthGhost(m_workspace, this);
     connect(
         m_ghost, &GrowthGhost::changed, this, [this] { m_ghostText->setText(m_ghost->words()); });
@@ -253,6 +253,7 @@ void GrowthPanel::buildGhost()
     connect(&m_workspace, &Workspace::activeToolChanged, this, &GrowthPanel::followGhost);
     connect(&m_workspace, &Workspace::atToleranceChanged, this, &GrowthPanel::followGhost);
     connect(&m_workspace.seeds(), &PendingSeeds::updated, this, &GrowthPanel::followGhost);
+    return ghost;
 }
 
 QString GrowthPanel::title() const

@@ -11,6 +11,7 @@
 class QCheckBox;
 class QComboBox;
 class QLabel;
+class QLayout;
 class QPushButton;
 
 namespace ui {
@@ -58,7 +59,7 @@ private:
     void showSettings();
     void takeSettings();
     void showState();
-    void buildGhost();
+    [[nodiscard]] QLayout* buildGhost();
     void followGhost();
     void followInterval();
     void settleInterval();
