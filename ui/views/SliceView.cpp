@@ -255,7 +255,7 @@ gpu::Scene SliceView::scene() const
         scene.slab = slab();
         scene.contour = workspace().refinement().contour();
         scene.chunks = workspace().chunks().areas();
-        if (!scene.chunks)
+        if (!scene.chunks && workspace().viewOptions().showSegments)
             scene.chunks = workspace().seeds().ghost().areas;
     }
     return scene;

@@ -157,7 +157,7 @@ gpu::Scene VolumeView::scene() const
     scene.surface = workspace().refinement().scene();
     scene.bodiless = workspace().refinement().bodiless();
     scene.chunks = workspace().chunks().bodies();
-    if (!scene.chunks)
+    if (!scene.chunks && workspace().viewOptions().showSegments)
         scene.chunks = workspace().seeds().ghost().bodies;
     scene.plane = workspace().plane().scene();
     const std::optional<core::ClipPlane> above = workspace().plane().clip();

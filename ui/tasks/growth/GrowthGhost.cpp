@@ -73,6 +73,7 @@ GrowthGhost::GrowthGhost(Workspace& workspace, QObject* parent, std::int64_t mos
     connect(&m_soon, &QTimer::timeout, this, &GrowthGhost::advance);
     connect(&workspace, &Workspace::sessionClosing, this, &GrowthGhost::forget);
     connect(&workspace, &Workspace::sessionChanged, this, &GrowthGhost::forget);
+    connect(&workspace, &Workspace::activeToolChanged, this, [this] { m_isRefused = false; });
     connect(
         &workspace, &Workspace::documentChanged, this, [this](const core::DocumentChange& change) {
             if (change.what == core::DocumentChange::What::Labels)
@@ -262,9 +263,12 @@ void GrowthGhost::readSeeds()
     m_workspace.session()->questions().probe(voxels,
         [ghost = QPointer<GrowthGhost>(this), asked = m_askedSeeds, voxels](
             const core::Result<std::vector<core::ProbedVoxel>>& probed) {
-            if (!ghost || ghost->m_askedSeeds != asked || !probed
-                || probed->size() != voxels.size())
+            if (!ghost || ghost->m_askedSeeds != asked)
                 return;
+            if (!probed || probed->size() != voxels.size()) {
+                ghost->m_askedSeeds.reset(); // so that they are asked about again
+                return ghost->drop(); // it is that of other seeds
+            }
             ghost->m_seeds.emplace();
             for (std::size_t i = 0; i < voxels.size(); ++i)
                 ghost->m_seeds->push_back({.voxel = voxels[i], .code = (*probed)[i].code});
@@ -288,10 +292,11 @@ void GrowthGhost::readLabelsOn()
                           const core::Result<void>& portion) {
         if (!ghost || ghost->m_reader != reader)
             return;
-        if (portion)
+        if (portion && ghost->m_wanted)
             return ghost->readLabelsOn();
-        ghost->m_reader.reset();
-        ghost->drop();
+        ghost->m_reader.reset(); // nobody waits for them any more, or they cannot be read
+        if (!portion)
+            ghost->drop();
     };
     if (m_workspace.session()->questions().readOn(m_reader, take))
         return;

@@ -41,7 +41,7 @@ public:
         Workspace& workspace, QObject* parent = nullptr, std::int64_t mostCells = usualCells);
 
     /// Reads the codes of the open session, so that the first ghost comes at once. Does nothing if
-    /// they were read.
+    /// they were read, or could not be: that is tried again after another tool was in hand.
     void prepare();
     /// Shows the ghost of the present seeds and settings. To be called when any of these may have
     /// changed; costs nothing if none has. There is none without waiting seeds, or while an edit
@@ -102,7 +102,7 @@ private:
     std::shared_ptr<core::CoarseCodes> m_reading; ///< being filled by m_reads; null: not reading
     int m_nextLayer = 0; ///< of those to ask for
     int m_layersTaken = 0;
-    bool m_isRefused = false; ///< codes cannot be read in this session
+    bool m_isRefused = false; ///< codes could not be read since the tool was taken
     std::shared_ptr<const core::CoarseCodes> m_codes; ///< null: not read yet
 
     /// The seeds that were asked about last, those of all segments; null: none.

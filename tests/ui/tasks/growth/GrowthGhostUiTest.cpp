@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/tasks/growth/GrowthGhost.h"
 
+#include "core/engine/EngineCommands.h"
+#include "core/engine/EngineResult.h"
 #include "core/session/EditSession.h"
+#include "core/session/SessionDisplay.h"
 #include "core/session/questions/VoxelQuestions.h"
+#include "tests/reference/PassingEngine.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/fixtures/WindowFixture.h"
 #include "tests/support/fixtures/WorkspaceFixture.h"
@@ -21,6 +25,9 @@
 
 #include <algorithm>
 #include <memory>
+#include <set>
+#include <utility>
+#include <variant>
 #include <vector>
 
 namespace growthGhostUiTest {
@@ -144,6 +151,37 @@ public:
     ui::GrowthGhost& ghost;
 };
 
+/// The oracle, which refuses to read codes when it is told to.
+class RefusingCodes final : public reference::PassingEngine {
+public:
+    core::Ticket submit(core::EngineCommand command) override
+    {
+        const bool isRefused = refuses && std::holds_alternative<core::ReadCodes>(command);
+        const core::Ticket ticket = PassingEngine::submit(std::move(command));
+        if (isRefused)
+            m_refused.insert(ticket);
+        return ticket;
+    }
+    [[nodiscard]] std::vector<core::EngineResult> collect() override
+    {
+        std::vector<core::EngineResult> results = PassingEngine::collect();
+        for (core::EngineResult& result : results) {
+            if (m_refused.erase(result.ticket) == 0)
+                continue;
+            result.error =
+                core::Error{core::ErrorCode::Internal, {QStringLiteral("codes"), QString()}};
+            ++refusals;
+        }
+        return results;
+    }
+
+    bool refuses = false;
+    int refusals = 0; ///< so far
+
+private:
+    std::set<core::Ticket> m_refused;
+};
+
 } // namespace
 
 class GrowthGhostUiTest : public QObject {
@@ -202,6 +240,14 @@ private Q_SLOTS:
         QCOMPARE(inSlice(), ghost.areas);
         QCOMPARE(inVolume(), ghost.bodies);
         QCOMPARE(countOf(drawn(*ghost.areas)), smallHead::voxelsOf(smallHead::ventricleHu));
+        // Who looks under the segments looks under what one would take, too.
+        ui::Workspace::ViewOptions options = fixture.workspace.viewOptions();
+        options.showSegments = false;
+        fixture.workspace.setViewOptions(options);
+        QVERIFY(!inSlice() && !inVolume());
+        options.showSegments = true;
+        fixture.workspace.setViewOptions(options);
+        QVERIFY(inSlice() && inVolume());
         fixture.workspace.setActiveTool(nullptr);
         QVERIFY(!inSlice() && !inVolume());
     }
@@ -277,6 +323,8 @@ private Q_SLOTS:
         QTest::newRow("the switch") << 4;
         QTest::newRow("a step of growth") << 5;
         QTest::newRow("a segment at a tolerance") << 6;
+        QTest::newRow("a lock") << 7;
+        QTest::newRow("hidden") << 8;
     }
 
     void goesWhenThereIsNothingToForesee()
@@ -312,6 +360,12 @@ private Q_SLOTS:
             fixture.workspace.setAtTolerance({});
             QVERIFY(fixture.waitFor([&] { return fixture.areas() != nullptr; }));
             return;
+        case 7:
+            fixture.apply(test::lockSegment(1));
+            break;
+        case 8:
+            fixture.session().display().setSegmentVisible(1, false);
+            break;
         default:
             QTest::mouseClick(
                 fixture.panel.findChild<QPushButton*>(QStringLiteral("growStep")), Qt::LeftButton);
@@ -327,6 +381,46 @@ private Q_SLOTS:
         QCOMPARE(fixture.waitFor([&] { return fixture.areas() != nullptr || !comesBack; })
                 && fixture.areas() != nullptr,
             comesBack);
+    }
+
+    /// Also where it is being worked out as the study is closed.
+    void theNextStudyHasNoneOfIt()
+    {
+        reference::ReferenceEngine engine;
+        Sketching fixture;
+        fixture.sketch();
+        auto next = core::EditSession::create(engine, smallHead::volume(), {});
+        QVERIFY(next);
+        fixture.setInterval(0.0, 60.0);
+        QVERIFY(!fixture.ghost.upToDate());
+        fixture.workspace.setSession(std::move(*next));
+        QVERIFY(!fixture.areas() && fixture.text().isEmpty());
+        QVERIFY(ui::addSegment(fixture.workspace));
+        QTest::qWait(100);
+        fixture.settle();
+        QVERIFY(!fixture.areas() && fixture.text().isEmpty());
+        fixture.sketch();
+        QVERIFY(!fixture.text().isEmpty());
+    }
+
+    void codesAreAskedForAgainWithTheToolTakenAnew()
+    {
+        RefusingCodes engine;
+        Sketching fixture;
+        auto session = core::EditSession::create(engine, smallHead::volume(), {});
+        QVERIFY(session);
+        engine.refuses = true;
+        fixture.workspace.setSession(std::move(*session));
+        QVERIFY(ui::addSegment(fixture.workspace));
+        fixture.apply(WorkspaceFixture::middleSeed(1));
+        QVERIFY(fixture.waitFor([&] { return engine.refusals > 0; }));
+        engine.refuses = false;
+        QTest::qWait(60);
+        fixture.settle();
+        QVERIFY(!fixture.areas());
+        fixture.workspace.setActiveTool(nullptr);
+        fixture.workspace.setActiveTool(&fixture.tool);
+        QVERIFY(fixture.waitFor([&] { return fixture.areas() != nullptr; }));
     }
 
     /// A volume that is looked at in cells of 2³ voxels.
