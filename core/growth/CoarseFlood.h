@@ -54,8 +54,9 @@ struct CoarseReach {
 /// labels of the rule; else structures and necks thinner than a cell may be missed, or passed.
 ///
 /// A cell is open if the code of its middle voxel is in the interval, that voxel in the box, and
-/// its label not closed. Only seeds that qualify themselves count. Each reaches its own cell, and
-/// goes on from there, or, if that is not open, from the open ones of the 26 cells around it.
+/// its label not closed. Only seeds count whose own voxel is in interval and box, and whose cell
+/// has no closed label. Each reaches its own cell, and goes on from there, or, if that is not open,
+/// from the open ones of the 26 cells around it.
 ///
 /// @param labels by cell, of the voxels that represent them; empty: all 0
 /// Errors: Cancelled. Cost ∝ the cells; two million take some tens of milliseconds.

@@ -5,13 +5,13 @@
 
 namespace ui {
 
-/// The box of a dialog that switches its preview on and off (EditTrial). It is checked at first;
-/// each dialog remembers its own.
+/// The box of a dialog or panel that switches its preview on and off. It is checked at first; each
+/// of them remembers its own.
 class PreviewBox : public QCheckBox {
     Q_OBJECT
 
 public:
-    /// @param name of the dialog: "reshape" gives the object name "reshapePreview"
+    /// @param name of the dialog or panel: "reshape" gives the object name "reshapePreview"
     /// @param isOn until the user has chosen
     explicit PreviewBox(const QString& name, QWidget* parent = nullptr, bool isOn = true);
 };
