@@ -27,13 +27,17 @@ void AcceptedFronts::accept(const core::LeakAlarm& alarm, std::uint8_t plane,
     if (alarm.areaUm2 == 0)
         return;
     const double areaMm2 = std::ceil(times * double(alarm.areaUm2) / um2PerMm2);
+    // What has grown until the alarm may be on its way to its row.
+    const core::History& history = session.history();
+    const std::size_t rows = history.rows().size() + (session.idle() ? 0 : 1);
+    const core::RowId row = session.idle() ? history.position() : core::RowId(rows);
     for (const int label : labels)
         m_fronts.push_back({.label = label,
             .plane = plane,
             .generation = alarm.generation,
             .areaMm2 = std::min(areaMm2, mostAreaMm2),
-            .row = session.history().position(),
-            .rows = session.history().rows().size()});
+            .row = row,
+            .rows = rows});
 }
 
 void AcceptedFronts::forget(const std::vector<int>& labels)
@@ -78,8 +82,9 @@ bool AcceptedFronts::holds(
     const core::History& history = session.history();
     if (!session.document().segment(front.label))
         return false;
-    // The growth that goes on is no row yet.
-    if (history.position() == front.row && history.rows().size() == front.rows)
+    // The growth that raised the alarm, or the one that goes on, is no row yet.
+    const std::size_t rows = history.rows().size();
+    if (rows < front.rows || (rows == front.rows && history.position() == front.row))
         return true;
     const auto accepted = std::find(standing.begin(), standing.end(), front.row);
     if (accepted == standing.end()

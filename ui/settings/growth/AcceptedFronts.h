@@ -51,8 +51,8 @@ private:
         std::uint8_t plane = 0;
         std::uint32_t generation = 0;
         double areaMm2 = 0.0; ///< that the next one must be wider by
-        core::RowId row = 0; ///< the history's position when it was accepted
-        std::size_t rows = 0; ///< the number of the history's rows then
+        core::RowId row = 0; ///< of the growth that raised the alarm
+        std::size_t rows = 0; ///< the number of the history's rows with it
     };
 
     [[nodiscard]] static bool holds(const Front& front, const std::vector<core::RowId>& standing,

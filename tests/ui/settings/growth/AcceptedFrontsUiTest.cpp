@@ -248,6 +248,30 @@ private Q_SLOTS:
         QCOMPARE(fronts.areaMm2({2}), 81.0);
     }
 
+    /// In a large volume it takes a moment until what has grown is a row.
+    void anAnswerBeforeTheRowCounts()
+    {
+        AcceptedLeak fixture;
+        fixture.click("growShrink");
+        ui::AcceptedFronts& fronts = fixture.workspace.seeds().acceptedFronts();
+        fronts.clear();
+        core::GrowSteps edit = fixture.panel.growEdit();
+        edit.steps = 1;
+        edit.guard.factor.reset();
+        const std::uint32_t before = fixture.session().document().generation(0);
+        QVERIFY(fixture.session().apply(edit));
+        QVERIFY(!fixture.session().idle());
+        const core::LeakAlarm alarm{
+            .generation = before + 1, .narrow = before, .areaUm2 = 40'500'000};
+        fronts.accept(alarm, 0, {1}, fixture.session());
+        fixture.settle();
+        QCOMPARE(fixture.session().document().generation(0), alarm.generation);
+        QCOMPARE(fronts.areaMm2({1}), 81.0);
+        QVERIFY(fixture.session().undo());
+        fixture.settle();
+        QCOMPARE(fronts.areaMm2({1}), 0.0);
+    }
+
     /// A recipe of before may have counted voxels, which are no area.
     void voxelsRaiseNothing()
     {
