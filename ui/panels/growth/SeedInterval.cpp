@@ -121,6 +121,9 @@ void SeedInterval::addButton(QWidget* button)
 
 void SeedInterval::setReplaced(bool replaced)
 {
+    // A hidden slider would never be let go of.
+    if (replaced)
+        m_tolerance->setSliderDown(false);
     m_sliderRow->setVisible(!replaced);
     m_text->setVisible(!replaced);
 }

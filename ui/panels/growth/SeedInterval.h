@@ -48,7 +48,8 @@ public:
     void forget();
     /// Puts a button beside the one that uses the seeds.
     void addButton(QWidget* button);
-    /// Hides the slider while another control of the tolerance stands in its place.
+    /// Hides the slider while another control of the tolerance stands in its place. A hand that
+    /// holds it then has let go of it.
     void setReplaced(bool replaced);
     /// The values under the seeds, in modality units.
     [[nodiscard]] const std::vector<double>& values() const { return m_values; }

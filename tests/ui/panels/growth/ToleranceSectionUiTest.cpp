@@ -122,7 +122,7 @@ private Q_SLOTS:
         panel.show();
         QVERIFY(QTest::qWaitForWindowExposed(&panel) && ui::addSegment(fixture.workspace));
         fixture.apply(WorkspaceFixture::middleSeed(1));
-        const auto* slider = panel.findChild<QSlider*>(QStringLiteral("growTolerance"));
+        auto* slider = panel.findChild<QSlider*>(QStringLiteral("growTolerance"));
         const auto* bar = panel.findChild<ToleranceBar*>();
         auto* button = panel.findChild<QPushButton*>(QStringLiteral("toleranceTrace"));
         const auto isShown = [&](const QWidget* one, const QWidget* other) {
@@ -135,7 +135,9 @@ private Q_SLOTS:
         QVERIFY(button->isVisible());
         const int top = slider->mapTo(&panel, QPoint()).y();
         QTest::mouseClick(button, Qt::LeftButton);
+        slider->setSliderDown(true); // the curve comes while it is dragged
         QVERIFY(isShown(bar, slider));
+        QVERIFY(!slider->isSliderDown());
         QVERIFY(bar->mapTo(&panel, QPoint()).y() < top + 2 * button->height());
         QTest::mouseClick(button, Qt::LeftButton);
         QVERIFY(isShown(slider, bar));
