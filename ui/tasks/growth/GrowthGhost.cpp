@@ -230,9 +230,15 @@ void GrowthGhost::readSlice()
                 return;
             if (slice)
                 return ghost->takeSlice(layer, std::move(*slice));
-            ghost->m_isRefused = true; // a picture or an edit will say why
-            ghost->m_reading.reset();
+            ghost->refuse();
         });
+}
+
+/// Silently: a picture or an edit will say why.
+void GrowthGhost::refuse()
+{
+    m_isRefused = true;
+    m_reading.reset();
 }
 
 void GrowthGhost::takeSlice(int layer, std::vector<std::uint16_t> slice)
@@ -242,8 +248,12 @@ void GrowthGhost::takeSlice(int layer, std::vector<std::uint16_t> slice)
         [reading = m_reading, layer, slice = std::move(slice)] {
             reading->takeSlice(layer, slice);
         },
-        [this, reading = m_reading](const core::Result<void>&) {
-            if (m_reading != reading || ++m_layersTaken < reading->grid().size().z)
+        [this, reading = m_reading](const core::Result<void>& taken) {
+            if (m_reading != reading)
+                return;
+            if (!taken) // memory has run out
+                return refuse();
+            if (++m_layersTaken < reading->grid().size().z)
                 return;
             m_codes = std::move(m_reading);
             m_reading.reset();

@@ -84,6 +84,7 @@ private:
     void advance();
     void readSlice();
     void takeSlice(int layer, std::vector<std::uint16_t> slice);
+    void refuse();
     void readSeeds();
     void readLabels();
     void readLabelsOn();
