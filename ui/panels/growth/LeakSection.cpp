@@ -283,8 +283,17 @@ void LeakSection::askAsBefore()
 
 std::vector<int> LeakSection::alarmedLabels() const
 {
-    const auto& criteria = m_workspace.seeds().past().of(*m_workspace.session(), m_plane).criteria;
-    return growingLabels(criteria ? criteria->segments : std::nullopt, m_plane, m_workspace);
+    const core::EditSession& session = *m_workspace.session();
+    const std::optional<core::GrowCriteria> criteria =
+        m_workspace.seeds().past().of(session, m_plane).criteria;
+    std::vector<int> labels =
+        growingLabels(criteria ? criteria->segments : std::nullopt, m_plane, m_workspace);
+    // One that was sketched since the alarm has no part in it.
+    std::erase_if(labels, [&session](int label) {
+        const core::Segment* segment = session.document().segment(label);
+        return !segment || segment->voxels == 0;
+    });
+    return labels;
 }
 
 void LeakSection::accept()

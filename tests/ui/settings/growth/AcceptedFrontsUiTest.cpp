@@ -248,6 +248,20 @@ private Q_SLOTS:
         QCOMPARE(fronts.areaMm2({2}), 81.0);
     }
 
+    void whoWasSketchedSinceTheAlarmIsNotMeant()
+    {
+        AcceptedLeak fixture;
+        ui::AcceptedFronts& fronts = fixture.workspace.seeds().acceptedFronts();
+        fixture.click("growShrink"); // something is left to grow
+        fronts.clear();
+        fixture.apply(test::newSegment(QStringLiteral("Other"), 1));
+        fixture.apply(test::seedAt(2, {fixture.placeOf({2, 2, 2})}));
+        fixture.alarm(300'000'000);
+        fixture.click("leakAccept");
+        QCOMPARE(fronts.areaMm2({1}), 600.0);
+        QCOMPARE(fronts.areaMm2({2}), 0.0);
+    }
+
     /// In a large volume it takes a moment until what has grown is a row.
     void anAnswerBeforeTheRowCounts()
     {
