@@ -155,10 +155,7 @@ BrickField* VoxelFields::paged(core::Field field, std::uint8_t plane)
 FieldTextures VoxelFields::textures(core::Field field, std::uint8_t plane)
 {
     if (BrickField* bricks = paged(field, plane))
-        return {.voxels = &bricks->atlas(),
-            .pageTable = &bricks->pageTable(),
-            .pages = bricks,
-            .field = field};
+        return texturesOf(*bricks, field);
     return {.voxels = &labels(plane), .field = field};
 }
 

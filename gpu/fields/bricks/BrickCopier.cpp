@@ -50,6 +50,12 @@ bool isEmpty(std::span<const std::uint8_t> image, std::uint8_t emptyByte)
 
 } // namespace
 
+FieldTextures texturesOf(BrickField& pages, core::Field field)
+{
+    return {
+        .voxels = &pages.atlas(), .pageTable = &pages.pageTable(), .pages = &pages, .field = field};
+}
+
 std::size_t packedBrickBytes(core::Field field)
 {
     return std::size_t(core::BrickGrid::voxelsPerBrick) * std::size_t(core::bytesPerVoxel(field));

@@ -21,6 +21,9 @@ struct FieldTextures {
     core::Field field = core::Field::Coverage;
 };
 
+/// Those of a paged field.
+[[nodiscard]] FieldTextures texturesOf(BrickField& pages, core::Field field);
+
 /// Who copies bricks. The results are the same.
 enum class CopyBy : std::uint8_t {
     Driver, ///< the processor with a software driver, kernels with any other

@@ -63,10 +63,7 @@ void PreviewMarks::show(VoxelFields& fields, std::vector<Brick> bricks, std::uin
     m_marks.release(gone);
     if (!written.empty()) {
         m_marks.ensure(written, BrickField::NewPages::AnyContent);
-        fields.copier().write({.voxels = &m_marks.atlas(),
-                                  .pageTable = &m_marks.pageTable(),
-                                  .field = core::Field::Coverage},
-            written, contents);
+        fields.copier().write(texturesOf(m_marks, core::Field::Coverage), written, contents);
     }
     m_shown = std::move(bricks);
     m_textures.setCutPreview(
