@@ -229,7 +229,6 @@ void GrowthPanel::build()
 QLayout* GrowthPanel::buildGhost()
 {
     m_ghostShown = new PreviewBox(QStringLiteral("growth"), this);
-    m_ghostShown->setText(tr("show what it would take"));
     m_ghostShown->setToolTip(
         tr("While you sketch seeds, show in all views roughly what a growth in this interval would "
            "take: large volumes are looked at coarsely, and criteria and barriers are left out, "
