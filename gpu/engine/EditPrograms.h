@@ -16,7 +16,7 @@ namespace gpu {
 /// Every compiled kernel that edits voxels or computes what an edit would do. The kernels know of
 /// no volume, so one set serves all volumes that are opened.
 struct EditPrograms {
-    explicit EditPrograms(const ShaderLibrary& library, GrowthBy growthBy = GrowthBy::Driver)
+    explicit EditPrograms(const ShaderLibrary& library, WorkBy growthBy = WorkBy::Driver)
         : growth(library, growthBy)
         , mask(library)
         , erase(library)

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "gpu/fields/textures/PieceTextures.h"
-#include "gpu/kernels/growth/GrowthBy.h"
+#include "gpu/gl/SoftwareDriver.h"
 #include "gpu/scene/Scene.h"
 
 #include <bitset>
@@ -20,7 +20,7 @@ struct EditContext {
     EngineThread& thread;
     VolumeTextures& textures;
     const ShaderLibrary& shaders;
-    GrowthBy growth = GrowthBy::Driver;
+    WorkBy growth = WorkBy::Driver; ///< who moves simple fronts of growth on
 };
 
 /// The part of the edit engine that runs on the engine thread, as the thread's loop and the frame

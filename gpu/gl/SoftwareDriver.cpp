@@ -15,4 +15,9 @@ bool isSoftwareDriver()
         || renderer.find("softpipe") != std::string_view::npos;
 }
 
+bool isByProcessor(WorkBy by)
+{
+    return by == WorkBy::Driver ? isSoftwareDriver() : by == WorkBy::Processor;
+}
+
 } // namespace gpu

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "gpu/fields/bricks/BarrierBricks.h"
 
+#include "core/growth/SeedWord.h"
 #include "gpu/fields/bricks/BrickField.h"
 #include "gpu/fields/bricks/FieldPrograms.h"
 #include "gpu/gl/Program.h"
@@ -10,13 +11,10 @@
 
 namespace gpu {
 
-namespace {
-
-} // namespace
-
-BarrierBricks::BarrierBricks(FieldPrograms& programs, const core::BrickGrid& grid)
+BarrierBricks::BarrierBricks(FieldPrograms& programs, const core::BrickGrid& grid, WorkBy by)
     : m_programs(programs)
     , m_grid(grid)
+    , m_byProcessor(isByProcessor(by))
 {
 }
 
@@ -34,6 +32,48 @@ void BarrierBricks::noteAll(std::span<const std::uint32_t> bricks)
             m_stale.insert(std::uint32_t(brick));
 }
 
+std::vector<std::uint32_t> BarrierBricks::found(
+    BrickField& words, std::span<const std::uint32_t> bricks)
+{
+    if (bricks.empty())
+        return {};
+    if (!m_byProcessor)
+        return foundByKernel(words, bricks);
+    std::vector<std::uint32_t> held;
+    std::vector<std::uint32_t> image(core::BrickGrid::voxelsPerBrick);
+    for (const std::uint32_t brick : bricks) {
+        words.read(brick, std::as_writable_bytes(std::span(image)));
+        if (std::find(image.begin(), image.end(), core::seedWord::barrier) != image.end())
+            held.push_back(brick);
+    }
+    return held;
+}
+
+std::vector<std::uint32_t> BarrierBricks::foundByKernel(
+    BrickField& words, std::span<const std::uint32_t> bricks)
+{
+    const Buffer list = bufferOf("bricks that may hold barriers", bricks);
+    Buffer flags({.label = "bricks that hold barriers", .bytes = bricks.size_bytes()});
+    flags.fill(0);
+    list.bindBase(GL_SHADER_STORAGE_BUFFER, 0);
+    flags.bindBase(GL_SHADER_STORAGE_BUFFER, 1);
+    words.atlas().bindUnit(0);
+    words.pageTable().bindUnit(1);
+    Program& kernel = m_programs.findBarriers();
+    kernel.set("volumeBricks", m_grid.bricks()).set("brickCount", unsigned(bricks.size()));
+    glMemoryBarrier(GL_ALL_BARRIER_BITS);
+    kernel.dispatch({unsigned(std::min(bricks.size(), mostWorkGroups)), 1, 1});
+    glMemoryBarrier(GL_ALL_BARRIER_BITS);
+    std::vector<std::uint32_t> isHeld(bricks.size());
+    flags.read(std::span<std::uint32_t>(isHeld));
+    std::vector<std::uint32_t> held;
+    for (std::size_t i = 0; i < bricks.size(); ++i) {
+        if (isHeld[i] != 0)
+            held.push_back(bricks[i]);
+    }
+    return held;
+}
+
 core::VoxelBox BarrierBricks::update(BrickField& words)
 {
     std::vector<std::uint32_t> looked;
@@ -45,29 +85,9 @@ core::VoxelBox BarrierBricks::update(BrickField& words)
             changed = changed.united(m_grid.boxOf(int(brick)));
     }
     m_stale.clear();
-    if (!looked.empty()) {
-        const std::size_t bytes = looked.size() * sizeof(std::uint32_t);
-        Buffer list({.label = "bricks that may hold barriers", .bytes = bytes});
-        Buffer found({.label = "bricks that hold barriers", .bytes = bytes});
-        list.write(std::span<const std::uint32_t>(looked));
-        found.fill(0);
-        list.bindBase(GL_SHADER_STORAGE_BUFFER, 0);
-        found.bindBase(GL_SHADER_STORAGE_BUFFER, 1);
-        words.atlas().bindUnit(0);
-        words.pageTable().bindUnit(1);
-        Program& kernel = m_programs.findBarriers();
-        kernel.set("volumeBricks", m_grid.bricks()).set("brickCount", unsigned(looked.size()));
-        glMemoryBarrier(GL_ALL_BARRIER_BITS);
-        kernel.dispatch({unsigned(std::min(looked.size(), mostWorkGroups)), 1, 1});
-        glMemoryBarrier(GL_ALL_BARRIER_BITS);
-        std::vector<std::uint32_t> flags(looked.size());
-        found.read(std::span<std::uint32_t>(flags));
-        for (std::size_t i = 0; i < looked.size(); ++i) {
-            if (flags[i] == 0)
-                continue;
-            m_held.insert(looked[i]);
-            changed = changed.united(m_grid.boxOf(int(looked[i])));
-        }
+    for (const std::uint32_t brick : found(words, looked)) {
+        m_held.insert(brick);
+        changed = changed.united(m_grid.boxOf(int(brick)));
     }
     if (changed.empty())
         return changed;

@@ -2,11 +2,13 @@
 #pragma once
 
 #include "core/brick/BrickGrid.h"
+#include "gpu/gl/SoftwareDriver.h"
 #include "gpu/gl/Texture3D.h"
 
 #include <cstdint>
 #include <set>
 #include <span>
+#include <vector>
 
 namespace gpu {
 
@@ -17,7 +19,8 @@ struct FieldPrograms;
 /// words). Pictures look for barriers only there. Engine thread only.
 class BarrierBricks {
 public:
-    BarrierBricks(FieldPrograms& programs, const core::BrickGrid& grid);
+    /// @param by who looks through the bricks
+    BarrierBricks(FieldPrograms& programs, const core::BrickGrid& grid, WorkBy by = WorkBy::Driver);
 
     /// Notes that the seed words of these bricks may have changed.
     void note(std::span<const std::uint32_t> bricks);
@@ -36,8 +39,15 @@ public:
     [[nodiscard]] const Texture3D& texture() const { return m_texture; }
 
 private:
+    /// Those of the bricks, which have pages, that hold a barrier.
+    [[nodiscard]] std::vector<std::uint32_t> found(
+        BrickField& words, std::span<const std::uint32_t> bricks);
+    [[nodiscard]] std::vector<std::uint32_t> foundByKernel(
+        BrickField& words, std::span<const std::uint32_t> bricks);
+
     FieldPrograms& m_programs;
     core::BrickGrid m_grid;
+    bool m_byProcessor;
     std::set<std::uint32_t> m_stale;
     std::set<std::uint32_t> m_held;
     core::VoxelBox m_box;

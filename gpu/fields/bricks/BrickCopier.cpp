@@ -3,7 +3,6 @@
 
 #include "gpu/fields/bricks/BrickVoxels.h"
 #include "gpu/gl/GlFailure.h"
-#include "gpu/gl/SoftwareDriver.h"
 
 #include <algorithm>
 #include <cstring>
@@ -61,10 +60,10 @@ std::size_t packedBrickBytes(core::Field field)
     return std::size_t(core::BrickGrid::voxelsPerBrick) * std::size_t(core::bytesPerVoxel(field));
 }
 
-BrickCopier::BrickCopier(CopyPrograms& programs, const core::BrickGrid& grid, CopyBy by)
+BrickCopier::BrickCopier(CopyPrograms& programs, const core::BrickGrid& grid, WorkBy by)
     : m_grid(grid)
     , m_programs(programs)
-    , m_byProcessor(by == CopyBy::Driver ? isSoftwareDriver() : by == CopyBy::Processor)
+    , m_byProcessor(isByProcessor(by))
 {
 }
 

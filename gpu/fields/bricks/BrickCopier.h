@@ -5,6 +5,7 @@
 #include "gpu/fields/bricks/BrickField.h"
 #include "gpu/fields/bricks/FieldPrograms.h"
 #include "gpu/gl/Buffer.h"
+#include "gpu/gl/SoftwareDriver.h"
 #include "gpu/gl/Texture3D.h"
 
 #include <cstdint>
@@ -24,20 +25,15 @@ struct FieldTextures {
 /// Those of a paged field.
 [[nodiscard]] FieldTextures texturesOf(BrickField& pages, core::Field field);
 
-/// Who copies bricks. The results are the same.
-enum class CopyBy : std::uint8_t {
-    Driver, ///< the processor with a software driver, kernels with any other
-    Kernels, ///< packBricks.comp, unpackBricks.comp
-    Processor, ///< which copies a brick in one piece, and a kernel voxel by voxel
-};
-
-/// Moves whole bricks between fields and buffers.
+/// Moves whole bricks between fields and buffers: by kernels (packBricks.comp, unpackBricks.comp),
+/// or by the processor, which with a software driver copies a brick in one piece and not voxel by
+/// voxel.
 ///
 /// A packed brick is 4096 voxels, x fastest, 1 or 4 bytes each. Engine thread only.
 class BrickCopier {
 public:
     /// @param programs outlive the copier
-    BrickCopier(CopyPrograms& programs, const core::BrickGrid& grid, CopyBy by = CopyBy::Driver);
+    BrickCopier(CopyPrograms& programs, const core::BrickGrid& grid, WorkBy by = WorkBy::Driver);
 
     /// Packs the bricks into a new buffer on the GPU; does not wait.
     [[nodiscard]] Buffer packed(

@@ -341,44 +341,6 @@ int GrowthKernel::advance(int rings)
     return done;
 }
 
-std::vector<core::LeakGuard::Voxel> GrowthKernel::listedFront() const
-{
-    std::vector<std::uint32_t> entries(m_frontCount);
-    if (entries.empty())
-        return entries;
-    m_queues.read(std::span<std::uint32_t>(entries),
-        std::size_t(m_frontQueue) * m_queueCapacity * sizeof(std::uint32_t));
-    const BrickField& words = m_fields.seedWords(m_burst.plane);
-    for (std::uint32_t& entry : entries)
-        entry = words.ownerOf(entry >> 12) << 12 | (entry & 4095u);
-    return entries;
-}
-
-std::vector<core::LeakGuard::Voxel> GrowthKernel::frontInWords()
-{
-    std::vector<core::LeakGuard::Voxel> front;
-    if (!m_guard)
-        return front;
-    const auto images = m_fields.copier().images(
-        m_fields.textures(core::Field::SeedWords, m_burst.plane), m_lastTouched);
-    for (std::size_t brick = 0; brick < images.size(); ++brick) {
-        const std::vector<std::uint8_t>& bytes = images[brick];
-        for (std::size_t i = 0; i < bytes.size(); i += 4) {
-            const std::uint32_t word = std::uint32_t(bytes[i]) | std::uint32_t(bytes[i + 1]) << 8
-                | std::uint32_t(bytes[i + 2]) << 16 | std::uint32_t(bytes[i + 3]) << 24;
-            if (core::seedWord::isMember(word) && core::seedWord::generation(word) == m_generation)
-                front.push_back(m_lastTouched[brick] << 12 | std::uint32_t(i / 4));
-        }
-    }
-    return front;
-}
-
-void GrowthKernel::watch(const std::vector<core::LeakGuard::Voxel>& added)
-{
-    if (m_guard)
-        m_alarm = m_guard->look(m_generation, added);
-}
-
 int GrowthKernel::advanceBatch(int rings)
 {
     const std::uint32_t left = core::seedWord::maxGeneration - m_generation;

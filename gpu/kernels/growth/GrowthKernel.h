@@ -5,10 +5,10 @@
 #include "core/growth/LeakGuard.h"
 #include "gpu/fields/BeforeImages.h"
 #include "gpu/fields/VoxelFields.h"
+#include "gpu/gl/SoftwareDriver.h"
 #include "gpu/kernels/criterion/GrowCriterion.h"
 #include "gpu/kernels/fronts/FrontBits.h"
 #include "gpu/kernels/fronts/ProcessorFront.h"
-#include "gpu/kernels/growth/GrowthBy.h"
 #include "gpu/kernels/passage/PassageField.h"
 #include "gpu/kernels/shrink/ShrinkKernel.h"
 #include "gpu/shaders/RecentPrograms.h"
@@ -41,7 +41,8 @@ struct GrowthKind {
 /// The compiled kernels of growing (grow*.comp, placeSeeds.comp).
 struct GrowthPrograms {
     /// @param shaders outlives them
-    GrowthPrograms(const ShaderLibrary& shaders, GrowthBy by);
+    /// @param by who moves simple fronts on (ProcessorFront)
+    GrowthPrograms(const ShaderLibrary& shaders, WorkBy by);
 
     [[nodiscard]] bool growsOnProcessor() const { return m_growsOnProcessor; }
 

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "gpu/gl/SoftwareDriver.h"
 #include "gpu/kernels/growth/GrowthKernel.h"
 
 namespace gpu {
@@ -51,13 +50,13 @@ GrowthPrograms::Narrowing::Narrowing(const ShaderLibrary& shaders, const GrowthK
     sweep = program(shaders, "kernels/growth/growSweep.comp", defines);
 }
 
-GrowthPrograms::GrowthPrograms(const ShaderLibrary& shaders, GrowthBy by)
+GrowthPrograms::GrowthPrograms(const ShaderLibrary& shaders, WorkBy by)
     : placeSeeds(program(shaders, "kernels/growth/placeSeeds.comp"))
     , seedStatistics(shaders)
     , shrink(shaders)
     , passage(shaders)
     , m_shaders(shaders)
-    , m_growsOnProcessor(by == GrowthBy::Driver ? isSoftwareDriver() : by == GrowthBy::Processor)
+    , m_growsOnProcessor(isByProcessor(by))
 {
 }
 

@@ -37,7 +37,7 @@ private Q_SLOTS:
             values[i] = std::uint8_t(1 + i % 251);
         m_fixture->put(state);
         CopyPrograms programs(m_fixture->shaders);
-        const BrickCopier copier(programs, core::BrickGrid{size}, CopyBy::Kernels);
+        const BrickCopier copier(programs, core::BrickGrid{size}, WorkBy::Kernels);
         const FieldTextures labels = m_fixture->edits.fields->textures(core::Field::Labels, 0);
         const std::size_t grid = 8;
         std::vector<Image> expected;
@@ -103,8 +103,8 @@ private Q_SLOTS:
         }
         m_fixture->put(state);
         CopyPrograms programs(m_fixture->shaders);
-        const BrickCopier kernels(programs, grid, CopyBy::Kernels);
-        const BrickCopier processor(programs, grid, CopyBy::Processor);
+        const BrickCopier kernels(programs, grid, WorkBy::Kernels);
+        const BrickCopier processor(programs, grid, WorkBy::Processor);
         const auto textures = [&] { return m_fixture->edits.fields->textures(field, 0); };
         const std::array copiers{&kernels, &processor};
         for (const BrickCopier* const reads : copiers)

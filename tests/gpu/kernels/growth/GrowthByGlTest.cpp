@@ -89,8 +89,8 @@ private Q_SLOTS:
     void conforms();
 
 private:
-    test::EditEngineFixture m_byKernels{gpu::GrowthBy::Kernels};
-    test::EditEngineFixture m_byProcessor{gpu::GrowthBy::Processor};
+    test::EditEngineFixture m_byKernels{gpu::WorkBy::Kernels};
+    test::EditEngineFixture m_byProcessor{gpu::WorkBy::Processor};
 };
 
 void GrowthByGlTest::initTestCase()
