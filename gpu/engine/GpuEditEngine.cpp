@@ -24,7 +24,8 @@ GpuEditEngine::GpuEditEngine(const EditContext& context)
     : CommandQueue(context.thread)
     , m_thread(context.thread)
     , m_textures(context.textures)
-    , m_programs(context.shaders, context.growth)
+    , m_work(context.work)
+    , m_programs(context.shaders, context.work)
     , m_fieldPrograms(context.shaders)
     , m_idleWork(m_programs, m_fieldPrograms)
     , m_picks(context.shaders)
@@ -62,7 +63,7 @@ core::Result<void> GpuEditEngine::openVolume(
             opened = m_textures.open(size, codes);
             if (!opened)
                 return;
-            m_fields = std::make_unique<VoxelFields>(m_fieldPrograms, m_textures);
+            m_fields = std::make_unique<VoxelFields>(m_fieldPrograms, m_textures, m_work);
             m_fields->setShownLabels(m_shownLabels, m_translucentLabels);
             m_fields->setPieces(m_shownPieces);
             m_fields->showGrowth(m_growthPlane);

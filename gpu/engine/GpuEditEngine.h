@@ -113,6 +113,7 @@ private:
     std::atomic<bool> m_expectsRanges = false; ///< of what is open; set on the session's thread
 
     // Engine thread.
+    WorkBy m_work;
     EditPrograms m_programs;
     FieldPrograms m_fieldPrograms;
     IdleWork m_idleWork;

@@ -5,14 +5,14 @@
 
 namespace gpu {
 
-VoxelFields::VoxelFields(FieldPrograms& programs, VolumeTextures& shared)
+VoxelFields::VoxelFields(FieldPrograms& programs, VolumeTextures& shared, WorkBy by)
     : m_grid(shared.grid())
     , m_shared(shared)
     , m_radiation(shared.radiation().view(GL_R8UI, "radiation, integer"))
     , m_segmentation(shared.segmentation().view(GL_R8UI, "segmentation map, integer"))
-    , m_copier(programs.copy, m_grid)
+    , m_copier(programs.copy, m_grid, by)
     , m_radiationKernel(programs.radiation, m_grid)
-    , m_barriers(programs, m_grid)
+    , m_barriers(programs, m_grid, by)
     , m_programs(programs)
 {
     // What a session begins with (core::initialDocument).

@@ -29,7 +29,8 @@ namespace gpu {
 class VoxelFields {
 public:
     /// @param shared the dense textures of the open volume; both outlive this object
-    VoxelFields(FieldPrograms& programs, VolumeTextures& shared);
+    /// @param by who copies bricks and finds barriers
+    VoxelFields(FieldPrograms& programs, VolumeTextures& shared, WorkBy by = WorkBy::Driver);
     ~VoxelFields();
     VoxelFields(const VoxelFields&) = delete;
     VoxelFields& operator=(const VoxelFields&) = delete;

@@ -20,7 +20,8 @@ struct EditContext {
     EngineThread& thread;
     VolumeTextures& textures;
     const ShaderLibrary& shaders;
-    WorkBy growth = WorkBy::Driver; ///< who moves simple fronts of growth on
+    /// Who copies bricks, finds barriers and moves simple fronts of growth on.
+    WorkBy work = WorkBy::Driver;
 };
 
 /// The part of the edit engine that runs on the engine thread, as the thread's loop and the frame

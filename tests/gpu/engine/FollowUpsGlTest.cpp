@@ -49,7 +49,8 @@ private:
         return !test::lastResult(m_gpu.engine()).error;
     }
 
-    test::EditEngineFixture m_gpu;
+    // Only a kernel needs memory to look through a brick.
+    test::EditEngineFixture m_gpu{gpu::WorkBy::Kernels};
 };
 
 /// The engine's thread turns all the time while pictures are drawn: it has more turns than it tries

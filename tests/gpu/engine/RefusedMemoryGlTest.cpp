@@ -67,7 +67,7 @@ private Q_SLOTS:
     void texturesThatDoNotFitBesideTheProgram();
 
 private:
-    test::EditEngineFixture m_gpu;
+    test::EditEngineFixture m_gpu{gpu::WorkBy::Kernels}; ///< which ask for more memory
     int m_failed = 0; ///< edits that an error other than memory refused
     int m_withoutDispatch = 0; ///< cases in which nothing is dispatched, as a pen that hits nothing
 };
