@@ -96,6 +96,10 @@ ImageView::ImageView(Workspace& workspace, gpu::ViewId view, QWidget* parent)
     connect(&m_workspace, &Workspace::sessionChanged, this, [this] {
         m_pointer.takeToolAway();
         m_requested = false; // what draws may be new
+        // Of the next volume a picture may be done before the workspace shows it, and is not taken.
+        // The same request then has to draw it again.
+        if (!m_workspace.volume())
+            m_workspace.frames().forget(m_view);
     });
     connect(&m_workspace, &Workspace::cautionAcceptedChanged, this, [this] { update(); });
     qApp->installEventFilter(this); // proximity of a pen is told to the application alone
