@@ -7,7 +7,7 @@
 #include "core/base/files/SystemFile.h"
 #include "core/export/common/MaskSelection.h"
 #include "core/sessionfile/SessionFile.h"
-#include "core/sessionfile/records/SessionUse.h"
+#include "core/sessionfile/database/SessionUse.h"
 
 #include <QDir>
 #include <QDirIterator>

@@ -5,8 +5,8 @@
 #include "core/base/files/SystemFile.h"
 #include "core/sessionfile/SessionFile.h"
 #include "core/sessionfile/SessionSalvage.h"
+#include "core/sessionfile/database/SessionUse.h"
 #include "core/sessionfile/records/SessionContents.h"
-#include "core/sessionfile/records/SessionUse.h"
 #include "ui/texts/SessionTexts.h"
 
 #include <QDateTime>

@@ -2,8 +2,8 @@
 #include "app/steps/SessionProblems.h"
 
 #include "app/steps/Arguments.h"
+#include "core/sessionfile/database/SessionUse.h"
 #include "core/sessionfile/records/SessionContents.h"
-#include "core/sessionfile/records/SessionUse.h"
 #include "ui/texts/ClauseText.h"
 #include "ui/texts/SessionTexts.h"
 

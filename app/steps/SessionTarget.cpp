@@ -5,7 +5,7 @@
 #include "core/base/files/StagedFile.h"
 #include "core/sessionfile/SessionFile.h"
 #include "core/sessionfile/SessionSalvage.h"
-#include "core/sessionfile/records/SessionUse.h"
+#include "core/sessionfile/database/SessionUse.h"
 
 #include <QDir>
 #include <QFile>

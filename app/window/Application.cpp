@@ -9,7 +9,7 @@
 #include "core/repair/SeriesRepair.h"
 #include "core/session/SessionStorage.h"
 #include "core/sessionfile/SessionSalvage.h"
-#include "core/sessionfile/records/SessionUse.h"
+#include "core/sessionfile/database/SessionUse.h"
 #include "gpu/engine/GpuEngine.h"
 #include "ui/base/ErrorText.h"
 #include "ui/base/Theme.h"

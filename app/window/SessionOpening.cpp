@@ -3,8 +3,8 @@
 
 #include "core/session/SessionStorage.h"
 #include "core/sessionfile/SessionSalvage.h"
+#include "core/sessionfile/database/SessionUse.h"
 #include "core/sessionfile/records/SessionContents.h"
-#include "core/sessionfile/records/SessionUse.h"
 #include "gpu/engine/GpuEngine.h"
 
 #include <QFileInfo>

@@ -3,7 +3,7 @@
 #include "core/session/EditSession.h"
 #include "core/session/RestoreSession.h"
 #include "core/session/operations/OperationQueue.h"
-#include "core/sessionfile/records/SessionUse.h"
+#include "core/sessionfile/database/SessionUse.h"
 #include "core/study/SourceFiles.h"
 
 #include <cstdint>

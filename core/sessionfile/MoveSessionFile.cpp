@@ -6,8 +6,8 @@
 #include "core/base/files/StagedFile.h"
 #include "core/sessionfile/SessionCopy.h"
 #include "core/sessionfile/SessionPlaces.h"
+#include "core/sessionfile/database/SessionUse.h"
 #include "core/sessionfile/records/SessionTables.h"
-#include "core/sessionfile/records/SessionUse.h"
 
 #include <QFileInfo>
 

@@ -4,8 +4,8 @@
 #include "core/base/files/StagedFile.h"
 #include "core/sessionfile/SessionPlaces.h"
 #include "core/sessionfile/SessionWrites.h"
+#include "core/sessionfile/database/SessionUse.h"
 #include "core/sessionfile/records/SessionTables.h"
-#include "core/sessionfile/records/SessionUse.h"
 
 #include <QFile>
 

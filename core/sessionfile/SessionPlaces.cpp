@@ -3,7 +3,7 @@
 
 #include "core/base/files/ReadableFile.h"
 #include "core/base/files/StagedFile.h"
-#include "core/sessionfile/records/SessionUse.h"
+#include "core/sessionfile/database/SessionUse.h"
 
 #include <QDir>
 #include <QFile>

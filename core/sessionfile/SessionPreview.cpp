@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/sessionfile/SessionPreview.h"
 
+#include "core/sessionfile/database/SessionDatabase.h"
+#include "core/sessionfile/database/SessionUse.h"
 #include "core/sessionfile/records/RowText.h"
-#include "core/sessionfile/records/SessionDatabase.h"
-#include "core/sessionfile/records/SessionUse.h"
 
 #include <QFileInfo>
 #include <QSqlQuery>

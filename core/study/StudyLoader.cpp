@@ -55,7 +55,7 @@ namespace {
 constexpr int deepestFolder = 32;
 
 /// Sessions lie beside studies. Opening and closing one as a plain file would take the lock of a
-/// session that this process has open (core/sessionfile/records/SessionUse.h).
+/// session that this process has open (core/sessionfile/database/SessionUse.h).
 bool isSession(const QString& file)
 {
     return file.endsWith(QLatin1String(".burin")) || file.contains(QLatin1String(".burin-"));

@@ -180,7 +180,7 @@ bool mayWriteFiles(const QString& file)
         QStringLiteral("ui/report/WriteAudit.cpp"),
         // Sessions, which SQLite writes: new ones, those set aside, copies beside them.
         QStringLiteral("core/sessionfile/SessionPlaces.cpp"),
-        QStringLiteral("core/sessionfile/records/SessionUse.cpp"),
+        QStringLiteral("core/sessionfile/database/SessionUse.cpp"),
         QStringLiteral("app/steps/SessionPlan.cpp"), QStringLiteral("app/steps/SessionTarget.cpp"),
         QStringLiteral("app/window/Application.cpp"),
         // What arrives or is unpacked, into a folder that this process made for it.
@@ -223,7 +223,7 @@ bool mayHoldClauses(const QString& file)
         // Words of file formats, and of SQL.
         QStringLiteral("core/meshfile/MeshWriter.cpp"), QStringLiteral("core/nrrd/NrrdReader.cpp"),
         QStringLiteral("core/nrrd/NrrdWriter.cpp"),
-        QStringLiteral("core/sessionfile/records/SessionSchema.cpp"),
+        QStringLiteral("core/sessionfile/database/SessionSchema.cpp"),
         QStringLiteral("core/base/MemoryReserve.h"), // what an exception of the library says
         QStringLiteral("core/sessionfile/SessionSalvage.cpp"), // knows a clause by its form
         // A formula, for who measures; names of textures and programs; a shader that is missing.
@@ -232,7 +232,7 @@ bool mayHoldClauses(const QString& file)
         QStringLiteral("gpu/kernels/shrink/ShrinkKernel.cpp"),
         QStringLiteral("gpu/shaders/ShaderLibrary.cpp"),
         QStringLiteral("core/recipe/RecipeStep.cpp"), // as the fields of edits
-        QStringLiteral("core/sessionfile/records/SessionDatabase.cpp")}; // a message of SQLite
+        QStringLiteral("core/sessionfile/database/SessionDatabase.cpp")}; // a message of SQLite
     return inFolder(file, folders) || files.contains(file);
 }
 

@@ -2,11 +2,11 @@
 #include "core/sessionfile/records/SessionImages.h"
 
 #include "core/dicom/source/KeptHeaders.h"
+#include "core/sessionfile/database/SessionDatabase.h"
+#include "core/sessionfile/database/SessionUse.h"
 #include "core/sessionfile/records/ImagePieces.h"
 #include "core/sessionfile/records/RowText.h"
-#include "core/sessionfile/records/SessionDatabase.h"
 #include "core/sessionfile/records/SessionSource.h"
-#include "core/sessionfile/records/SessionUse.h"
 #include "core/sessionfile/records/VolumeJson.h"
 #include "core/study/FileFormats.h"
 #include "core/volume/MemoryLimit.h"

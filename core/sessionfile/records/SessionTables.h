@@ -2,9 +2,9 @@
 #pragma once
 
 #include "core/base/words/Clause.h"
+#include "core/sessionfile/database/SessionDatabase.h"
 #include "core/sessionfile/records/RowText.h"
 #include "core/sessionfile/records/SessionContents.h"
-#include "core/sessionfile/records/SessionDatabase.h"
 
 #include <memory>
 #include <optional>

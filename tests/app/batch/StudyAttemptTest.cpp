@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/batch/StudyAttempt.h"
 #include "core/sessionfile/SessionSalvage.h"
-#include "core/sessionfile/records/SessionUse.h"
+#include "core/sessionfile/database/SessionUse.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/series/SessionFiles.h"

@@ -2,7 +2,7 @@
 #include "core/edits/EditJson.h"
 #include "core/session/EditSession.h"
 #include "core/sessionfile/SessionFile.h"
-#include "core/sessionfile/records/SessionUse.h"
+#include "core/sessionfile/database/SessionUse.h"
 #include "core/study/StudyLoader.h"
 #include "tests/reference/ReferenceEngine.h"
 #include "tests/support/faults/FailingLog.h"

@@ -2,8 +2,8 @@
 #include "core/session/EditSession.h"
 #include "core/session/SessionStorage.h"
 #include "core/sessionfile/SessionSalvage.h"
+#include "core/sessionfile/database/SessionUse.h"
 #include "core/sessionfile/records/SessionImages.h"
-#include "core/sessionfile/records/SessionUse.h"
 #include "tests/reference/ReferenceEngine.h"
 #include "tests/support/faults/FileShim.h"
 #include "tests/support/program/FileBytes.h"
@@ -511,8 +511,8 @@ void FailingSaveTest::withoutExchange()
             continue;
         prepare(way);
         const int rename = way.renames.front();
-        const Told told =
-            saved(way, {.under = folder(), .first = rename, .last = rename, .error = EINVAL}, false);
+        const Told told = saved(
+            way, {.under = folder(), .first = rename, .last = rename, .error = EINVAL}, false);
         QVERIFY2(told.saved && told.closed, told.output.constData());
         const QStringList wrong = wrongs(way, told, EINVAL, Lasting::Once);
         QVERIFY2(wrong.isEmpty(), qPrintable(wrong.join(u'\n')));

@@ -2,7 +2,7 @@
 #include "core/session/EditSession.h"
 #include "core/session/SessionStorage.h"
 #include "core/sessionfile/SessionSalvage.h"
-#include "core/sessionfile/records/SessionUse.h"
+#include "core/sessionfile/database/SessionUse.h"
 #include "tests/reference/ReferenceEngine.h"
 #include "tests/support/faults/FileSizeLimit.h"
 #include "tests/support/program/FileBytes.h"

@@ -4,7 +4,7 @@
 #include "core/session/SessionKeyframes.h"
 #include "core/session/SessionStorage.h"
 #include "core/sessionfile/SessionFile.h"
-#include "core/sessionfile/records/SessionUse.h"
+#include "core/sessionfile/database/SessionUse.h"
 #include "tests/reference/ReferenceEngine.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/faults/FileSizeLimit.h"

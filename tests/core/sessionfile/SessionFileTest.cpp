@@ -5,7 +5,7 @@
 #include "core/session/SessionKeyframes.h"
 #include "core/session/SessionStorage.h"
 #include "core/sessionfile/HistoryListing.h"
-#include "core/sessionfile/records/SessionDatabase.h"
+#include "core/sessionfile/database/SessionDatabase.h"
 #include "core/study/StudyLoader.h"
 #include "tests/reference/ReferenceEngine.h"
 #include "tests/support/faults/FailingLog.h"

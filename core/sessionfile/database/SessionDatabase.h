@@ -3,8 +3,8 @@
 
 #include "core/base/Result.h"
 #include "core/base/files/FollowedFile.h"
-#include "core/sessionfile/records/SessionUse.h"
-#include "core/sessionfile/records/SqliteConnection.h"
+#include "core/sessionfile/database/SessionUse.h"
+#include "core/sessionfile/database/SqliteConnection.h"
 
 #include <QString>
 #include <QVariant>

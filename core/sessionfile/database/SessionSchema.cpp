@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/sessionfile/records/SessionSchema.h"
+#include "core/sessionfile/database/SessionSchema.h"
 
-#include "core/sessionfile/records/SqliteConnection.h"
+#include "core/sessionfile/database/SqliteConnection.h"
 
 #include <QSqlQuery>
 

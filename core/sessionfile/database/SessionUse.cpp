@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/sessionfile/records/SessionUse.h"
+#include "core/sessionfile/database/SessionUse.h"
 
 #include "core/base/files/FollowedFile.h"
 #include "core/base/files/StagedFile.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/sessionfile/records/RefusedWrites.h"
+#include "core/sessionfile/database/RefusedWrites.h"
 
 #include <cerrno>
 

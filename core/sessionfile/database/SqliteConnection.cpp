@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/sessionfile/records/SqliteConnection.h"
+#include "core/sessionfile/database/SqliteConnection.h"
 
 #include "core/base/Guarded.h"
 #include "core/base/files/SystemFile.h"
-#include "core/sessionfile/records/RefusedWrites.h"
+#include "core/sessionfile/database/RefusedWrites.h"
 
 #include <QFileInfo>
 #include <QSqlDatabase>

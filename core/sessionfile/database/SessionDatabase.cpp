@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/sessionfile/records/SessionDatabase.h"
+#include "core/sessionfile/database/SessionDatabase.h"
 
 #include "core/base/Guarded.h"
-#include "core/sessionfile/records/SessionSchema.h"
+#include "core/sessionfile/database/SessionSchema.h"
 
 #include <QFileInfo>
 #include <QSqlQuery>

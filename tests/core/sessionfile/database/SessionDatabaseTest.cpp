@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/sessionfile/records/SessionDatabase.h"
+#include "core/sessionfile/database/SessionDatabase.h"
 
-#include "core/sessionfile/records/SessionUse.h"
+#include "core/sessionfile/database/SessionUse.h"
 #include "tests/support/program/TestProgram.h"
 
 #include <QDir>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/sessionfile/records/SqliteConnection.h"
+#include "core/sessionfile/database/SqliteConnection.h"
 
 #include "core/base/files/SystemFile.h"
-#include "core/sessionfile/records/RefusedWrites.h"
+#include "core/sessionfile/database/RefusedWrites.h"
 #include "tests/support/faults/FileShim.h"
 #include "tests/support/faults/FileSizeLimit.h"
 #include "tests/support/program/TestProgram.h"
