@@ -6,14 +6,14 @@
 #include "core/sessionfile/records/RowText.h"
 #include "core/sessionfile/records/SessionContents.h"
 
+#include <functional>
 #include <memory>
-#include <optional>
 #include <vector>
 
 namespace core {
 
-/// The contents of the tables of a session file: written in transactions, and read with the chain
-/// checked. Part of SessionFile; belongs to its writer's thread.
+/// The contents of the tables of a session file: written in transactions, and read as a whole
+/// (SessionReading) or one by one. Part of SessionFile; belongs to its writer's thread.
 class SessionTables {
 public:
     explicit SessionTables(QString path);
@@ -56,25 +56,9 @@ private:
     bool writePosition(RowId position);
     bool writeState(const QString& key, const QString& value);
 
-    [[nodiscard]] Result<SessionContents> read();
-    [[nodiscard]] Result<SessionSource> readSource();
-    void readRows(SessionContents& contents);
-    /// Read separately, so that damage there costs no row: the row can be carried out again.
-    void readDeltaSizes(SessionContents& contents);
-    /// The row, or the reason why it cannot be trusted.
-    [[nodiscard]] tl::expected<HistoryRow, Clause> readRow(
-        const QSqlQuery& answer, RowId expectedId);
-    void readState(SessionContents& contents);
-    /// Checks that the last row is the one that @p end names. @return why that is impossible
-    [[nodiscard]] Clause checkEnd(const QString& end, SessionContents& contents);
-    void readKeyframes(SessionContents& contents);
-    void readTitles(SessionContents& contents);
-    [[nodiscard]] SessionDamage damageAt(RowId row, const Clause& reason);
-
     QString m_path;
     std::unique_ptr<SessionDatabase> m_database;
     std::vector<QString> m_chains; ///< by row; [0] is the source's
-    bool m_deltasReadable = true;
 };
 
 } // namespace core
