@@ -23,16 +23,30 @@ bool namesPatient(const QString& text, const QStringList& words)
         words.begin(), words.end(), [&text](const QString& word) { return holdsWord(text, word); });
 }
 
+template <class Use> void useTexts(RowTitle& title, const Use& use);
+
+/// An overload for each kind of argument: one that is added does not compile until it is known
+/// whether it can hold a text, with which a name could pass.
+template <class Use> struct UseTextsOfArgument {
+    const Use& use;
+
+    void operator()(QString& text) const { use(text); }
+    void operator()(std::vector<RowTitle>& titles) const
+    {
+        for (RowTitle& each : titles)
+            useTexts(each, use);
+    }
+    void operator()(const TitleCount&) const { }
+    void operator()(const TitleNumber&) const { }
+    void operator()(const TitleDecimal&) const { }
+    void operator()(const TitleDigits&) const { }
+};
+
 /// Each text that a title holds, its own or of titles inside of it.
 template <class Use> void useTexts(RowTitle& title, const Use& use)
 {
-    for (TitleArgument& argument : title.arguments) {
-        if (auto* text = std::get_if<QString>(&argument))
-            use(*text);
-        else if (auto* titles = std::get_if<std::vector<RowTitle>>(&argument))
-            for (RowTitle& each : *titles)
-                useTexts(each, use);
-    }
+    for (TitleArgument& argument : title.arguments)
+        std::visit(UseTextsOfArgument<Use>{use}, argument);
     for (RowTitle& each : title.then)
         useTexts(each, use);
 }

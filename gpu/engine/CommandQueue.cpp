@@ -18,15 +18,16 @@ template <class Known> core::TraceName kindOf(const Known& variant)
     return std::visit([](const auto& known) { return core::TraceName(typeid(known)); }, variant);
 }
 
-/// Of what kind the edit is, or what an open edit is told.
-core::TraceName detailOf(const core::EngineCommand& command)
-{
-    if (const auto* begin = std::get_if<core::BeginEdit>(&command))
-        return kindOf(begin->edit);
-    if (const auto* extend = std::get_if<core::ExtendEdit>(&command))
-        return kindOf(extend->extension);
-    return {};
-}
+/// The kind of the edit that a command begins, or of what it tells the open edit; other commands
+/// have nothing but their own kind.
+struct DetailOfCommand {
+    core::TraceName operator()(const core::BeginEdit& begin) const { return kindOf(begin.edit); }
+    core::TraceName operator()(const core::ExtendEdit& extend) const
+    {
+        return kindOf(extend.extension);
+    }
+    template <class Other> core::TraceName operator()(const Other&) const { return {}; }
+};
 
 } // namespace
 
@@ -123,7 +124,7 @@ core::TraceSpan CommandQueue::traced(const Waiting& taken)
 {
     core::TraceOptions options;
     if (core::Trace::isOn()) {
-        options.detail = detailOf(taken.command);
+        options.detail = std::visit(DetailOfCommand(), taken.command);
         options.waitedMicroseconds = std::chrono::duration_cast<std::chrono::microseconds>(
             core::Trace::Clock::now() - taken.submitted)
                                          .count();

@@ -154,8 +154,10 @@ void SliceView::dragged(Gesture gesture, const QPointF& from, const QPointF& to)
         m_box->setBottomRight(to);
         update();
         break;
-    default:
-        break;
+    case Gesture::None:
+    case Gesture::Tool:
+    case Gesture::Rotate:
+        break; // not a slice's
     }
 }
 

@@ -49,8 +49,12 @@ void VolumeView::dragged(Gesture gesture, const QPointF& from, const QPointF& to
         break;
     case Gesture::Window:
         return changeWindow(moved);
-    default:
-        return;
+    case Gesture::None:
+    case Gesture::Tool:
+    case Gesture::Box:
+    case Gesture::Turn:
+    case Gesture::TurnOne:
+        return; // not the 3D view's
     }
     m_fitted = m_fitted && gesture == Gesture::Rotate;
     requestMovingFrame();

@@ -242,9 +242,13 @@ bool FillOutlineTool::isMeant() const
         return m_wire.anchorCount() >= 3;
     case Shape::Level:
         return m_level.pointsAtPixel();
-    default:
-        return m_outline.isMeant(*m_view);
+    case Shape::Lasso:
+    case Shape::Polygon:
+    case Shape::Rectangle:
+    case Shape::Ellipse:
+        break;
     }
+    return m_outline.isMeant(*m_view);
 }
 
 QString FillOutlineTool::howToDraw() const
@@ -256,9 +260,12 @@ QString FillOutlineTool::howToDraw() const
         return tr("Click at three places of the edge or more; the wire follows it between them");
     case Shape::Level:
         return tr("Point at the picture; the contour of the value there is filled");
-    default:
-        return tr("Draw around what is to be filled; the outline closes by itself");
+    case Shape::Lasso:
+    case Shape::Rectangle:
+    case Shape::Ellipse:
+        break;
     }
+    return tr("Draw around what is to be filled; the outline closes by itself");
 }
 
 void FillOutlineTool::close()

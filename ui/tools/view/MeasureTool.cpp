@@ -301,7 +301,11 @@ bool MeasureTool::isMeant() const
         if (m_points.size() == 3)
             return apart(m_view->toPixel(m_points[1]), last) >= leastPixels;
         break;
-    default:
+    case Kind::Distance:
+    case Kind::Ball:
+    case Kind::Probe:
+    case Kind::Arrow:
+    case Kind::Text:
         break;
     }
     return apart(first, last) >= leastPixels;
