@@ -23,11 +23,14 @@ void addBricksOf(const VoxelRuns& voxels, const BrickGrid& grid, std::vector<boo
 
 } // namespace
 
-void ImportTrace::note(RowId row, const ImportMask& mask)
+void ImportTrace::note(RowId row, const Edit& edit)
 {
+    const auto* mask = edit.as<ImportMask>();
+    if (!mask)
+        return;
     std::vector<QByteArray>& packed = m_packed[row];
     packed.clear();
-    for (const ImportedSegment& each : mask.segments.value_or(std::vector<ImportedSegment>()))
+    for (const ImportedSegment& each : mask->segments.value_or(std::vector<ImportedSegment>()))
         packed.push_back(each.voxels);
 }
 

@@ -16,15 +16,14 @@
 
 namespace core {
 
-struct ImportMask;
-
 /// Where imports of masks have voxels, which is where they asked for labels
 /// (RowTrace::importedTo). A row holds them packed, and there may be millions of runs: they are
 /// noted on the session's thread and unpacked on another.
 class ImportTrace {
 public:
-    /// Cheap: packed voxels are shared.
-    void note(RowId row, const ImportMask& mask);
+    /// Keeps what a row imported; a row with any other edit is not noted. Cheap: packed voxels are
+    /// shared.
+    void note(RowId row, const Edit& edit);
     /// Whether none was noted.
     [[nodiscard]] bool empty() const { return m_packed.empty() && m_bricks.empty(); }
     /// Unpacks what was noted. Cost: that of all its runs; it asks @p progress before each segment,

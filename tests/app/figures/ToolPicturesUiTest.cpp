@@ -3,6 +3,7 @@
 #include "core/edits/kinds/layers/AddLayer.h"
 #include "core/edits/kinds/pieces/ChangePiece.h"
 #include "core/edits/kinds/segments/CleanSegment.h"
+#include "core/morphology/SegmentShape.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/fixtures/WindowFixture.h"
 #include "tests/support/fixtures/pictures/Collage.h"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/dialogs/segment/ReshapeDialog.h"
 
+#include "core/edits/kinds/segments/ReshapeSegment.h"
 #include "core/session/EditSession.h"
 #include "ui/base/Theme.h"
 #include "ui/dialogs/segment/PreviewRow.h"

@@ -1,15 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/edits/kinds/segments/ReshapeSegment.h"
 #include "ui/dialogs/segment/SegmentDialog.h"
 
 #include <QList>
+
+#include <cstdint>
 
 class QCheckBox;
 class QComboBox;
 class QDoubleSpinBox;
 class QLabel;
+
+namespace core {
+struct ReshapeSegment;
+enum class ShapeOperation : std::uint8_t;
+} // namespace core
 
 namespace ui {
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/dialogs/segment/ThresholdDialog.h"
 
+#include "core/edits/kinds/values/ThresholdSegment.h"
 #include "core/session/EditSession.h"
 #include "core/session/past/FollowedInterval.h"
 #include "ui/base/StudyTexts.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/edits/kinds/values/ThresholdSegment.h"
+#include "core/edits/kinds/parts/GrowBox.h"
 #include "ui/dialogs/segment/SegmentDialog.h"
 
 #include <optional>
@@ -10,6 +10,10 @@ class QCheckBox;
 class QComboBox;
 class QLabel;
 class QPushButton;
+
+namespace core {
+struct ThresholdSegment;
+}
 
 namespace ui {
 

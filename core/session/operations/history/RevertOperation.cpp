@@ -8,7 +8,6 @@
 #include "core/edits/kinds/history/RevertRows.h"
 #include "core/edits/kinds/history/ReviseStroke.h"
 #include "core/edits/kinds/parts/GrowthPlane.h"
-#include "core/edits/kinds/segments/ImportMask.h"
 #include "core/engine/EngineCommands.h"
 #include "core/growth/SeedWord.h"
 #include "core/history/MovedGrowth.h"
@@ -207,10 +206,8 @@ ImportTrace RevertOperation::importsAsked(const SessionState& state) const
             asked.insert(row);
     }
     ImportTrace imports;
-    for (const RowId row : asked) {
-        if (const auto* mask = state.history.row(row).edit.as<ImportMask>())
-            imports.note(row, *mask);
-    }
+    for (const RowId row : asked)
+        imports.note(row, state.history.row(row).edit);
     return imports;
 }
 
