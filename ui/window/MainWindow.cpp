@@ -50,8 +50,6 @@
 #include <QStatusBar>
 #include <QVBoxLayout>
 
-#include <algorithm>
-
 namespace ui {
 
 namespace {
@@ -480,20 +478,7 @@ void MainWindow::dropEvent(QDropEvent* event)
     if (paths.isEmpty())
         return;
     event->acceptProposedAction();
-    const bool areMasks = m_workspace.session()
-        && std::all_of(paths.begin(), paths.end(), &MaskImporter::looksLikeMask);
-    if (areMasks && paths.size() > 1)
-        return m_messages->show(MessageBar::Kind::Caution,
-            tr("None of the %1 masks was imported: drop one at a time, or the folder in which they "
-               "lie.")
-                .arg(paths.size()));
-    if (areMasks)
-        return m_importer->importDropped(paths.front());
-    const QString path = studyAmong(paths);
-    m_opener.open(path);
-    if (paths.size() > 1 && paths.contains(path))
-        m_messages->show(MessageBar::Kind::Caution,
-            tr("Only %1 was opened; drop one study at a time.").arg(QFileInfo(path).fileName()));
+    takeDropped(paths, m_workspace.session() != nullptr, m_opener, *m_importer, *m_messages);
 }
 
 } // namespace ui

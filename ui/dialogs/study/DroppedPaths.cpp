@@ -4,6 +4,9 @@
 #include "core/archive/ArchiveReader.h"
 #include "core/sessionfile/SessionFile.h"
 #include "core/study/FileFormats.h"
+#include "ui/frame/MessageBar.h"
+#include "ui/settings/StudyOpener.h"
+#include "ui/tasks/MaskImporter.h"
 
 #include <QFileInfo>
 #include <QMimeData>
@@ -22,18 +25,7 @@ bool isWhole(const QString& path)
         || core::isArchive(path);
 }
 
-} // namespace
-
-QStringList droppedPaths(const QMimeData& data)
-{
-    QStringList paths;
-    for (const QUrl& url : data.urls()) {
-        if (url.isLocalFile())
-            paths += url.toLocalFile();
-    }
-    return paths;
-}
-
+/// The folder of slices, or the first study.
 QString studyAmong(const QStringList& paths)
 {
     if (paths.size() == 1)
@@ -48,6 +40,39 @@ QString studyAmong(const QStringList& paths)
         return info.isFile() && info.absolutePath() == folder;
     });
     return areOfOne ? folder : paths.front();
+}
+
+} // namespace
+
+QStringList droppedPaths(const QMimeData& data)
+{
+    QStringList paths;
+    for (const QUrl& url : data.urls()) {
+        if (url.isLocalFile())
+            paths += url.toLocalFile();
+    }
+    return paths;
+}
+
+void takeDropped(const QStringList& paths, bool isStudyOpen, StudyOpener& opener,
+    MaskImporter& importer, MessageBar& bar)
+{
+    const bool areMasks =
+        isStudyOpen && std::all_of(paths.begin(), paths.end(), &MaskImporter::looksLikeMask);
+    if (areMasks && paths.size() > 1)
+        return bar.show(MessageBar::Kind::Caution,
+            QObject::tr("None of the %1 masks was imported: drop one at a time, or the folder in "
+                        "which they "
+                        "lie.")
+                .arg(paths.size()));
+    if (areMasks)
+        return importer.importDropped(paths.front());
+    const QString path = studyAmong(paths);
+    opener.open(path);
+    if (paths.size() > 1 && paths.contains(path))
+        bar.show(MessageBar::Kind::Caution,
+            QObject::tr("Only %1 was opened; drop one study at a time.")
+                .arg(QFileInfo(path).fileName()));
 }
 
 } // namespace ui
