@@ -10,9 +10,10 @@
 
 namespace core {
 
-/// Calls visit(at, count, number) for each part of runs that lies in one row along x, ascending.
-/// @param size of the volume whose voxels these are
-/// at: the first voxel of the part; count: how many voxels it has; number: that of the first one
+/// Cuts runs of voxels where a row along x ends, and calls visit(at, count, number) for each part,
+/// in ascending order: `at` is the first voxel of the part, `count` how many voxels it has, and
+/// `number` the place of the first voxel among all voxels of the volume, x fastest.
+/// @param size of the volume that the runs belong to
 template <class Visit>
 void forEachRowPart(const VoxelRuns& voxels, const glm::ivec3& size, const Visit& visit)
 {

@@ -5,8 +5,9 @@
 
 namespace core {
 
-/// A row says more than was given: it also holds what its edit found when it was carried out
-/// (FieldRole::Found). Without this, it is what was done, and finds it again, perhaps elsewhere.
+/// The edit as the user gave it. The edit of a row also holds what it found when it was carried out
+/// (fields of FieldRole::Found); without these it can be carried out on another study, where it
+/// finds something else.
 [[nodiscard]] Edit asFirstGiven(Edit edit);
 
 } // namespace core

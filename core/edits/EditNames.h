@@ -24,7 +24,7 @@ struct NamedRows {
 
 [[nodiscard]] RowUse rowUseOf(const Edit& edit);
 
-/// Those that are not in effect as long as this edit is; none if it does something else with rows.
+/// The rows that are not in effect as long as this edit is; none unless it takes rows back.
 [[nodiscard]] std::vector<std::int64_t> rowsTakenBackBy(const Edit& edit);
 
 /// Gives the rows that an edit names other numbers, which must have the same order.

@@ -29,9 +29,9 @@ public:
         return m_borders.empty() ? m_form.squared(step.x, step.y, step.z)
                                  : squaredBetweenBorders(from, to);
     }
-    /// What the squared distance of any voxel of a box from any voxel of another one is at least.
-    /// On an upright grid of even slices it is that of the nearest two; on others it may be a
-    /// little less.
+    /// A lower bound of the squared distance between a voxel of one box and a voxel of another. On
+    /// an upright grid of evenly spaced slices it is that of the nearest two; on others it may
+    /// be a little less.
     /// @pre neither box is empty
     [[nodiscard]] std::int64_t leastSquared(const VoxelBox& from, const VoxelBox& to) const;
 
@@ -47,11 +47,12 @@ private:
         const glm::ivec3& from, const glm::ivec3& to) const;
 
     MillimetreBall m_form;
-    /// Of the grid along its axes, in a frame of right angles; where slices are uneven none from
-    /// slice to slice.
+    /// The step from a voxel to the next along each axis of the grid, in a frame of right angles.
+    /// Where slices are unevenly spaced there is none from slice to slice: that column is 0.
     glm::dmat3 m_steps{0.0};
-    /// Where slices are uneven: the places of their borders in that frame, from below the first one
-    /// to above the last one, in fractions of the unit, and both other steps likewise.
+    // Only where slices are unevenly spaced, in fractions of the unit: the places of the borders
+    // between slices in that frame, from below the first slice to above the last one, and the steps
+    // along both other axes.
     std::vector<glm::i64vec3> m_borders{};
     glm::i64vec3 m_columnStep{0};
     glm::i64vec3 m_rowStep{0};

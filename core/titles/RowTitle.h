@@ -24,18 +24,18 @@ struct TitleCount {
     std::int64_t count = 0;
     bool operator==(const TitleCount&) const = default;
 };
-/// A place or a number of a list, and degrees.
+/// A whole number that counts nothing: a place in a list, a number of an object, degrees.
 struct TitleNumber {
     std::int64_t number = 0;
     bool operator==(const TitleNumber&) const = default;
 };
-/// With so many decimals: millimetres have one.
+/// A number that is written with a fixed number of decimals: millimetres have one.
 struct TitleDecimal {
     double value = 0.0;
     int decimals = 1;
     bool operator==(const TitleDecimal&) const = default;
 };
-/// With so many digits that count: grey values, factors.
+/// A number that is written with a number of significant digits: grey values, factors.
 struct TitleDigits {
     double value = 0.0;
     int digits = 6;

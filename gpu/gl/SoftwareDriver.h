@@ -9,13 +9,13 @@ namespace gpu {
 /// softpipe): what it stores then lies in the program's own memory.
 [[nodiscard]] bool isSoftwareDriver();
 
-/// Who does what both can do. The results are the same, to the bit.
+/// Who does work that kernels and the processor can both do, with the same results to the bit.
 enum class WorkBy : std::uint8_t {
-    Driver, ///< the processor with a software driver, kernels with any other
-    Kernels,
-    Processor,
+    Driver, ///< depends on the driver: the processor with a software driver, else kernels
+    Kernels, ///< always kernels
+    Processor, ///< always the processor
 };
-/// Whether the processor does it, with the driver of the current context.
+/// Whether the processor does it with the driver of the current context.
 [[nodiscard]] bool isByProcessor(WorkBy by);
 
 } // namespace gpu

@@ -69,11 +69,11 @@ protected:
     void leaveEvent(QEvent* event) override;
 
 private:
-    /// Receives the place that is seen.
-    /// @return whether the user is to be told that there is none, or why
+    /// Receives the place that is seen at a pixel; none: nothing is seen there.
+    /// @return whether the user is to be told why there is none
     using PlaceAnswer = std::function<bool(const std::optional<glm::dvec3>& placeLps)>;
     void openVolume();
-    /// Whether a pixel is one place; says why it is not.
+    /// Whether a pixel stands for one place in the volume. If not, tells the user why.
     [[nodiscard]] bool canBePointedAt() const;
     /// Asks which voxel is seen at a pixel.
     void askForPlace(const QPointF& at, const PlaceAnswer& then);

@@ -10,7 +10,7 @@ namespace core {
 /// any other descriptor of a file drops them (POSIX, fcntl).
 class FollowedFile {
 public:
-    FollowedFile() = default; ///< of no file, which is everywhere
+    FollowedFile() = default; ///< follows no file; isAt() is then true of every path
     /// Follows the file to which @p path leads; none if there is none, or no descriptor is free.
     explicit FollowedFile(const QString& path);
     FollowedFile(FollowedFile&& other) noexcept;

@@ -21,7 +21,8 @@ struct ModalityLut {
     void apply(std::span<std::uint16_t> stored, bool isSigned) const;
 };
 
-/// Whether a data set is to have a table: a sequence without an item tells of none.
+/// Whether a data set contains such a table, be it usable or not. A sequence without an item
+/// contains none.
 [[nodiscard]] bool hasModalityLut(DcmItem& set);
 
 /// The table of a data set; null if there is none that is usable. Only for sources of core/dicom.

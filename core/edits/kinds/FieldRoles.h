@@ -13,8 +13,8 @@
 
 namespace core {
 
-/// What the value of a field of an edit stands for. Who has to know what an edit refers to asks its
-/// fields (EditNames.h), so that no list of kinds has to be kept.
+/// What the value of a field of an edit stands for. Code that has to know what an edit refers to
+/// goes through its fields (EditNames.h), so that no list of kinds has to be kept.
 enum class FieldRole {
     Plain, ///< for itself
     Thing, ///< for objects of the document, which may have other numbers on another study
@@ -23,8 +23,9 @@ enum class FieldRole {
     Found, ///< for what the edit finds when it is carried out, and would find again
 };
 
-/// A type that is neither listed here nor in fieldRole() does not compile. Those of masks, splits
-/// and chunks hold labels, too, but their edits are bound to the study.
+/// The types of fields whose values stand for nothing but themselves. A type that is listed neither
+/// here nor in fieldRole() does not compile. Fields of masks, splits and chunks contain labels,
+/// too, but are listed here because their edits are bound to the study anyway.
 template <class Kind>
 inline constexpr bool isPlainField = isOneOf<Kind, editFields::Number, editFields::WholeNumber,
     editFields::Connectivity, editFields::Flag, editFields::Text, editFields::Colour,

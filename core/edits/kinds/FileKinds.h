@@ -5,9 +5,10 @@
 
 namespace core {
 
-/// The kinds of edits that may name a file. A recipe that names one is read together with it
-/// (core/recipe/RecipeMasks.cpp), which is asked by overloads for all of them, so that a kind that
-/// is added does not compile until it answers. That it is added, EditNames.cpp demands.
+/// The kinds of edits that may name a file. Whoever reads a recipe reads these files with it, by an
+/// overload for each kind (core/recipe/RecipeMasks.cpp); as long as one is missing, that does not
+/// compile. A kind with a field for a file that is not in this list does not compile either
+/// (EditNames.cpp).
 using FileKinds = EditKinds<ImportMask, DivideSegment>;
 template <class E>
 concept isFileKind = (placeAmong<E>(FileKinds()) < FileKinds::count);

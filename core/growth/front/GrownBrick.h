@@ -8,13 +8,14 @@
 
 namespace core {
 
-/// What the seed words of a brick say to a growth that goes on.
+/// The parts of a brick's seed words that matter to a growth that goes on.
 struct GrownBrick {
-    VoxelBits members{}; ///< those whose label may grow
-    std::bitset<256> labels{}; ///< theirs
+    VoxelBits members{}; ///< the voxels that are members of a label that may grow
+    std::bitset<256> labels{}; ///< the labels of these members
     bool hasPendingSeeds = false;
 };
 
+/// Reads them.
 /// @param words `BrickGrid::voxelsPerBrick` of them
 /// @param lockedLabels labels that do not grow
 [[nodiscard]] GrownBrick grownBrick(

@@ -28,8 +28,9 @@ struct LabelPlane {
 /// The planes that have to be read to know which voxels are editable.
 [[nodiscard]] std::set<std::uint8_t> planesOf(const EditableVoxels& editable);
 
-/// Which voxels an edit must leave as they are (EditableVoxels.h, rule 1), for who has read all
-/// that the rule asks: an engine decides it by itself.
+/// Which voxels an edit must leave as they are (EditableVoxels.h, rule 1). For code that decides
+/// this on the processor and has read the label planes that the rule asks about; an engine decides
+/// it by itself.
 class HeldVoxels {
 public:
     /// @param editable must outlive this, and so must what the planes refer to

@@ -11,11 +11,11 @@ namespace core {
 
 struct LabelScissors;
 
-/// Of the voxels of one label those that scissors choose which remove it: rules 1 to 4 of
-/// LabelScissors.h, for voxels of any value, on the processor. So it is known what lies under a
-/// curve without a change of any voxel. Cost: that of the voxels, and with `fromSurface` that of a
-/// ray for each element under the curve and of a bit for each voxel of the box around the label.
-/// Any thread. Errors: Cancelled.
+/// Finds out, on the processor, which voxels of one label scissors would remove that erase it: by
+/// rules 1 to 4 of LabelScissors.h, whatever the values of the voxels. So it is known what lies
+/// under a curve without changing any voxel. The cost is linear in the voxels; with `fromSurface`,
+/// a ray for each element under the curve and a bit for each voxel of the box around the label are
+/// added. Any thread. Errors: Cancelled.
 /// @param scissors only its frame, mask, outside and fromSurface count; it is sound (checkSound())
 /// @param voxels all those of the label in a volume of @p size
 [[nodiscard]] Result<VoxelRuns> chosenOf(const LabelScissors& scissors, const VoxelRuns& voxels,

@@ -9,14 +9,14 @@
 
 namespace core {
 
-/// Asks the engine for all that a LabelReader reads. Two portions are on their way at a time, so
-/// that the engine finds the next question when it has answered one, and does not begin with what
-/// it does between edits. The session's thread.
+/// Asks the engine for everything that a LabelReader reads, portion by portion. Two questions are
+/// on their way at a time: when the engine has answered one, the next is there already, and it does
+/// not begin with the work that it does while nothing waits. The session's thread.
 class LabelReading {
 public:
     LabelReading(const glm::ivec3& size, std::uint8_t plane);
 
-    /// Asks on, to be called at first and after each answer.
+    /// Asks for the next portions; to be called at first, and after each answer.
     /// @return false: everything was read
     [[nodiscard]] bool ask(EditEngine& engine);
     [[nodiscard]] bool awaits(Ticket ticket) const { return m_asked.count(ticket) != 0; }

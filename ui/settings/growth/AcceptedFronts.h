@@ -17,13 +17,14 @@ class EditSession;
 namespace ui {
 
 /// The fronts of growth of which the user has said, after a leak alarm, that they are no leak. A
-/// front that is hardly wider would be none either. So growth in their segments asks again only
-/// where a front gets wider by twice the area of the widest that was accepted (for growths that
-/// are watched by counting voxels, nothing is known).
+/// front that is hardly wider is no leak either, so growth in their segments raises the alarm again
+/// only where a front gets wider by twice the area of the widest accepted one. This needs areas:
+/// growths whose fronts are measured by counting voxels are not affected.
 ///
-/// A front is forgotten when the growth since is taken back as far as to it, wholly (undo,
-/// shrinking) or in part by *Shrink here*; when its segment is sketched in anew or gone; and when
-/// the user sets the leak guard. They are not kept with the session: who opens it again is asked.
+/// A front is forgotten when what has grown since is taken back to it, wholly (undo, shrinking) or
+/// in part (*Shrink here*); when its segment gets new seeds or is removed; and when the user
+/// changes the leak guard. Accepted fronts are not stored in the session: after it is opened again,
+/// the first alarm is raised as if none had been accepted.
 class AcceptedFronts {
 public:
     /// To be called when another session is opened.
@@ -41,8 +42,8 @@ public:
     void forget(const std::vector<int>& labels);
 
     [[nodiscard]] bool isEmpty() const { return m_fronts.empty(); }
-    /// By how much a front must be wider if a growth in these segments is to ask again; 0: as much
-    /// as the settings say, because nothing was accepted in one of them.
+    /// How much wider than the narrow place a front must be to raise an alarm in these segments; 0:
+    /// what the settings say, because in one of them nothing was accepted.
     [[nodiscard]] double areaMm2(const std::vector<int>& labels) const;
 
 private:

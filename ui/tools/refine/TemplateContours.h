@@ -24,9 +24,10 @@ inline constexpr double rubberPixels = 6.0;
 /// The contour that a line drawn in a slice becomes: closed if it comes back to where it began;
 /// none if it is too short to be meant.
 [[nodiscard]] std::optional<TemplateContour> drawnContour(TemplateContour line, double pixelMm);
-/// Whether a contour lies in the plane of a view, a slice, and within rubberPixels of a straight
-/// line in it. Those of other planes are only seen through it.
-/// @param from logical pixels, as @p to
+/// Whether a movement of the rubber in a slice erases a contour: the contour lies in the plane of
+/// the slice, and within rubberPixels of the movement. Contours of other planes are drawn in the
+/// slice, too, but are not erased there.
+/// @param from, to ends of the movement, a straight line; logical pixels
 [[nodiscard]] bool isRubbed(const TemplateContour& contour, const ViewContext& view,
     const QPointF& from, const QPointF& to);
 /// Draws a contour, faintly where it lies in another plane than the view.

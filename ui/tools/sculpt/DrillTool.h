@@ -99,7 +99,7 @@ private:
     double m_pressure = 0.0;
     PointerSample m_held; ///< how the pen is held: when it went down, or as it hovers
     bool m_restores = false; ///< the stroke, or what a press would do now
-    core::PenSample m_lastSample; ///< last
+    core::PenSample m_lastSample; ///< what a resting pen goes on reporting
     QElapsedTimer m_sinceLastSample;
     QTimer m_resting; ///< mode Rate: tells that time goes on
 };
