@@ -39,7 +39,7 @@ std::optional<int> countOf(const Arguments& arguments, const char* option, int l
 }
 
 /// Says which files of a folder are taken for no studies; the first of many.
-void tellLeftOut(const QStringList& names)
+void reportLeftOut(const QStringList& names)
 {
     constexpr qsizetype most = 20;
     if (names.isEmpty())
@@ -60,7 +60,7 @@ Result<std::vector<StudyTask>> tasksOf(const Arguments& arguments, int retries)
     QStringList leftOut;
     Result<std::vector<BatchStudy>> studies =
         readStudyList(arguments.value("studies"), arguments.value("into"), &leftOut);
-    tellLeftOut(leftOut);
+    reportLeftOut(leftOut);
     if (!studies)
         return tl::unexpected(studies.error());
     QStringList options;

@@ -22,7 +22,7 @@ int runRecipe(const Arguments& arguments)
     if (const QString wrong = repairProblem(arguments); !wrong.isEmpty())
         return reportUsageError("run", wrong);
     if (arguments.has("facts"))
-        tellFailuresAsFacts();
+        reportFailuresAsFacts();
     const bool append = arguments.has("append");
     if (append && arguments.has("force"))
         return reportUsageError("run", QStringLiteral("--append and --force exclude each other"));

@@ -12,8 +12,9 @@ namespace app {
 /// Nothing is closed, because a session's file is complete at any time.
 void watchForSuddenEnd();
 
-/// Ends the program at once, with status 1, and says that memory was refused, as if nobody had
-/// caught it. For where it may neither be thrown nor be gone on from. Takes no memory.
+/// Ends the program at once, with status 1, and says that memory was refused, like an exception
+/// that nobody catches. For places where nothing may be thrown and work cannot go on. Takes no
+/// memory.
 [[noreturn]] void endForWantOfMemory();
 
 /// Sets a file descriptor to which the reason is also written; −1 for none.

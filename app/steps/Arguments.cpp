@@ -170,7 +170,7 @@ int reportFailure(const core::Error& error, const QString& about)
     return 1;
 }
 
-void tellFailuresAsFacts()
+void reportFailuresAsFacts()
 {
     failuresAreFacts = true;
 }

@@ -56,9 +56,9 @@ int reportFailure(const core::Error& error, const QString& about = {});
 /// Whether the machine was at fault (no memory, no room on the disk, a graphics driver), not what
 /// it was asked for: when the same is tried again, the failure may have passed.
 [[nodiscard]] bool mayPass(const core::Error& error);
-/// From here on failures are also told as lines of JSON on stdout: which kind, and whether it
-/// mayPass().
-void tellFailuresAsFacts();
+/// From here on failures are also printed as lines of JSON on stdout: which kind, and whether they
+/// may pass (mayPass()).
+void reportFailuresAsFacts();
 /// Reports on stderr if the study's images were read from a session file.
 /// @param why LoadedVolume::notFromStudy
 void reportNotFromStudy(const std::optional<core::Error>& why, const QString& sessionFile);

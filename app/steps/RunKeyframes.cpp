@@ -29,7 +29,7 @@ std::uint8_t growthPlaneOfLast(const core::History& history)
         return 0;
     const core::Edit& edit = history.row(history.position()).edit;
     const auto* barrier = edit.as<core::BarrierStroke>();
-    return barrier ? core::growthPlaneOf(barrier->plane) : core::toldGrowthPlane(edit, history);
+    return barrier ? core::growthPlaneOf(barrier->plane) : core::recordedGrowthPlane(edit, history);
 }
 
 } // namespace

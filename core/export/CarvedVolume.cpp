@@ -38,7 +38,7 @@ Result<ReportLine> checkFolderDeidentified(const QString& folder, const Deidenti
         if (const auto clean = checkDeidentified(QDir(folder).filePath(name), by); !clean)
             return clean;
     }
-    return ReportSentence{ReportCode::FilesTellNobody, {std::int64_t(names.size())}};
+    return ReportSentence{ReportCode::FilesAreAnonymous, {std::int64_t(names.size())}};
 }
 
 /// What stands at a voxel of the carved volume.

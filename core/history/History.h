@@ -23,8 +23,8 @@ struct HistoryRow {
     RowId id = 0;
     RowId parent = 0;
     QString name; ///< for people: "Drill 6.2 mm, 214 bricks"; what the chain covers
-    /// What the name says, to be worded in another language; none: the row is of before there were
-    /// titles, or its file holds none that is its.
+    /// What the name says, so that it can be worded in another language. None: the row is older
+    /// than titles, or the title in its file does not belong to its name.
     std::optional<RowTitle> title{};
     Edit edit; ///< quantised; what replay applies
     EditStatistics statistics;

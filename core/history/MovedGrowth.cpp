@@ -26,7 +26,7 @@ std::set<std::uint8_t> movedGrowthPlanes(const Edit& edit, const History& histor
     return planes;
 }
 
-std::uint8_t toldGrowthPlane(const Edit& edit, const History& history)
+std::uint8_t recordedGrowthPlane(const Edit& edit, const History& history)
 {
     const std::set<std::uint8_t> moved = movedGrowthPlanes(edit, history);
     return moved.empty() ? std::uint8_t(0) : *moved.begin();

@@ -16,6 +16,6 @@ namespace core {
 [[nodiscard]] std::set<std::uint8_t> movedGrowthPlanes(const Edit& edit, const History& history);
 
 /// The plane whose generation a row of this edit stores (HistoryRow::growthGeneration).
-[[nodiscard]] std::uint8_t toldGrowthPlane(const Edit& edit, const History& history);
+[[nodiscard]] std::uint8_t recordedGrowthPlane(const Edit& edit, const History& history);
 
 } // namespace core

@@ -6,7 +6,7 @@
 
 namespace core {
 
-/// By whom, when and with which program a row of the history was made.
+/// When a row of the history was made, by whom, and with which program.
 struct RowOrigin {
     QDateTime at; ///< UTC, to the millisecond; invalid: not recorded
     QString author; ///< as the user chose to be named; may be empty

@@ -95,10 +95,10 @@ public:
 
     /// Copies everything, including writes that wait in memory, into a new file and gives that the
     /// name @p target once it is complete and on disk; the session goes on there. It comes after
-    /// all writes that were asked for before. The file of before is closed and stays, unless it is
-    /// the one that is replaced. If it fails, the session goes on in the file of before, and what
-    /// had the name @p target has it; if the disk lets neither file have its name, the error says
-    /// where they are.
+    /// all writes that were asked for before. The old file is closed and stays, unless it is the
+    /// one that is replaced. If it fails, the session goes on in the old file, and the file that
+    /// was called @p target keeps that name; if the disk does not let a file have its name back,
+    /// the error says where both files are.
     /// @param replaceExisting whether a session that has the name may be replaced
     /// @param done called on the writer's thread
     /// Errors: FileExists, FileUnwritable.
@@ -106,7 +106,7 @@ public:
         std::function<void(const Result<void>&)> done, SavedImages images = {});
 
     /// Gives the file another name in its folder; a closed session that has the name is replaced.
-    /// Blocks. If it fails, both files have the names of before, or the error says where they are.
+    /// Blocks. If it fails, both files have their old names, or the error says where they are.
     /// Errors: FileUnwritable.
     [[nodiscard]] Result<void> rename(const QString& target);
 

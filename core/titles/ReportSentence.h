@@ -79,8 +79,8 @@ enum class ReportCode : std::uint8_t {
     SeriesAsItShould,
     SlicesFoundAgain,
     PixelsAgree,
-    TextsTellNobody,
-    FilesTellNobody,
+    TextsAreAnonymous,
+    FilesAreAnonymous,
     Sha256,
     // What a reader of the file must know.
     SegmentEmpty,

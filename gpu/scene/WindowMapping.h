@@ -31,7 +31,7 @@ struct GreyRamp {
 [[nodiscard]] GreyRamp greyRampOf(
     const core::VoxelEncoding& encoding, const core::WindowLevel& window);
 
-/// The least width to which a window is narrowed: in a narrower one nothing more is told apart.
+/// The least width to which a window is narrowed: a narrower one would distinguish no more values.
 [[nodiscard]] double leastWindowWidth(const core::VoxelEncoding& encoding);
 
 /// Coefficients (x, y) of: grey (to be clamped to 0 … 1) = x · texel + y, on the ramp of the

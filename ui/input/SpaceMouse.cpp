@@ -102,7 +102,7 @@ void SpaceMouse::read()
 {
     SpaceMotion sum;
     bool hasMoved = false;
-    const auto tellMotion = [&] {
+    const auto reportMotion = [&] {
         if (std::exchange(hasMoved, false))
             Q_EMIT moved(std::exchange(sum, {}));
     };
@@ -128,11 +128,11 @@ void SpaceMouse::read()
             sum.turn += motion.turn;
             hasMoved = true;
         } else if (record[0] == Press || record[0] == Release) {
-            tellMotion(); // buttons decide what is moved
+            reportMotion(); // buttons decide what is moved
             Q_EMIT buttonChanged(record[1], record[0] == Press);
         }
     }
-    tellMotion();
+    reportMotion();
 }
 
 } // namespace ui

@@ -34,7 +34,7 @@ public:
     /// Takes the imported masks, as they were read, as the reference, to show what was changed
     /// since: for each segment that was imported, the newest mask of it. Whichever segment is
     /// compared, its own is chosen, whatever it is called. When the session comes to a state with
-    /// other imports, theirs are taken.
+    /// other imports, their masks become the reference.
     void takeImported();
     /// Whether an import of a mask is among the steps that led to the present state.
     [[nodiscard]] bool canTakeImported() const;

@@ -162,9 +162,9 @@ QString formOf(ReportCode code, std::int64_t count)
     case ReportCode::PixelsAgree:
         return ReportTexts::tr("All %1 × %2 pixels are those of the picture; patient and study are "
                                "those of the images that it shows.");
-    case ReportCode::TextsTellNobody:
+    case ReportCode::TextsAreAnonymous:
         return ReportTexts::tr("None of %1 texts and UIDs tells who the patient is.");
-    case ReportCode::FilesTellNobody:
+    case ReportCode::FilesAreAnonymous:
         return ReportTexts::tr("No text and no UID of %1 files tells who the patient is.");
     case ReportCode::Sha256:
         return ReportTexts::tr("SHA-256 of %1: %2");

@@ -56,7 +56,7 @@ public:
             core::GrowthKinds());
         if (const auto* removed = row.edit.as<core::RemoveSegment>())
             forget([&](const gpu::SceneSeed& seed) { return seed.label == removed->segment; });
-        m_generations[core::toldGrowthPlane(row.edit, history)] = row.growthGeneration;
+        m_generations[core::recordedGrowthPlane(row.edit, history)] = row.growthGeneration;
     }
     [[nodiscard]] std::vector<gpu::SceneSeed> pending() const { return m_pending; }
     [[nodiscard]] std::vector<gpu::SceneSeed> grown() const

@@ -120,7 +120,8 @@ public:
     void goToError(int by);
     /// @param place in errors()
     void showError(int place);
-    /// Moves the crosshair and the views to a part of the surface, which is told as it is shown.
+    /// Moves the crosshair and the views to a part of the surface.
+    /// @param region in the places where views show it (ShownSurface.h)
     void showRegion(const core::MarkedRegion& region);
     /// Signs an error off: it turns green.
     /// @param place index in errors()

@@ -155,10 +155,10 @@ RowWords wordsOfSplit(int label)
     };
 }
 
-/// Tells what an edit did that may find nothing to do.
+/// Has an edit carried out that may find nothing to do, and tells the user what it did.
 /// @param start has it carried out
-/// @param nothing what is told if there was nothing
-void tellOf(Workspace& workspace, std::size_t kind, const QString& nothing,
+/// @param nothing what the user is told if there was nothing to do
+void carryOutAndReport(Workspace& workspace, std::size_t kind, const QString& nothing,
     const std::function<core::Result<void>(core::EditSession&)>& start,
     const RowWords& words = plainWords)
 {
@@ -220,7 +220,7 @@ void carryOut(
         session->closeOpen();
     if (std::optional<core::EditableRange>* const range = core::editableRangeOf(edit))
         *range = workspace.editableRange();
-    tellOf(
+    carryOutAndReport(
         workspace, edit.kind(), nothingText(workspace, nothing),
         [&edit, &how](core::EditSession& session) {
             if (!how.isOpen)
@@ -341,7 +341,7 @@ void splitByCurve(Workspace& workspace, const core::SplitByCurve& edit)
     const QString nothing = edit.open
         ? QObject::tr("all of '%1' lies on one side of the line").arg(name)
         : QObject::tr("the curve does not part '%1'").arg(name);
-    tellOf(
+    carryOutAndReport(
         workspace, core::Edit(edit).kind(), nothingText(workspace, nothing),
         [&edit](core::EditSession& session) { return session.apply(edit); },
         wordsOfSplit(edit.segment));

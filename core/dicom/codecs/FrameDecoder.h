@@ -16,7 +16,7 @@ class DicomFile;
 /// Why Burin cannot decode this image, in words; empty if it can, as far as the header shows.
 [[nodiscard]] Clause undecodableReason(const ImageHeader& header);
 
-/// What is to be told of a frame that was decoded.
+/// What was noticed about a frame while it was decoded.
 struct DecodedFrame {
     bool cutOff = false; ///< some values did not fit BitsStored (areCutOff())
 };

@@ -115,7 +115,7 @@ Result<ReportLine> checkDeidentified(const QString& file, const Deidentifier& by
     Search search(by.words());
     if (const Clause what = search.in(set); !what.isEmpty())
         return failure(ErrorCode::ExportMismatch, file, what);
-    return ReportSentence{ReportCode::TextsTellNobody, {std::int64_t(search.looked())}};
+    return ReportSentence{ReportCode::TextsAreAnonymous, {std::int64_t(search.looked())}};
 }
 
 } // namespace core

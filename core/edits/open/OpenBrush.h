@@ -15,7 +15,7 @@ struct BrushRule {
     bool ofTolerance = false; ///< PartPressures has the same
 };
 
-/// The whole path of a brush as the engine is told of it.
+/// The whole path of a brush in an engine's integers.
 [[nodiscard]] CapsulePath wholeBrushPath(
     const BrushPath& path, BrushRule rule, const VolumeGeometry& geometry);
 

@@ -58,7 +58,8 @@ struct ExportRequest {
     SegSettings seg{}; ///< for a DICOM SEG
     std::vector<SegmentCoverage> coverages{}; ///< for a fractional SEG
     std::span<const std::uint16_t> codes{}; ///< those of the volume, x fastest; for statistics
-    /// For statistics: what has been changed since is told of the segments that are listed.
+    /// For statistics: the voxels that segments were imported with. For each segment listed here,
+    /// the statistics say what was changed since.
     std::vector<ImportedVoxels> imported{};
     std::shared_ptr<const Deidentifier> deidentifier{}; ///< null: the patient's identity is kept
     std::vector<Measurement> measurements{}; ///< for a report, beside the segments

@@ -37,7 +37,7 @@ public:
     Voxels run(const Voxels& sketch, WordChanges& changes);
     /// Does the same if the voxels that leave before rule 10 are known already. It may be called
     /// again with more voxels.
-    /// @param rim all members that stay although a parent of theirs leaves
+    /// @param rim all members that stay although their parent leaves
     Voxels takeOut(Voxels leaving, const Voxels& rim, WordChanges& changes);
     [[nodiscard]] const LabelMembers& members() const { return m_members; }
 

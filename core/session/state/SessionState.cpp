@@ -64,7 +64,7 @@ RowId SessionState::append(const Edit& edit, const ChangeFacts& facts,
     HistoryRow row;
     row.name = canonicalName(title);
     row.title = std::move(title);
-    const std::uint8_t growthPlane = toldGrowthPlane(edit, history);
+    const std::uint8_t growthPlane = recordedGrowthPlane(edit, history);
     if (generation)
         document.place({.plane = growthPlane, .generation = *generation});
     const std::optional<RefinedSurface> surfaceBefore = document.surface;
@@ -248,7 +248,7 @@ Document SessionState::documentAt(RowId at) const
         const HistoryRow& row = history.row(id);
         applyRow(id, row.edit, row.statistics, placed);
         placed.place(
-            {.plane = toldGrowthPlane(row.edit, history), .generation = row.growthGeneration});
+            {.plane = recordedGrowthPlane(row.edit, history), .generation = row.growthGeneration});
     }
     return placed;
 }

@@ -45,7 +45,8 @@ public:
         const std::function<bool(const QSqlQuery&)>& take);
     /// Runs @p work in one transaction, which is rolled back if it returns false.
     bool transaction(const std::function<bool()>& work);
-    /// Before a row is written, in its transaction: a file of before gets the table of titles.
+    /// Gives a file of an older format the table of titles. To be called in the transaction that
+    /// writes a row, before the row.
     bool makeRoomForTitles();
     /// Checks the structure of a file of ordinary size (PRAGMA quick_check) and notes in loss()
     /// what is wrong. It is done automatically before a file is written. Errors, if the file is to
@@ -61,8 +62,8 @@ public:
     // writing:
     /// Puts everything into the file itself. @return false: see reason()
     [[nodiscard]] bool gather();
-    /// Leaves nothing beside the name of before; the connection works on until it is destroyed,
-    /// but what it writes then is lost with it.
+    /// Leaves nothing beside the file's old name. The connection works until it is destroyed, but
+    /// what is written to it from here on is lost.
     /// @param now where the file is, if everything was put into it: its write-ahead log, which is
     /// empty, goes there, so that nobody misses it if the file is not opened again; empty: the log
     /// is removed

@@ -23,7 +23,8 @@ struct SessionFormat {
 /// @return false: see the connection's failure()
 bool createSessionTables(SqliteConnection& connection);
 
-/// A file of before becomes one of the newest format when a row is written into it.
+/// Gives a file of an older format the table of titles, which makes it one of the newest format.
+/// Called when a row is written into it.
 /// @return false: see the connection's failure()
 bool makeRoomForTitles(SqliteConnection& connection);
 

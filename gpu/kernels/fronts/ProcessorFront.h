@@ -31,7 +31,7 @@ public:
     };
     /// @param fields must outlive this
     /// @param front the voxels from which the growth goes on
-    /// @param generation theirs
+    /// @param generation of these voxels
     ProcessorFront(VoxelFields& fields, const Options& options,
         std::span<const core::LeakGuard::Voxel> front, std::uint32_t generation);
     ~ProcessorFront();

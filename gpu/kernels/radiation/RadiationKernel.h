@@ -59,7 +59,7 @@ public:
         glm::ivec3 shift{0};
     };
     /// Updates the footprint of what one layer covers and earlier layers do not: min(coverage, 255
-    /// − the greatest of theirs).
+    /// − the greatest coverage of an earlier layer).
     void updateFootprint(BrickField& layer, std::span<BrickField* const> before,
         const Footprint& footprint, std::span<const Region> regions);
     /// Updates the footprint of the voxels with a label in any plane.

@@ -113,8 +113,8 @@ const std::vector<Row>& rows()
         {ReportCode::PixelsAgree,
             "All %1 × %2 pixels are those of the picture; patient and study are those of the "
             "images that it shows."},
-        {ReportCode::TextsTellNobody, "None of %1 texts and UIDs tells who the patient is."},
-        {ReportCode::FilesTellNobody, "No text and no UID of %1 files tells who the patient is."},
+        {ReportCode::TextsAreAnonymous, "None of %1 texts and UIDs tells who the patient is."},
+        {ReportCode::FilesAreAnonymous, "No text and no UID of %1 files tells who the patient is."},
         {ReportCode::Sha256, "SHA-256 of %1: %2"},
         {ReportCode::SegmentEmpty, "Segment '%1' is empty and was left out."},
         {ReportCode::CheckedAgainstSession,

@@ -15,10 +15,10 @@ namespace ui {
 
 class PreviewRow;
 
-/// Previews in a PreviewRow what a button would do, while the pointer rests on it or the keyboard
-/// has come to it; fields of a button count as that button. A click does it at once, whether its
-/// preview is there or not. Esc and the keys of undo take back what is previewed, and no step,
-/// unless a field of text has them.
+/// Previews in a PreviewRow what a button would do, while the pointer rests on it or it has the
+/// keyboard focus; the fields beside a button count as that button. A click on it does not wait for
+/// the preview. While there is a preview, Esc and the keys of undo take it back instead of a step
+/// of the history, unless they are typed into a field of text.
 class PointedPreview : public QObject {
     Q_OBJECT
 
@@ -26,19 +26,20 @@ public:
     /// What would be carried out; none: nothing can be done.
     using Asked = std::function<std::optional<core::Edit>()>;
 
-    /// @param row must live as long
+    /// @param row must outlive this
     explicit PointedPreview(PreviewRow& row);
 
     /// From now on previews @p asked while @p widget is pointed at. Both live as long as this.
     void watch(QWidget& widget, Asked asked);
-    /// The same for what an entry of a menu would do that is pointed at, or has the keyboard; none:
-    /// there is no such entry.
+    /// Previews what the entry of a menu would do that the pointer or the keyboard has come to;
+    /// none: there is no such entry.
     void pointAtEntry(const std::optional<core::Edit>& edit);
-    /// What would be carried out may be another edit now.
+    /// To be called when a button may stand for another edit than before.
     void follow();
-    /// What is pointed at was done: nothing more is previewed until something else is pointed at.
+    /// To be called when what is pointed at was carried out: nothing is previewed until the pointer
+    /// or the keyboard comes to something else.
     void rest();
-    /// As if what is pointed at were pointed at anew, because it is about something else now.
+    /// Ends rest() and follows, because what is pointed at stands for something else now.
     void pointAnew();
 
 protected:
@@ -54,10 +55,10 @@ private:
 
     PreviewRow& m_row;
     std::map<QObject*, Asked> m_watched;
-    QWidget* m_pointedAt = nullptr; ///< by the pointer
-    QWidget* m_focused = nullptr; ///< by the keyboard
-    std::optional<core::Edit> m_entry; ///< of a menu, which goes before both
-    bool m_rests = false;
+    QWidget* m_pointedAt = nullptr; ///< the watched widget under the pointer
+    QWidget* m_focused = nullptr; ///< the watched widget with the keyboard focus
+    std::optional<core::Edit> m_entry; ///< of a menu; it takes precedence over both
+    bool m_rests = false; ///< rest() was called
 };
 
 } // namespace ui

@@ -75,7 +75,7 @@ QString generationText(
     const core::History& history = session.history();
     const core::HistoryRow* row =
         progress.open || history.position() == 0 ? nullptr : &history.row(history.position());
-    if (row && core::toldGrowthPlane(row->edit, history) != plane)
+    if (row && core::recordedGrowthPlane(row->edit, history) != plane)
         row = nullptr; // it was done to another growth
     return generationText(generation, row, volume);
 }

@@ -235,7 +235,7 @@ void LeakSection::follow()
     if (!m_alarm)
         return;
     const std::uint8_t plane = alarm == m_alarm
-        ? core::toldGrowthPlane(session->history().row(row).edit, session->history())
+        ? core::recordedGrowthPlane(session->history().row(row).edit, session->history())
         : m_plane;
     if (std::exchange(m_plane, plane) != plane)
         showBesideGrowth();

@@ -251,7 +251,7 @@ void CleanUpPanel::followPreview()
         m_trial.drop();
     else
         m_lookSoon.start();
-    m_preview->showState(toldSegment());
+    m_preview->showState(sizedSegment());
     // Views also draw the segment that is not there yet, in its colour.
     const bool showsSplit = session && session->isOpen<core::SplitSegment>();
     if (std::exchange(m_showsSplit, showsSplit) != showsSplit)
@@ -262,7 +262,7 @@ void CleanUpPanel::previewCombined(const core::CombineSegments* edit)
 {
     m_combined = edit ? edit->segment : 0;
     m_pointed->pointAtEntry(edit ? std::optional<core::Edit>(*edit) : std::nullopt);
-    m_preview->showState(toldSegment());
+    m_preview->showState(sizedSegment());
 }
 
 void CleanUpPanel::combine(const core::CombineSegments& edit)
@@ -271,7 +271,7 @@ void CleanUpPanel::combine(const core::CombineSegments& edit)
     m_pointed->rest();
 }
 
-const core::Segment* CleanUpPanel::toldSegment() const
+const core::Segment* CleanUpPanel::sizedSegment() const
 {
     const core::EditSession* session = m_workspace.session();
     const core::Segment* combined = session ? session->document().segment(m_combined) : nullptr;
@@ -418,7 +418,7 @@ void CleanUpPanel::refresh()
 {
     showPossible();
     const core::Segment* segment = activeSegmentOf(m_workspace);
-    m_preview->showState(toldSegment());
+    m_preview->showState(sizedSegment());
     m_summary = segment ? segment->name : QString();
     Q_EMIT summaryChanged(m_summary);
     if (const bool now = hasSomething(); now != m_hadSomething) {

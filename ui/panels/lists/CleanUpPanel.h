@@ -82,8 +82,8 @@ private:
     /// @param edit what an entry of the menu would do; null: none is pointed at
     void previewCombined(const core::CombineSegments* edit);
     void combine(const core::CombineSegments& edit);
-    /// Whose size is told: the active segment, or one into which it would be merged.
-    [[nodiscard]] const core::Segment* toldSegment() const;
+    /// The segment whose size is shown: the active one, or the one into which it would be merged.
+    [[nodiscard]] const core::Segment* sizedSegment() const;
     /// Has both parts counted that the plane would make of the active segment.
     void lookAtParts();
     void showParts();

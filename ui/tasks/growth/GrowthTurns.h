@@ -41,7 +41,7 @@ struct GrowthTurn {
 /// - Otherwise the active segment grows first; then those without voxels follow, each in its own
 ///   interval.
 /// - Segments whose intervals have at least half of their union in common compete for the same
-///   tissue. They grow together, in the interval that contains theirs, and continue together.
+///   tissue. They grow together, in an interval that contains all of theirs, and continue together.
 /// - A turn whose interval lies mostly within another's comes before it, since the other would
 ///   claim its seeds.
 /// - Segments that have grown before in another interval stay as they are.

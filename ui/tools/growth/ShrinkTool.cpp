@@ -125,7 +125,7 @@ bool ShrinkTool::finishOtherwise(const std::vector<glm::dvec2>&, const ViewConte
     }
     const std::size_t rows = workspace().session()->history().rows().size();
     m_held->end(true);
-    tellLastRow(rows);
+    reportLastRow(rows);
     return true;
 }
 
@@ -157,11 +157,11 @@ void ShrinkTool::commit(const std::vector<glm::ivec3>& voxels)
         workspace().fail(applied.error());
         return;
     }
-    tellLastRow(rows);
+    reportLastRow(rows);
 }
 
-/// What the edit that was asked for last has done.
-void ShrinkTool::tellLastRow(std::size_t rows)
+/// Tells the user what the edit has done that was asked for last.
+void ShrinkTool::reportLastRow(std::size_t rows)
 {
     // Answered when the edit is carried out.
     workspace().session()->questions().afterAll([tool = QPointer<ShrinkTool>(this), rows] {

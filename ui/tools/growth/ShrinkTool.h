@@ -52,7 +52,7 @@ private:
     [[nodiscard]] QString nothingSeenText() const override;
 
     void rest();
-    void tellLastRow(std::size_t rowsBefore);
+    void reportLastRow(std::size_t rowsBefore);
 
     SketchedVoxels* m_sketched;
     ShrinkPreview* m_preview;

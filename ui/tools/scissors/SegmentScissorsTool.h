@@ -18,10 +18,9 @@ class Workspace;
 /// Erases or fills the active segment inside or outside of a curve drawn on the 3D view, along the
 /// view direction. With Ctrl or the pen's eraser end it fills instead of erasing and the reverse.
 /// Inside the curve it may stop at a depth behind the first surface, which may follow the pressure
-/// of the pen. Or it makes a new segment of
-/// what lies on one side of a curve or of a line across the picture; then Ctrl means the other
-/// side, and both volumes are told while it is drawn. Which voxels may change is set as for
-/// painting. Each curve is one step.
+/// of the pen. Or it makes a new segment of what lies on one side of a curve or of a line across
+/// the picture; then Ctrl means the other side, and the volumes of both parts are shown while it is
+/// drawn. Which voxels may change is set as for painting. Each curve is one step.
 class SegmentScissorsTool : public CursorTool {
     Q_OBJECT
 

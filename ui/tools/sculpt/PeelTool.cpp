@@ -200,7 +200,7 @@ void PeelTool::confirm()
     if (!m_open)
         return;
     close(core::Ending::Commit);
-    tellKept([this](const core::HistoryRow& row) {
+    reportKept([this](const core::HistoryRow& row) {
         const bool restores = row.edit.get<core::PeelCut>().restore;
         workspace().say(
             restores ? nameOf(row) : tr("%1; Ctrl+L lifts it as a piece").arg(nameOf(row)));
@@ -209,24 +209,24 @@ void PeelTool::confirm()
 
 /// Over the air, and where nothing is left to restore, a peel becomes no row; that is known when it
 /// is carried out.
-void PeelTool::tellKept(const std::function<void(const core::HistoryRow&)>& tell)
+void PeelTool::reportKept(const std::function<void(const core::HistoryRow&)>& report)
 {
     const bool restores = m_peel.get<core::PeelCut>().restore;
     workspace().session()->questions().afterAll(
         [tool = QPointer<PeelTool>(this), before = m_rowsBefore, failures = m_failuresBefore,
-            restores, tell] {
+            restores, report] {
             if (!tool)
                 return;
             if (const core::RowId row = tool->keptRow(before); row != 0)
-                tell(tool->workspace().session()->history().row(row));
+                report(tool->workspace().session()->history().row(row));
             else
-                tool->tellNothing(failures, restores);
+                tool->sayNothingWasCut(failures, restores);
         });
 }
 
 /// A peel that was refused, or that failed, is no row either: then its error is what is said. It is
 /// reported right after the answers that have come with it.
-void PeelTool::tellNothing(int failures, bool restores)
+void PeelTool::sayNothingWasCut(int failures, bool restores)
 {
     QTimer::singleShot(0, this, [this, failures, restores] {
         if (m_failures == failures)
@@ -235,7 +235,7 @@ void PeelTool::tellNothing(int failures, bool restores)
     });
 }
 
-/// Its row is told of when it is seen; without one that is told.
+/// The row of the peel is reported when it is seen; here it is reported if there is none.
 void PeelTool::awaitEndByOther()
 {
     m_endedByOther = true;
@@ -246,18 +246,18 @@ void PeelTool::awaitEndByOther()
             if (!tool || !tool->m_endedByOther || tool->keptRow(before) != 0)
                 return;
             tool->m_endedByOther = false;
-            tool->tellNothing(failures, restores);
+            tool->sayNothingWasCut(failures, restores);
         });
 }
 
-/// What was chosen stays chosen, and the user hears of it.
+/// The peel is kept, and the user is told.
 void PeelTool::putAway()
 {
     OutlineTool::cancel();
     if (!m_open)
         return;
     close(core::Ending::Commit);
-    tellKept([this](const core::HistoryRow& row) { workspace().say(keptText(row)); });
+    reportKept([this](const core::HistoryRow& row) { workspace().say(keptText(row)); });
     // Another tool is there at once; an undo that did this needs no offer.
     m_wasPutAway = true;
     QTimer::singleShot(0, this, [this] { m_wasPutAway = false; });

@@ -85,15 +85,17 @@ private:
     [[nodiscard]] bool open(core::PeelCut peel);
     void close(core::Ending ending);
     void follow();
-    /// Tells of the row that the peel becomes that was closed last, or that it becomes none.
-    void tellKept(const std::function<void(const core::HistoryRow&)>& tell);
-    /// Says that it became no row, unless something has failed since.
-    /// @param failures how many there were when it was begun
-    void tellNothing(int failures, bool restores);
+    /// Once it is known, calls @p report with the row that the last closed peel has become, or says
+    /// that it has become none.
+    void reportKept(const std::function<void(const core::HistoryRow&)>& report);
+    /// Says that a peel became no row, unless something has failed since it was begun.
+    /// @param failures the number of failures when it was begun
+    void sayNothingWasCut(int failures, bool restores);
     void awaitEndByOther();
     void offerToTakeBack();
     void offerToTakeBack(core::RowId row);
-    /// The row that a peel became which was begun when there were so many; 0: none yet.
+    /// The row that a peel has become; 0: none yet.
+    /// @param rowsBefore number of rows of the history when the peel was begun
     [[nodiscard]] core::RowId keptRow(std::size_t rowsBefore) const;
     [[nodiscard]] static QString keptText(const core::HistoryRow& row);
 
@@ -103,7 +105,7 @@ private:
     core::Edit m_peel; ///< the open one, a PeelCut
     std::optional<DepthDrag> m_depthDrag;
     std::size_t m_rowsBefore = 0; ///< of the history, when the peel was begun
-    int m_failures = 0; ///< that the workspace was told of
+    int m_failures = 0; ///< number of failures that the workspace has reported so far
     int m_failuresBefore = 0; ///< when the peel was begun
     bool m_wasPutAway = false; ///< until another tool is there
     bool m_endedByOther = false; ///< until its row is seen, or that there is none

@@ -416,7 +416,7 @@ void RevertOperation::finish(SessionState& state, EngineResult&& result)
     } else if (!result.changes.empty()) {
         // A shrinking that is undone brings members of later generations back.
         const RevertRows edit{m_rows};
-        const std::uint8_t plane = toldGrowthPlane(edit, state.history);
+        const std::uint8_t plane = recordedGrowthPlane(edit, state.history);
         const std::uint32_t counter =
             std::max(state.document.generation(plane), result.facts.greatestGeneration(plane));
         state.commit(edit, std::move(result), counter);
