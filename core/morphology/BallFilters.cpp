@@ -2,8 +2,8 @@
 #include "core/morphology/BallFilters.h"
 
 #include "core/base/ParallelFor.h"
+#include "core/morphology/MaskDilation.h"
 #include "core/morphology/MillimetreBall.h"
-#include "core/morphology/ReachOfMask.h"
 #include "core/morphology/StageCounter.h"
 
 #include <algorithm>
@@ -188,7 +188,7 @@ Result<void> dilate(ByteMask& mask, const MillimetreBall& ball, const FilterStag
 {
     if (!ball.isStraight())
         return keepCounted(mask, ball, 1, stage);
-    ReachOfMask reach(mask, ball);
+    MaskDilation reach(mask, ball);
     StageCounter counter(stage, std::int64_t(mask.size.y) + mask.size.z);
     parallelFor(mask.size.z, [&](int z) {
         if (counter.cancelled())

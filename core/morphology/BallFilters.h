@@ -37,8 +37,8 @@ struct FilterStage {
 };
 
 /// Sets every voxel that has a voxel of the mask in the ball around it. On a grid with axes at
-/// right angles the cost does not depend on the size of the ball (ReachOfMask.h). On a sheared grid
-/// the mask's voxels in the ball are counted, at the cost of keepMajority().
+/// right angles the cost does not depend on the size of the ball (MaskDilation.h). On a sheared
+/// grid the mask's voxels in the ball are counted, at the cost of keepMajority().
 [[nodiscard]] Result<void> dilate(
     ByteMask& mask, const MillimetreBall& ball, const FilterStage& stage);
 

@@ -14,7 +14,7 @@ namespace core {
 /// segment, as with ShapeOperation::Shrink.
 ///
 /// Exact: no floating-point number decides. The cost does not depend on the margins; the method is
-/// that of ReachOfMask.h, with half parabolas.
+/// that of MaskDilation.h, with half parabolas.
 /// @param labels one for each voxel of the volume in the segment's plane, x fastest
 /// Any thread outside a parallelFor(). Errors: OutOfMemory, Cancelled.
 [[nodiscard]] Result<ShapeChange> sidedMarginChange(std::span<const std::uint8_t> labels,

@@ -6,7 +6,7 @@
 #include "ui/base/Theme.h"
 #include "ui/overlays/ClipOutline.h"
 #include "ui/tools/aim/CursorLabel.h"
-#include "ui/tools/view/HandleReach.h"
+#include "ui/tools/view/HandleSizes.h"
 #include "ui/workspace/ViewSteps.h"
 #include "ui/workspace/Workspace.h"
 
@@ -65,7 +65,7 @@ std::optional<ClipHandle> ClipTool::handleAt(const QPointF& pixel, const ViewCon
     for (const ClipHandle& handle :
         clipHandles(view, m_workspace.clip(), m_workspace.volume()->geometry)) {
         const double apart = distance(handle.pixel, pixel);
-        if (apart <= (nearest ? distance(nearest->pixel, pixel) : handleReach))
+        if (apart <= (nearest ? distance(nearest->pixel, pixel) : handleGripRadius))
             nearest = handle;
     }
     return nearest;

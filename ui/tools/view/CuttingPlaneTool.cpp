@@ -3,7 +3,7 @@
 
 #include "ui/base/Theme.h"
 #include "ui/tools/aim/SeenVoxels.h"
-#include "ui/tools/view/HandleReach.h"
+#include "ui/tools/view/HandleSizes.h"
 #include "ui/tools/view/PlaneOptions.h"
 #include "ui/workspace/Workspace.h"
 
@@ -99,7 +99,7 @@ std::optional<PlaneHandle> CuttingPlaneTool::handleAt(
     std::optional<PlaneHandle> nearest;
     for (const PlaneHandle& handle : planeHandles(view, m_workspace.plane())) {
         const double apart = distance(handle.pixel, pixel);
-        if (apart <= (nearest ? distance(nearest->pixel, pixel) : handleReach))
+        if (apart <= (nearest ? distance(nearest->pixel, pixel) : handleGripRadius))
             nearest = handle;
     }
     return nearest;

@@ -9,8 +9,8 @@ namespace ui {
 
 /// Radius in pixels with which handles of the clip box and of the cutting plane are drawn.
 constexpr double handleRadius = 6.0;
-/// Distance in pixels from its centre up to which a press takes hold of a handle.
-constexpr double handleReach = 14.0;
+/// Radius in pixels around a handle's centre within which a press takes hold of it.
+constexpr double handleGripRadius = 14.0;
 
 [[nodiscard]] inline double distance(const QPointF& a, const QPointF& b)
 {

@@ -19,9 +19,9 @@ class StageCounter;
 /// along z is stored: one more than the number of slices that the rest of the radius spans, or 0 if
 /// the distance is greater than the radius. So two bytes per voxel suffice, and along z each voxel
 /// takes the greater of its own reach and that of its neighbour less one.
-class ReachOfMask {
+class MaskDilation {
 public:
-    ReachOfMask(ByteMask& mask, const MillimetreBall& ball);
+    MaskDilation(ByteMask& mask, const MillimetreBall& ball);
 
     /// Processes a slice. May run in parallel for different z.
     void lookAlongSlice(int z);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/morphology/ReachOfMask.h"
+#include "core/morphology/MaskDilation.h"
 
 #include "core/morphology/LowerEnvelope.h"
 
@@ -85,7 +85,7 @@ private:
 
 } // namespace
 
-ReachOfMask::ReachOfMask(ByteMask& mask, const MillimetreBall& ball)
+MaskDilation::MaskDilation(ByteMask& mask, const MillimetreBall& ball)
     : m_mask(mask)
     , m_ball(ball)
     , m_reach(mask.voxels.size())
@@ -100,7 +100,7 @@ ReachOfMask::ReachOfMask(ByteMask& mask, const MillimetreBall& ball)
 
 /// Steps along x to the nearest voxel of the mask, at most one more than the extent.
 /// @return whether the slice has any
-bool ReachOfMask::measureRows(int z, std::vector<int>& steps) const
+bool MaskDilation::measureRows(int z, std::vector<int>& steps) const
 {
     const int none = m_ball.extent.x + 1;
     bool any = false;
@@ -122,7 +122,7 @@ bool ReachOfMask::measureRows(int z, std::vector<int>& steps) const
     return any;
 }
 
-void ReachOfMask::lookAlongSlice(int z)
+void MaskDilation::lookAlongSlice(int z)
 {
     const glm::ivec3& size = m_mask.size;
     std::vector<int> steps(std::size_t(size.x) * std::size_t(size.y));
@@ -146,7 +146,7 @@ void ReachOfMask::lookAlongSlice(int z)
     }
 }
 
-void ReachOfMask::spreadAlongZ(int y)
+void MaskDilation::spreadAlongZ(int y)
 {
     const glm::ivec3& size = m_mask.size;
     const auto spread = [&](int from, int to) {
