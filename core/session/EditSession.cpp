@@ -137,6 +137,12 @@ bool EditSession::openIsPreview() const
     return open && open->manner().withoutPen && open->manner().usualEnding == Ending::Rollback;
 }
 
+bool EditSession::openIsReplaceable() const
+{
+    const OpenOperation* open = m_queue->interactive();
+    return openIsPreview() && open->manner().endsIfRefused && !open->manner().keepsForNext;
+}
+
 bool EditSession::openHasBegun() const
 {
     const OpenOperation* open = m_queue->interactive();

@@ -99,6 +99,9 @@ public:
     }
     /// Whether what stands open is a preview, which whatever is done next takes back.
     [[nodiscard]] bool openIsPreview() const;
+    /// Whether it is a preview of an edit that was complete when it began, and of which the engine
+    /// keeps nothing: the preview of another edit may take its place.
+    [[nodiscard]] bool openIsReplaceable() const;
     /// Whether an edit stands open that questions asked from now on are answered with. One of a
     /// whole segment is worked out before that (SegmentWork), or may wait in line.
     [[nodiscard]] bool openHasBegun() const;

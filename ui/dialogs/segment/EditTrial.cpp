@@ -3,7 +3,6 @@
 
 #include "core/edits/EditJson.h"
 #include "core/edits/EditTask.h"
-#include "core/edits/kinds/values/ThresholdSegment.h"
 #include "core/session/EditSession.h"
 #include "core/session/past/LabelReader.h"
 #include "core/session/questions/VoxelQuestions.h"
@@ -22,13 +21,6 @@ constexpr int soonMilliseconds = 30;
 constexpr int restMilliseconds = 300;
 constexpr int laterMilliseconds = 200; ///< while a stroke is under the pen
 constexpr int countMilliseconds = 150; ///< a handle that is dragged goes on sooner than this
-
-/// Of this dialog or of another one.
-bool isTrial(const core::Edit& open)
-{
-    return open.is<core::ThresholdSegment>() || open.is<core::InvertSegment>()
-        || open.is<core::CombineSegments>() || core::taskOf(open) == core::EditTask::Islands;
-}
 
 } // namespace
 
@@ -96,11 +88,12 @@ void EditTrial::begin()
     core::EditSession* session = m_workspace.session();
     if (!session || !m_wanted)
         return;
-    // A growth or a stroke that stands open is left to its user.
+    // A growth or a stroke that stands open is left to its user; a preview is of this dialog or of
+    // another one.
     const bool givesWay = m_pace == Pace::InPassing && !isOpen();
     if (givesWay && session->questions().isBeingRead())
         return m_soon.start(laterMilliseconds);
-    if (const core::Edit* open = session->openEdit(); open && (givesWay || !isTrial(*open)))
+    if (session->transactionOpen() && (givesWay || !session->openIsReplaceable()))
         return m_soon.start(laterMilliseconds);
     const core::Edit wanted = *std::exchange(m_wanted, std::nullopt);
     if (!isOf(wanted)) {

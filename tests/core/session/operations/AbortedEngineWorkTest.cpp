@@ -102,6 +102,8 @@ private Q_SLOTS:
             session.segmentWork().abort(); // of nothing
             // A preview is ended, not aborted; once it is taken it is work as any other.
             QVERIFY(session.begin(edit) && session.openIsPreview());
+            // Of grown seeds the engine keeps something for the next preview.
+            QCOMPARE(session.openIsReplaceable(), !edit.is<GrowFromSeeds>());
             QVERIFY(!session.segmentWork().percent());
             session.segmentWork().abort();
             QVERIFY(session.openEdit());

@@ -223,6 +223,7 @@ private Q_SLOTS:
 
             QVERIFY(session.begin(edit));
             QVERIFY(session.transactionOpen() && session.openIsPreview());
+            QVERIFY(session.openIsReplaceable());
             QVERIFY(bench.waitUntilSeen());
             QVERIFY(!session.segmentWork().percent());
             const std::vector<std::uint8_t> seen = bench.labels();
