@@ -58,7 +58,7 @@ struct Fields {
     std::bitset<256> layers; ///< coverage
 };
 /// The volume in front of the path of a mask, in the plane of a cut's view.
-struct SweptMask {
+struct SweptToolMask {
     glm::dvec3 origin{0.0}; ///< of voxel (0, 0, 0), mm
     glm::dmat3 perVoxel{0.0}; ///< mm
     BrickGrid grid;
@@ -68,7 +68,7 @@ struct SweptMask {
     double endMm = 0.0; ///< nothing behind this is read
 };
 
-using Any = std::variant<Bricks, Plane, AllPlanes, SeedWords, SweptMask, Fields>;
+using Any = std::variant<Bricks, Plane, AllPlanes, SeedWords, SweptToolMask, Fields>;
 
 } // namespace dependsOn
 

@@ -49,7 +49,7 @@ bool isCovered(const dependsOn::Fields& fields, const BrickKey& key)
     return key.field == Field::Coverage ? fields.layers[key.plane] : fields.plane == key.plane;
 }
 
-bool isCovered(const dependsOn::SweptMask& mask, const BrickKey& key)
+bool isCovered(const dependsOn::SweptToolMask& mask, const BrickKey& key)
 {
     const bool isRead =
         key.field == Field::Coverage || (key.field == Field::Labels && mask.labels[key.plane]);

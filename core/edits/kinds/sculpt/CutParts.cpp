@@ -15,10 +15,10 @@ glm::dvec3 millimetres(const Fixed3& fixed30)
     return glm::dvec3(double(fixed30[0]), double(fixed30[1]), double(fixed30[2])) / 1073741824.0;
 }
 
-dependsOn::SweptMask sweptMask(const CutFrame& frame, const BrickGrid& grid,
+dependsOn::SweptToolMask sweptMask(const CutFrame& frame, const BrickGrid& grid,
     std::vector<glm::dvec2> path, double maskReachMm, const RowTrace& trace)
 {
-    dependsOn::SweptMask mask;
+    dependsOn::SweptToolMask mask;
     mask.grid = grid;
     mask.origin = millimetres(frame.planeOrigin);
     mask.perVoxel = glm::dmat3(
@@ -49,7 +49,7 @@ EditDependencies reachesNothing()
 EditDependencies swept(const CutFrame& frame, std::vector<glm::dvec2> path, double maskReachMm,
     const std::bitset<256>& labels, const DependencyFacts& row)
 {
-    dependsOn::SweptMask mask =
+    dependsOn::SweptToolMask mask =
         sweptMask(frame, row.grid(), std::move(path), maskReachMm, row.trace);
     mask.labels = labels;
     return mask;
