@@ -4,7 +4,6 @@
 #include "core/base/Guarded.h"
 #include "core/edits/EditTask.h"
 #include "core/edits/document/DocumentEdits.h"
-#include "core/edits/kinds/surface/FollowMask.h"
 #include "core/edits/kinds/surface/LaySurface.h"
 #include "core/edits/kinds/surface/SurfacePath.h"
 #include "core/edits/kinds/surface/WriteBack.h"
@@ -95,7 +94,7 @@ void SurfaceOperation::abort()
 bool SurfaceOperation::isAbortable() const
 {
     const bool isMoving = m_manner.withoutPen && !m_hasBegun && m_ending != Ending::Rollback;
-    return !m_done && (m_edit.is<LaySurface>() || m_edit.is<FollowMask>() || isMoving);
+    return !m_done && (fitsWholeSurface(m_edit) || isMoving);
 }
 
 void SurfaceOperation::work(SessionState& state)

@@ -142,6 +142,17 @@ struct ReadsLabels {
     bool operator()(const E&) const { return false; }
 };
 
+/// Whether an edit fits all of the surface to a mask.
+struct FitsWhole {
+    template <class E>
+    requires isOneOf<E, LaySurface, FollowMask>
+    bool operator()(const E&) const { return true; }
+    template <class E>
+    requires isOneOf<E, DropSurface, MarkSurface, ChangeMarks, SpherePush, PlaneScrape, PointDrag,
+        ApplyTemplate, SmoothSurface, AttractSurface, WriteBack, SurfaceBarrier>
+    bool operator()(const E&) const { return false; }
+};
+
 /// @param pairs of faces
 tl::unexpected<Error> crosses(std::size_t pairs)
 {
@@ -155,6 +166,13 @@ bool readsLabels(const Edit& edit)
     bool reads = false;
     visitAmong([&reads](const auto& known) { reads = ReadsLabels()(known); }, edit, SurfaceKinds());
     return reads;
+}
+
+bool fitsWholeSurface(const Edit& edit)
+{
+    bool fits = false;
+    visitAmong([&fits](const auto& known) { fits = FitsWhole()(known); }, edit, SurfaceKinds());
+    return fits;
 }
 
 std::optional<VoxelBox> greyBoxOf(const Edit& edit, const SurfaceState& surface)

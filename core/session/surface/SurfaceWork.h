@@ -100,6 +100,8 @@ private:
 
 /// Whether an edit of the surface reads the labels of its segment's plane.
 [[nodiscard]] bool readsLabels(const Edit& edit);
+/// Whether an edit of the surface fits all of it to a mask, which may take long.
+[[nodiscard]] bool fitsWholeSurface(const Edit& edit);
 /// The voxels whose grey values it reads; none: it reads none.
 [[nodiscard]] std::optional<VoxelBox> greyBoxOf(const Edit& edit, const SurfaceState& surface);
 
