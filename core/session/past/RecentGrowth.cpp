@@ -3,6 +3,8 @@
 
 #include "core/edits/EditJson.h"
 #include "core/edits/kinds/EditParts.h"
+#include "core/edits/kinds/GrowthKinds.h"
+#include "core/edits/kinds/IsOneOf.h"
 #include "core/edits/kinds/growth/ChangeInterval.h"
 #include "core/edits/kinds/growth/GrowCriteria.h"
 #include "core/edits/kinds/growth/GrowGuard.h"
@@ -16,6 +18,7 @@
 
 #include <algorithm>
 #include <bitset>
+#include <utility>
 
 namespace core {
 
@@ -163,22 +166,65 @@ void dropGoneFromRange(GrowCriteria& criteria, const Document& document)
     eraseGone(criteria.editable->outside, document);
 }
 
+namespace {
+
 /// The first plane is not named, so that criteria that mean the same are the same.
-static void nameAlike(GrowCriteria& criteria)
+void nameAlike(GrowCriteria& criteria)
 {
     criteria.plane = namedPlane(growthPlaneOf(criteria.plane));
 }
 
-Result<void> nameWhatGrowthReads(Edit& edit, const History& history, const Document& document)
-{
-    const auto* resume = edit.as<ResumeGrowth>();
-    auto* change = edit.as<ChangeInterval>();
-    if (auto* grow = edit.as<GrowSteps>())
-        nameAlike(grow->criteria);
-    if (!resume && !change)
-        return {};
-    if (resume || change->asBefore) {
-        const std::optional<int> plane = resume ? resume->plane : change->criteria.plane;
+/// What an edit of growth is once it names all that it would otherwise read in the history; none:
+/// it reads nothing there. Each kind of growth has to be named here.
+struct NamedGrowth {
+    using Answer = Result<std::optional<Edit>>;
+
+    const Edit& edit;
+    const History& history;
+    const Document& document;
+
+    Answer operator()(const GrowSteps& grow) const
+    {
+        GrowSteps named = grow;
+        nameAlike(named.criteria);
+        return Edit(std::move(named));
+    }
+    Answer operator()(const ResumeGrowth& resume) const
+    {
+        Result<Rules> rules = rulesOfLast(resume.plane);
+        if (!rules)
+            return tl::unexpected(rules.error());
+        return Edit(GrowSteps{
+            .criteria = std::move(rules->criteria), .steps = resume.steps, .guard = rules->guard});
+    }
+    Answer operator()(const ChangeInterval& change) const
+    {
+        ChangeInterval named = change;
+        if (change.asBefore) {
+            Result<Rules> rules = rulesOfLast(change.criteria.plane);
+            if (!rules)
+                return tl::unexpected(rules.error());
+            rules->criteria.lower = change.criteria.lower;
+            rules->criteria.upper = change.criteria.upper;
+            named.criteria = std::move(rules->criteria);
+            named.asBefore = false;
+        }
+        nameAlike(named.criteria);
+        if (!named.fromSeeds)
+            nameSeeds(named);
+        return Edit(std::move(named));
+    }
+    template <class E>
+    requires isOneOf<E, SeedStroke, BarrierStroke, ShrinkSteps, ShrinkAt, PlugLeak, GrowFromSeeds>
+        Answer operator()(const E&) const
+    {
+        return std::nullopt;
+    }
+
+private:
+    /// The rules of the last growth in a plane, or in any if none is named.
+    [[nodiscard]] Result<Rules> rulesOfLast(std::optional<int> plane) const
+    {
         std::optional<Rules> rules = recentRules(history, plane);
         if (!rules)
             return failure(ErrorCode::InvalidField, editName(edit),
@@ -186,27 +232,35 @@ Result<void> nameWhatGrowthReads(Edit& edit, const History& history, const Docum
                     ? Clause::saying("nothing has grown on label plane %1 before", *plane + 1)
                     : Clause::saying("nothing has grown before"));
         if (const Result<void> left = dropGone(rules->criteria, document); !left)
-            return left;
-        if (resume) {
-            edit = GrowSteps{
-                .criteria = rules->criteria, .steps = resume->steps, .guard = rules->guard};
-            return {};
-        }
-        rules->criteria.lower = change->criteria.lower;
-        rules->criteria.upper = change->criteria.upper;
-        change->criteria = rules->criteria;
-        change->asBefore = false;
+            return tl::unexpected(left.error());
+        return *std::move(rules);
     }
-    nameAlike(change->criteria);
-    if (change->fromSeeds)
-        return {};
-    change->fromSeeds = change->criteria.sigmas || asksPassage(change->criteria, document)
-        || segmentsCompete(change->criteria, history, document);
-    // As many generations again as there are, of which the seeds are the first, and those asked
-    // for.
-    const auto generation = int(document.generation(growthPlaneOf(change->criteria.plane)));
-    if (*change->fromSeeds && change->steps && generation > 0)
-        *change->steps = std::min(*change->steps + generation - 1, int(seedWord::maxGeneration));
+    void nameSeeds(ChangeInterval& change) const
+    {
+        change.fromSeeds = change.criteria.sigmas || asksPassage(change.criteria, document)
+            || segmentsCompete(change.criteria, history, document);
+        // As many generations again as there are, of which the seeds are the first, and those asked
+        // for.
+        const auto generation = int(document.generation(growthPlaneOf(change.criteria.plane)));
+        if (*change.fromSeeds && change.steps && generation > 0)
+            *change.steps = std::min(*change.steps + generation - 1, int(seedWord::maxGeneration));
+    }
+};
+
+} // namespace
+
+Result<void> nameWhatGrowthReads(Edit& edit, const History& history, const Document& document)
+{
+    NamedGrowth::Answer named = std::nullopt;
+    visitAmong(
+        [&](const auto& known) {
+            named = NamedGrowth{edit, history, document}(known);
+        },
+        std::as_const(edit), GrowthKinds());
+    if (!named)
+        return tl::unexpected(named.error());
+    if (*named)
+        edit = **std::move(named);
     return {};
 }
 
