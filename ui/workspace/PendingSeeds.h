@@ -2,9 +2,9 @@
 #pragma once
 
 #include "gpu/scene/Scene.h"
-#include "ui/settings/GrowthPast.h"
-#include "ui/settings/SegmentIntervals.h"
 #include "ui/settings/growth/AcceptedFronts.h"
+#include "ui/settings/growth/GrowthPast.h"
+#include "ui/settings/growth/SegmentIntervals.h"
 
 #include <QObject>
 

@@ -7,7 +7,7 @@
 #include "gpu/frame/FrameSource.h"
 #include "ui/geometry/ToolMaskOutline.h"
 #include "ui/settings/EditableSettings.h"
-#include "ui/settings/GrowSettings.h"
+#include "ui/settings/growth/GrowSettings.h"
 
 #include <QObject>
 #include <QPointer>

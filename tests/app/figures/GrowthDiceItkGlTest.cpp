@@ -7,8 +7,8 @@
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/PlainEdits.h"
 #include "tests/support/scenes/SculptStage.h"
-#include "ui/settings/GrowSettings.h"
-#include "ui/settings/SeedValues.h"
+#include "ui/settings/growth/GrowSettings.h"
+#include "ui/settings/growth/SeedValues.h"
 
 #include <QTest>
 

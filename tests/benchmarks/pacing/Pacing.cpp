@@ -12,7 +12,7 @@
 #include "tests/support/scenes/PlainEdits.h"
 #include "tests/support/scenes/SharedData.h"
 #include "ui/base/ErrorText.h"
-#include "ui/settings/GrowSettings.h"
+#include "ui/settings/growth/GrowSettings.h"
 #include "ui/views/ViewGrid.h"
 #include "ui/window/MainWindow.h"
 

@@ -11,7 +11,7 @@
 #include "ui/panels/growth/GrowthPanel.h"
 #include "ui/panels/growth/SpreadBar.h"
 #include "ui/panels/refine/ChunksPanel.h"
-#include "ui/settings/GrowSettings.h"
+#include "ui/settings/growth/GrowSettings.h"
 #include "ui/tasks/growth/LiveInterval.h"
 #include "ui/tools/contour/ContourTool.h"
 #include "ui/tools/growth/FloodFillTool.h"

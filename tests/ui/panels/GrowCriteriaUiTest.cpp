@@ -9,7 +9,7 @@
 #include "tests/support/scenes/SmallStudy.h"
 #include "ui/panels/growth/GrowthPanel.h"
 #include "ui/settings/EditableSettings.h"
-#include "ui/settings/GrowSettings.h"
+#include "ui/settings/growth/GrowSettings.h"
 #include "ui/widgets/RangeSlider.h"
 #include "ui/workspace/SegmentActions.h"
 

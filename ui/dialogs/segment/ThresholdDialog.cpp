@@ -10,7 +10,7 @@
 #include "ui/dialogs/segment/IntervalSuggestions.h"
 #include "ui/dialogs/segment/PreviewBox.h"
 #include "ui/menus/SegmentMenus.h"
-#include "ui/settings/GrowSettings.h"
+#include "ui/settings/growth/GrowSettings.h"
 #include "ui/widgets/HistogramRange.h"
 #include "ui/workspace/SegmentActions.h"
 #include "ui/workspace/Workspace.h"

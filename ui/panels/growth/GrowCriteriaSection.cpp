@@ -9,7 +9,7 @@
 #include "ui/base/Theme.h"
 #include "ui/overlays/SeedBand.h"
 #include "ui/panels/growth/PlainLimits.h"
-#include "ui/settings/SeedValues.h"
+#include "ui/settings/growth/SeedValues.h"
 #include "ui/widgets/FoldButton.h"
 #include "ui/widgets/RangeSlider.h"
 #include "ui/widgets/fields/NumberField.h"

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "ui/panels/AxisSliders.h"
-#include "ui/settings/GrowSettings.h"
+#include "ui/settings/growth/GrowSettings.h"
 
 #include <QString>
 #include <QWidget>

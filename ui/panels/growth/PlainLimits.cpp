@@ -4,7 +4,7 @@
 #include "core/edits/kinds/growth/GrowLimits.h"
 #include "ui/base/SmallLabel.h"
 #include "ui/base/Theme.h"
-#include "ui/settings/GrowPresets.h"
+#include "ui/settings/growth/GrowPresets.h"
 #include "ui/widgets/fields/NumberField.h"
 #include "ui/workspace/Workspace.h"
 

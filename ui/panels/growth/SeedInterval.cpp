@@ -6,7 +6,7 @@
 #include "ui/base/NumberText.h"
 #include "ui/base/StudyTexts.h"
 #include "ui/base/Theme.h"
-#include "ui/settings/SeedValues.h"
+#include "ui/settings/growth/SeedValues.h"
 #include "ui/tasks/growth/SketchLook.h"
 #include "ui/workspace/PendingSeeds.h"
 #include "ui/workspace/Workspace.h"

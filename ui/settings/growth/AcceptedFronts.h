@@ -3,7 +3,7 @@
 
 #include "core/growth/GrowthCommands.h"
 #include "core/history/History.h"
-#include "ui/settings/GrowSettings.h"
+#include "ui/settings/growth/GrowSettings.h"
 
 #include <cstddef>
 #include <cstdint>

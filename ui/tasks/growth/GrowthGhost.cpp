@@ -8,7 +8,7 @@
 #include "core/session/past/LabelReader.h"
 #include "core/session/questions/VoxelQuestions.h"
 #include "ui/base/StudyTexts.h"
-#include "ui/settings/GrowSettings.h"
+#include "ui/settings/growth/GrowSettings.h"
 #include "ui/workspace/Workspace.h"
 
 #include <QPointer>

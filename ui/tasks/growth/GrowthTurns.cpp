@@ -8,7 +8,7 @@
 #include "core/session/EditSession.h"
 #include "ui/base/NumberText.h"
 #include "ui/base/StudyTexts.h"
-#include "ui/settings/GrowSettings.h"
+#include "ui/settings/growth/GrowSettings.h"
 #include "ui/workspace/PendingSeeds.h"
 #include "ui/workspace/Workspace.h"
 

@@ -6,7 +6,7 @@
 #include "core/session/past/RecentGrowth.h"
 #include "core/session/questions/VoxelQuestions.h"
 #include "ui/base/StudyTexts.h"
-#include "ui/settings/GrowSettings.h"
+#include "ui/settings/growth/GrowSettings.h"
 #include "ui/workspace/PendingSeeds.h"
 #include "ui/workspace/Workspace.h"
 

@@ -4,7 +4,7 @@
 #include "core/contour/ContourTrack.h"
 #include "core/document/Document.h"
 #include "ui/base/StudyTexts.h"
-#include "ui/settings/GrowSettings.h"
+#include "ui/settings/growth/GrowSettings.h"
 #include "ui/tools/contour/ContourTool.h"
 
 namespace ui {

@@ -3,7 +3,7 @@
 
 #include "core/session/SegmentWork.h"
 #include "ui/base/Theme.h"
-#include "ui/settings/SeedValues.h"
+#include "ui/settings/growth/SeedValues.h"
 #include "ui/tools/aim/CursorLabel.h"
 #include "ui/tools/contour/ContourOptions.h"
 #include "ui/tools/contour/ContourTexts.h"

@@ -9,8 +9,8 @@
 #include "tests/support/fixtures/WorkspaceFixture.h"
 #include "tests/support/program/TestProgram.h"
 #include "ui/panels/growth/GrowthPanel.h"
-#include "ui/settings/GrowPresets.h"
-#include "ui/settings/GrowSettings.h"
+#include "ui/settings/growth/GrowPresets.h"
+#include "ui/settings/growth/GrowSettings.h"
 #include "ui/workspace/SegmentActions.h"
 
 #include <QAbstractButton>

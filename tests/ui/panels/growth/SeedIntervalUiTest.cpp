@@ -9,7 +9,7 @@
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/PlainEdits.h"
 #include "ui/panels/growth/GrowthPanel.h"
-#include "ui/settings/SeedValues.h"
+#include "ui/settings/growth/SeedValues.h"
 #include "ui/tasks/growth/SketchLook.h"
 #include "ui/tools/aim/LookingDirection.h"
 #include "ui/window/display/ToolSettings.h"

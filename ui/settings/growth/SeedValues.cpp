@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ui/settings/SeedValues.h"
+#include "ui/settings/growth/SeedValues.h"
 
 #include "core/edits/kinds/growth/SeedStroke.h"
 #include "core/session/EditSession.h"

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/history/History.h"
-#include "ui/settings/SeedValues.h"
+#include "ui/settings/growth/SeedValues.h"
 
 #include <QJsonArray>
 

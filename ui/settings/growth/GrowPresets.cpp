@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ui/settings/GrowPresets.h"
+#include "ui/settings/growth/GrowPresets.h"
 
 #include <QObject>
 

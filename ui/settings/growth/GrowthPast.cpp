@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ui/settings/GrowthPast.h"
+#include "ui/settings/growth/GrowthPast.h"
 
 #include "core/session/EditSession.h"
 #include "core/session/past/RecentGrowth.h"
-#include "ui/settings/SeedValues.h"
+#include "ui/settings/growth/SeedValues.h"
 
 namespace ui {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ui/settings/SegmentIntervals.h"
+#include "ui/settings/growth/SegmentIntervals.h"
 
 #include "core/edits/kinds/EditParts.h"
 #include "core/edits/kinds/growth/ChangeInterval.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ui/settings/GrowthPast.h"
+#include "ui/settings/growth/GrowthPast.h"
 
 #include "core/session/EditSession.h"
 #include "core/session/past/RecentGrowth.h"
@@ -8,7 +8,7 @@
 #include "tests/support/fixtures/WorkspaceFixture.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/PlainEdits.h"
-#include "ui/settings/SeedValues.h"
+#include "ui/settings/growth/SeedValues.h"
 
 #include <QTest>
 

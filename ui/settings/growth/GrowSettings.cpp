@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ui/settings/GrowSettings.h"
+#include "ui/settings/growth/GrowSettings.h"
 
 #include "core/edits/kinds/growth/GrowCriteria.h"
 #include "core/edits/kinds/growth/GrowLimits.h"
