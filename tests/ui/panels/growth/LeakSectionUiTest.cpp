@@ -4,11 +4,13 @@
 
 #include "core/edits/kinds/growth/GrowSteps.h"
 #include "core/edits/kinds/growth/ShrinkSteps.h"
+#include "tests/support/cases/growth/LeakPhantoms.h"
 #include "tests/support/faults/FailingLog.h"
-#include "tests/support/fixtures/panels/LeakyPanel.h"
+#include "tests/support/fixtures/WorkspaceFixture.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/PlainEdits.h"
 #include "ui/panels/growth/GenerationBar.h"
+#include "ui/panels/growth/GrowthPanel.h"
 #include "ui/tasks/growth/LiveInterval.h"
 #include "ui/workspace/SegmentActions.h"
 
@@ -30,12 +32,55 @@ namespace {
 
 const test::LeakPhantom& phantom()
 {
-    return test::LeakyPanel::phantom();
+    static const test::LeakPhantom made = test::leakPhantom(0, true);
+    return made;
 }
 
-/// The panel, and what has become of the growth in it.
-class LeakyPanel : public test::LeakyPanel {
+/// The growth panel on screen with a vessel that has a hole in its wall; the vessel is seeded, and
+/// the guard is on.
+class LeakyPanel : public WorkspaceFixture {
 public:
+    LeakyPanel()
+        : WorkspaceFixture(test::loadedVolume(phantom()))
+        , panel(workspace)
+    {
+        panel.show();
+        if (!QTest::qWaitForWindowExposed(&panel) || !ui::addSegment(workspace))
+            qFatal("no panel");
+        apply(test::seedAt(1, {placeOf(phantom().seed)}));
+        ui::GrowSettings settings = workspace.growSettings();
+        settings.lower = phantom().lowCode;
+        settings.upper = phantom().highCode;
+        settings.guard.on = true;
+        workspace.setGrowSettings(settings);
+    }
+    [[nodiscard]] glm::dvec3 placeOf(const glm::ivec3& voxel) const
+    {
+        return workspace.volume()->geometry.toWorld(glm::dvec3(voxel));
+    }
+    template <class Widget> Widget& part(const char* name)
+    {
+        auto* found = panel.findChild<Widget*>(QLatin1String(name));
+        if (!found)
+            qFatal("no %s", name);
+        return *found;
+    }
+    void click(const char* name)
+    {
+        QTest::mouseClick(&part<QAbstractButton>(name), Qt::LeftButton);
+        stopped();
+    }
+    /// Waits until nothing grows.
+    void stopped()
+    {
+        const auto still = [this] {
+            session().poll();
+            return !panel.running();
+        };
+        if (!QTest::qWaitFor(still, 60000))
+            qFatal("it grows on");
+        settle();
+    }
     [[nodiscard]] bool offered() { return part<QAbstractButton>("leakPlug").isVisible(); }
     [[nodiscard]] const core::Edit& lastEdit()
     {
@@ -52,6 +97,8 @@ public:
             count += labels[voxel] != 0 && phantom().leak.values[voxel] != 0 ? 1 : 0;
         return count;
     }
+
+    ui::GrowthPanel panel;
 };
 
 } // namespace

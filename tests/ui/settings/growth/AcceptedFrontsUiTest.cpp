@@ -6,13 +6,16 @@
 #include "core/edits/kinds/growth/ShrinkAt.h"
 #include "core/edits/kinds/growth/ShrinkSteps.h"
 #include "core/session/StepFindings.h"
+#include "tests/support/cases/growth/LeakPhantoms.h"
 #include "tests/support/faults/FailingLog.h"
-#include "tests/support/fixtures/panels/LeakyPanel.h"
+#include "tests/support/fixtures/WorkspaceFixture.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/PlainEdits.h"
+#include "ui/panels/growth/GrowthPanel.h"
 #include "ui/panels/growth/LeakSection.h"
 #include "ui/tasks/growth/LiveInterval.h"
 #include "ui/workspace/PendingSeeds.h"
+#include "ui/workspace/SegmentActions.h"
 
 #include <QAbstractButton>
 #include <QLabel>
@@ -23,18 +26,32 @@
 
 namespace acceptedFrontsUiTest {
 
+using test::WorkspaceFixture;
+
 namespace {
 
 const test::LeakPhantom& phantom()
 {
-    return test::LeakyPanel::phantom();
+    static const test::LeakPhantom made = test::leakPhantom(0, true);
+    return made;
 }
 
-/// Growth through the hole has raised an alarm, which was accepted, and has gone on to its end.
-class AcceptedLeak : public test::LeakyPanel {
+/// The growth panel on screen beside a vessel whose wall has a hole: growth through it has raised
+/// an alarm, which was accepted, and has gone on to its end.
+class AcceptedLeak : public WorkspaceFixture {
 public:
     AcceptedLeak()
+        : WorkspaceFixture(test::loadedVolume(phantom()))
+        , panel(workspace)
     {
+        panel.show();
+        if (!QTest::qWaitForWindowExposed(&panel) || !ui::addSegment(workspace))
+            qFatal("no panel");
+        apply(test::seedAt(1, {placeOf(phantom().seed)}));
+        ui::GrowSettings settings = workspace.growSettings();
+        settings.lower = phantom().lowCode;
+        settings.upper = phantom().highCode;
+        workspace.setGrowSettings(settings);
         click("growPlay");
         const auto alarm = session().findings().leakAlarm();
         if (!alarm)
@@ -44,6 +61,33 @@ public:
         click("leakAccept");
         if (part<QAbstractButton>("leakAccept").isVisible())
             qFatal("it asks for a leak again");
+    }
+    [[nodiscard]] glm::dvec3 placeOf(const glm::ivec3& voxel) const
+    {
+        return workspace.volume()->geometry.toWorld(glm::dvec3(voxel));
+    }
+    template <class Widget> Widget& part(const char* name)
+    {
+        auto* found = panel.findChild<Widget*>(QLatin1String(name));
+        if (!found)
+            qFatal("no %s", name);
+        return *found;
+    }
+    void click(const char* name)
+    {
+        QTest::mouseClick(&part<QAbstractButton>(name), Qt::LeftButton);
+        stopped();
+    }
+    /// Waits until nothing grows.
+    void stopped()
+    {
+        const auto still = [this] {
+            session().poll();
+            return !panel.running();
+        };
+        if (!QTest::qWaitFor(still, 60000))
+            qFatal("it grows on");
+        settle();
     }
     /// By how much a front must be wider for the next growth to ask.
     [[nodiscard]] double nextMm2() const { return panel.growEdit().guard.areaMm2; }
@@ -60,6 +104,7 @@ public:
             .voxel = phantom().seed});
     }
 
+    ui::GrowthPanel panel;
     core::LeakAlarm asked;
     double raisedMm2 = 0.0; ///< that the next front must be wider by
 };
