@@ -63,14 +63,14 @@ public:
         return !progress.cancelled();
     }
 
-    [[nodiscard]] FloodedCells reach() const
+    [[nodiscard]] CoarseReach reach() const
     {
-        FloodedCells reach;
+        CoarseReach reach;
         const VoxelBox taken = countTaken(reach.voxels);
         if (taken.empty())
             return reach;
-        reach.cells = {glm::max(taken.minimum - FloodedCells::margin, glm::ivec3(0)),
-            glm::min(taken.maximum + FloodedCells::margin, m_cells)};
+        reach.cells = {glm::max(taken.minimum - CoarseReach::margin, glm::ivec3(0)),
+            glm::min(taken.maximum + CoarseReach::margin, m_cells)};
         const glm::ivec3 size = reach.cells.maximum - reach.cells.minimum;
         reach.states.resize(std::size_t(size.x) * std::size_t(size.y) * std::size_t(size.z));
         std::size_t state = 0;
@@ -78,7 +78,7 @@ public:
             const std::uint8_t* const marks = &m_marks[placeOf(first)];
             for (int x = 0; x < size.x; ++x, ++state)
                 reach.states[state] =
-                    marks[x] == Taken ? FloodedCells::Reached : FloodedCells::Beyond;
+                    marks[x] == Taken ? CoarseReach::Reached : CoarseReach::Beyond;
         });
         addRim(reach);
         return reach;
@@ -170,7 +170,7 @@ private:
         return taken;
     }
     /// Makes Rim of what touches a reached cell.
-    void addRim(FloodedCells& reach) const
+    void addRim(CoarseReach& reach) const
     {
         const glm::ivec3 size = reach.cells.maximum - reach.cells.minimum;
         std::vector<std::uint16_t> widened = reach.states;
@@ -185,10 +185,10 @@ private:
             forEachRow({glm::ivec3(0), size}, [&](const glm::ivec3& first) {
                 glm::ivec3 at = first;
                 for (; at.x < size.x; ++at.x, ++state) {
-                    if ((at[axis] > 0 && narrow[state - step] != FloodedCells::Beyond)
+                    if ((at[axis] > 0 && narrow[state - step] != CoarseReach::Beyond)
                         || (at[axis] + 1 < size[axis]
-                            && narrow[state + step] != FloodedCells::Beyond))
-                        widened[state] = FloodedCells::Reached;
+                            && narrow[state + step] != CoarseReach::Beyond))
+                        widened[state] = CoarseReach::Reached;
                 }
             });
         }
@@ -197,7 +197,7 @@ private:
             std::size_t number = m_grid.numberOf(first);
             for (int x = 0; x < size.x; ++x, ++state, ++number) {
                 if (widened[state] != reach.states[state] && !isClosed(number))
-                    reach.states[state] = FloodedCells::Rim;
+                    reach.states[state] = CoarseReach::Rim;
             }
         });
     }
@@ -214,7 +214,7 @@ private:
 
 } // namespace
 
-Result<FloodedCells> coarseFlood(const CoarseCodes& codes, std::span<const std::uint8_t> labels,
+Result<CoarseReach> coarseFlood(const CoarseCodes& codes, std::span<const std::uint8_t> labels,
     const std::vector<CoarseSeed>& seeds, const CoarseRule& rule, const Progress& progress)
 {
     Flood flood(codes, labels, rule);
@@ -225,9 +225,9 @@ Result<FloodedCells> coarseFlood(const CoarseCodes& codes, std::span<const std::
     return flood.reach();
 }
 
-FloodedCells inDoubledCells(const FloodedCells& reach)
+CoarseReach inDoubledCells(const CoarseReach& reach)
 {
-    FloodedCells doubled;
+    CoarseReach doubled;
     doubled.voxels = reach.voxels;
     if (reach.cells.empty())
         return doubled;
@@ -249,17 +249,17 @@ FloodedCells inDoubledCells(const FloodedCells& reach)
             for (int x = reach.cells.minimum.x; x < reach.cells.maximum.x; ++x, ++from) {
                 Count& count = counts[first + std::size_t(x / 2 - doubled.cells.minimum.x)];
                 ++count.cells;
-                count.reached += reach.states[from] == FloodedCells::Reached ? 1 : 0;
-                count.isAny = count.isAny || reach.states[from] != FloodedCells::Beyond;
+                count.reached += reach.states[from] == CoarseReach::Reached ? 1 : 0;
+                count.isAny = count.isAny || reach.states[from] != CoarseReach::Beyond;
             }
         }
     }
     doubled.states.reserve(counts.size());
     for (const Count& count : counts)
         doubled.states.push_back(count.reached > 0 && 2 * count.reached >= count.cells
-                ? FloodedCells::Reached
-                : count.isAny ? FloodedCells::Rim
-                              : FloodedCells::Beyond);
+                ? CoarseReach::Reached
+                : count.isAny ? CoarseReach::Rim
+                              : CoarseReach::Beyond);
     return doubled;
 }
 

@@ -33,7 +33,7 @@ struct CoarseSeed {
 };
 
 /// What a coarse flood has reached.
-struct FloodedCells {
+struct CoarseReach {
     enum State : std::uint16_t {
         Beyond,
         Reached,
@@ -60,12 +60,12 @@ struct FloodedCells {
 ///
 /// @param labels by cell, of the voxels that represent them; empty: all 0
 /// Errors: Cancelled. Cost ∝ the cells; two million take some tens of milliseconds.
-[[nodiscard]] Result<FloodedCells> coarseFlood(const CoarseCodes& codes,
+[[nodiscard]] Result<CoarseReach> coarseFlood(const CoarseCodes& codes,
     std::span<const std::uint8_t> labels, const std::vector<CoarseSeed>& seeds,
     const CoarseRule& rule, const Progress& progress = Progress());
 
 /// The same in cells of twice the side along all axes: Reached where at least half of the cells
 /// are, Rim where any other is not Beyond.
-[[nodiscard]] FloodedCells inDoubledCells(const FloodedCells& reach);
+[[nodiscard]] CoarseReach inDoubledCells(const CoarseReach& reach);
 
 } // namespace core

@@ -82,7 +82,7 @@ Bytes plainFlood(const Codes& codes, const Bytes& labels, const std::vector<Coar
 
 /// What slices draw: voxels of the interval in cells that were reached, or touch them.
 Bytes drawn(
-    const Codes& codes, const CoarseGrid& grid, const FloodedCells& reach, const CoarseRule& rule)
+    const Codes& codes, const CoarseGrid& grid, const CoarseReach& reach, const CoarseRule& rule)
 {
     Bytes shown{codes.size, std::vector<std::uint8_t>(codes.values.size())};
     const glm::ivec3 size = reach.cells.maximum - reach.cells.minimum;
@@ -99,7 +99,7 @@ Bytes drawn(
                         * std::size_t(size.x)
                     + std::size_t(at.x);
                 const int code = codes.at(voxel);
-                shown.at(voxel) = reach.states[number] != FloodedCells::Beyond
+                shown.at(voxel) = reach.states[number] != CoarseReach::Beyond
                     && code >= rule.lowCode && code <= rule.highCode;
             }
         }
@@ -108,12 +108,12 @@ Bytes drawn(
 }
 
 /// One past the last voxel along x that is in a cell that was reached, or touches one.
-int endAlongX(const FloodedCells& reach, const CoarseGrid& grid)
+int endAlongX(const CoarseReach& reach, const CoarseGrid& grid)
 {
     const int width = reach.cells.maximum.x - reach.cells.minimum.x;
     int end = 0;
     for (std::size_t at = 0; at < reach.states.size(); ++at) {
-        if (reach.states[at] != FloodedCells::Beyond)
+        if (reach.states[at] != CoarseReach::Beyond)
             end = std::max(end, reach.cells.minimum.x + int(at % std::size_t(width)) + 1);
     }
     return end * grid.cell.x;
@@ -205,7 +205,7 @@ private Q_SLOTS:
         const Bytes wanted = plainFlood(codes, labels, seeds, rule);
         QCOMPARE(drawn(codes, coarse.grid(), *reach, rule).values, wanted.values);
         QCOMPARE(reach->voxels, countOf(wanted));
-        QVERIFY(std::find(reach->states.begin(), reach->states.end(), FloodedCells::Rim)
+        QVERIFY(std::find(reach->states.begin(), reach->states.end(), CoarseReach::Rim)
             == reach->states.end());
     }
 
@@ -278,10 +278,10 @@ private Q_SLOTS:
         const std::vector<CoarseSeed> seeds{seedAt(codes, {31, 27, 24})};
         const CoarseCodes coarse = sampled(codes, 31 * 29 * 25);
         QCOMPARE(coarse.grid().cell, glm::ivec3(2));
-        const FloodedCells single = coarseFlood(coarse, {}, seeds, tissue).value();
+        const CoarseReach single = coarseFlood(coarse, {}, seeds, tissue).value();
         CoarseGrid grid = coarse.grid();
         grid.cell *= 2;
-        const FloodedCells doubled = inDoubledCells(single);
+        const CoarseReach doubled = inDoubledCells(single);
         const glm::ivec3 size = doubled.cells.maximum - doubled.cells.minimum;
         QCOMPARE(doubled.states.size(), std::size_t(size.x * size.y * size.z));
         QVERIFY(doubled.states.size() < single.states.size() / 5);
@@ -289,7 +289,7 @@ private Q_SLOTS:
         const Bytes wanted = drawn(codes, coarse.grid(), single, tissue);
         QCOMPARE(drawn(codes, grid, doubled, tissue).values, wanted.values);
         const auto reached =
-            std::count(doubled.states.begin(), doubled.states.end(), FloodedCells::Reached);
+            std::count(doubled.states.begin(), doubled.states.end(), CoarseReach::Reached);
         const double share = 64.0 * double(reached) / double(single.voxels);
         QVERIFY2(share > 0.8 && share < 1.2, qPrintable(QString::number(share)));
         QVERIFY(inDoubledCells({}).states.empty());
@@ -305,7 +305,7 @@ private Q_SLOTS:
                 seeds.push_back(seedAt(codes, voxel));
             return coarseFlood(coarse, {}, seeds, tissue).value();
         };
-        const FloodedCells none = from({{2, 2, 2}, {20, 20, 31}});
+        const CoarseReach none = from({{2, 2, 2}, {20, 20, 31}});
         QVERIFY(none.cells.empty() && none.states.empty() && none.voxels == 0);
         QVERIFY(from({{2, 2, 2}, {20, 20, 20}}).voxels > 2000);
         // On the border: its cell's middle lies outside the ball, or not.

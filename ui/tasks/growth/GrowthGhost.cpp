@@ -39,7 +39,7 @@ std::uint32_t lighter(std::uint32_t rgb)
 
 /// @param of the flood
 PendingSeeds::Ghost ghostOf(
-    core::FloodedCells reach, core::CoarseGrid grid, const core::CoarseRule& of, std::uint32_t rgb)
+    core::CoarseReach reach, core::CoarseGrid grid, const core::CoarseRule& of, std::uint32_t rgb)
 {
     if (reach.cells.empty())
         return {};
@@ -55,7 +55,7 @@ PendingSeeds::Ghost ghostOf(
     areas->codes = core::CodeRange{.lowest = of.lowCode, .highest = of.highCode};
     areas->opacity = opacity;
     const std::uint32_t argb = 0xFF000000u | lighter(rgb);
-    areas->argb = {argb, argb}; // by core::FloodedCells::State
+    areas->argb = {argb, argb}; // by core::CoarseReach::State
     auto bodies = std::make_shared<gpu::SceneChunks>(*areas);
     bodies->argb = {argb, 0};
     return {.areas = std::move(areas), .bodies = std::move(bodies)};
@@ -348,7 +348,7 @@ void GrowthGhost::flood()
     const auto work = [codes = m_codes, labels = m_wanted->asksLabels ? m_labels : nullptr,
                           seeds = std::move(seeds),
                           of = *m_wanted](const core::Progress& progress) -> core::Result<Drawn> {
-        core::Result<core::FloodedCells> reach = core::coarseFlood(*codes,
+        core::Result<core::CoarseReach> reach = core::coarseFlood(*codes,
             labels ? std::span<const std::uint8_t>(*labels) : std::span<const std::uint8_t>(),
             seeds, of.rule, progress);
         if (!reach)
