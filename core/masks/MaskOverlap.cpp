@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/masks/MaskOverlap.h"
 
-#include "core/edits/kinds/segments/ImportMask.h"
-#include "core/edits/kinds/segments/ImportTargets.h"
+#include "core/edits/kinds/imports/ImportMask.h"
+#include "core/edits/kinds/imports/ImportTargets.h"
 #include "core/masks/MaskOnVolume.h"
 #include "core/masks/MaskParts.h"
 

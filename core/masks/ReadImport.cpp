@@ -3,7 +3,7 @@
 
 #include "core/document/SegmentColours.h"
 #include "core/edits/fields/EditFields.h"
-#include "core/edits/kinds/segments/ImportMask.h"
+#include "core/edits/kinds/imports/ImportMask.h"
 
 #include <QDir>
 #include <QFileInfo>

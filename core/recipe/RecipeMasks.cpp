@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/edits/kinds/FileKinds.h"
 #include "core/edits/kinds/chunks/DivideSegment.h"
-#include "core/edits/kinds/segments/ImportMask.h"
+#include "core/edits/kinds/imports/ImportMask.h"
 #include "core/masks/MaskOnVolume.h"
 #include "core/masks/ReadImport.h"
 #include "core/masks/ReadProbabilities.h"

@@ -670,7 +670,7 @@ void HouseTest::ruleBites_data()
     row("core/a/A.cpp", "file.open(QIODevice::ReadOnly);", true);
     row("core/base/files/A.cpp", "QFile::remove(path);", true);
     row("core/a/A.cpp", "const VoxelsAllowed folds; // still on this thread", false);
-    row("core/edits/kinds/segments/ImportMask.cpp", "const VoxelsAllowed here;", false);
+    row("core/edits/kinds/imports/ImportMask.cpp", "const VoxelsAllowed here;", false);
     row("ui/A.cpp", "const core::VoxelsAllowed few;", false);
     row("core/session/RestoreSession.cpp", "const VoxelsAllowed opens;", true);
     row("ui/A.cpp", "    , m_radius(new QDoubleSpinBox(this))", false);

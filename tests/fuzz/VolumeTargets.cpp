@@ -5,7 +5,7 @@
 #include "core/dicom/objects/RtStructFile.h"
 #include "core/dicom/objects/SegReader.h"
 #include "core/edits/kinds/chunks/DivideSegment.h"
-#include "core/edits/kinds/segments/ImportMask.h"
+#include "core/edits/kinds/imports/ImportMask.h"
 #include "core/masks/ReadImport.h"
 #include "core/masks/ReadProbabilities.h"
 #include "core/study/StudyLoader.h"

@@ -2,7 +2,7 @@
 #include "ui/tasks/LiveComparison.h"
 
 #include "core/brick/LabelRuns.h"
-#include "core/edits/kinds/segments/ImportMask.h"
+#include "core/edits/kinds/imports/ImportMask.h"
 #include "core/export/common/ImportedSegments.h"
 #include "core/refine/mesh/SimplexMesh.h"
 #include "core/refine/voxels/SurfaceVoxels.h"

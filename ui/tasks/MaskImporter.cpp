@@ -2,7 +2,7 @@
 #include "ui/tasks/MaskImporter.h"
 
 #include "core/dicom/base/DicomFile.h"
-#include "core/edits/kinds/segments/ImportMask.h"
+#include "core/edits/kinds/imports/ImportMask.h"
 #include "core/masks/ReadImport.h"
 #include "core/meshfile/MeshReader.h"
 #include "core/session/EditSession.h"

@@ -3,7 +3,7 @@
 
 #include "core/base/words/Clause.h"
 #include "core/edits/fields/EditFields.h"
-#include "core/edits/kinds/segments/ImportMask.h"
+#include "core/edits/kinds/imports/ImportMask.h"
 
 #include <vector>
 

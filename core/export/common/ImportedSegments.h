@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/edits/kinds/segments/ImportTargets.h"
+#include "core/edits/kinds/imports/ImportTargets.h"
 #include "core/export/common/ExportMask.h"
 
 namespace core {

@@ -3,7 +3,7 @@
 
 #include "core/edits/document/DocumentEdits.h"
 #include "core/edits/kinds/EditParts.h"
-#include "core/edits/kinds/growth/GrowCriteria.h"
+#include "core/edits/kinds/criteria/GrowCriteria.h"
 #include "core/edits/sculpt/SculptEdits.h"
 
 #include <algorithm>

@@ -4,7 +4,7 @@
 #include "core/brick/BrickGrid.h"
 #include "core/brick/RunRows.h"
 #include "core/brick/VoxelRuns.h"
-#include "core/edits/kinds/segments/ImportMask.h"
+#include "core/edits/kinds/imports/ImportMask.h"
 
 #include <utility>
 

@@ -2,7 +2,7 @@
 #include "core/session/past/PastImports.h"
 
 #include "core/edits/document/DocumentEdits.h"
-#include "core/edits/kinds/segments/ImportMask.h"
+#include "core/edits/kinds/imports/ImportMask.h"
 
 #include <algorithm>
 #include <memory>

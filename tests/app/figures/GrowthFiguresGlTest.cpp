@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/demo/DemoStudy.h"
 #include "core/demo/HeadPhantom.h"
+#include "core/edits/kinds/criteria/GrowCriteria.h"
 #include "core/edits/kinds/growth/ChangeInterval.h"
-#include "core/edits/kinds/growth/GrowCriteria.h"
 #include "core/edits/kinds/growth/ResumeGrowth.h"
 #include "core/edits/kinds/parts/GrowBox.h"
 #include "core/edits/kinds/pieces/PastePiece.h"

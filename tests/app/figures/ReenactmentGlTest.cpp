@@ -3,7 +3,7 @@
 #include "core/demo/HeadPhantom.h"
 #include "core/document/Piece.h"
 #include "core/edits/engine/EngineEdits.h"
-#include "core/edits/kinds/growth/GrowCriteria.h"
+#include "core/edits/kinds/criteria/GrowCriteria.h"
 #include "core/edits/kinds/growth/GrowFromSeeds.h"
 #include "core/edits/kinds/growth/SeedStroke.h"
 #include "core/edits/kinds/layers/AddLayer.h"

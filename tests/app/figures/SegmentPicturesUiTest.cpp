@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/brick/ThreadWithoutVoxels.h"
 #include "core/brick/VoxelRuns.h"
+#include "core/edits/kinds/imports/ImportMask.h"
 #include "core/edits/kinds/segments/CleanSegment.h"
-#include "core/edits/kinds/segments/ImportMask.h"
 #include "core/edits/kinds/segments/ReshapeSegment.h"
 #include "core/edits/kinds/values/ThresholdSegment.h"
 #include "core/masks/MaskOverlap.h"

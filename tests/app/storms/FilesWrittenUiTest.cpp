@@ -2,7 +2,7 @@
 #include "app/window/Application.h"
 #include "app/window/PrivateSettings.h"
 #include "core/edits/kinds/chunks/DivideSegment.h"
-#include "core/edits/kinds/segments/ImportMask.h"
+#include "core/edits/kinds/imports/ImportMask.h"
 #include "core/export/common/ExportFormats.h"
 #include "tests/support/faults/FileShim.h"
 #include "tests/support/fixtures/ApplicationFixture.h"

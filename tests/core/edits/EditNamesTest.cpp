@@ -3,8 +3,8 @@
 #include "core/edits/kinds/chunks/DivideSegment.h"
 #include "core/edits/kinds/history/RevertRows.h"
 #include "core/edits/kinds/history/ReviseStroke.h"
+#include "core/edits/kinds/imports/ImportMask.h"
 #include "core/edits/kinds/sculpt/DrillStroke.h"
-#include "core/edits/kinds/segments/ImportMask.h"
 #include "tests/support/program/TestProgram.h"
 
 #include <QTest>

@@ -3,8 +3,8 @@
 
 #include "core/edits/document/DocumentEdits.h"
 #include "core/edits/engine/EngineEdits.h"
-#include "core/edits/kinds/segments/ImportMask.h"
-#include "core/edits/kinds/segments/ImportTargets.h"
+#include "core/edits/kinds/imports/ImportMask.h"
+#include "core/edits/kinds/imports/ImportTargets.h"
 #include "core/export/common/ExportMask.h"
 #include "core/masks/MaskParts.h"
 #include "core/masks/ReadImport.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/edits/engine/EngineEdits.h"
-#include "core/edits/kinds/growth/GrowGuard.h"
-#include "core/edits/kinds/growth/GrowthParts.h"
+#include "core/edits/kinds/criteria/GrowGuard.h"
+#include "core/edits/kinds/criteria/GrowthParts.h"
 #include "core/growth/SeedWord.h"
 #include "tests/support/cases/EngineConformance.h"
 #include "tests/support/cases/growth/LeakPhantoms.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "core/edits/kinds/imports/ImportMask.h"
 #include "core/edits/kinds/layers/SegmentToLayer.h"
-#include "core/edits/kinds/segments/ImportMask.h"
 #include "core/edits/kinds/segments/LayerToSegment.h"
 #include "core/edits/kinds/segments/RemoveSegment.h"
 #include "core/edits/kinds/segments/SegmentSeen.h"

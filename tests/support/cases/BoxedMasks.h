@@ -3,7 +3,7 @@
 
 #include "core/brick/BrickGrid.h"
 #include "core/brick/VoxelRuns.h"
-#include "core/edits/kinds/segments/ImportMask.h"
+#include "core/edits/kinds/imports/ImportMask.h"
 
 #include <cstdint>
 #include <vector>

@@ -2,7 +2,7 @@
 #include "tests/support/cases/SurfaceCases.h"
 
 #include "core/brick/VoxelRuns.h"
-#include "core/edits/kinds/growth/GrowCriteria.h"
+#include "core/edits/kinds/criteria/GrowCriteria.h"
 #include "core/edits/kinds/growth/ResumeGrowth.h"
 #include "core/edits/kinds/segments/RemoveSegment.h"
 #include "core/edits/kinds/surface/ApplyTemplate.h"

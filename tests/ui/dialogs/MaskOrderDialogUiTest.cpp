@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/dialogs/MaskOrderDialog.h"
 
-#include "core/edits/kinds/segments/ImportMask.h"
+#include "core/edits/kinds/imports/ImportMask.h"
 #include "core/session/EditSession.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/fixtures/WindowFixture.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/panels/growth/PlainLimits.h"
 
-#include "core/edits/kinds/growth/GrowLimits.h"
+#include "core/edits/kinds/criteria/GrowLimits.h"
 #include "ui/base/SmallLabel.h"
 #include "ui/base/Theme.h"
 #include "ui/settings/growth/GrowPresets.h"

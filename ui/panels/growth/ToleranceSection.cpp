@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/panels/growth/ToleranceSection.h"
 
+#include "core/edits/kinds/criteria/GrowCriteria.h"
+#include "core/edits/kinds/criteria/ToleranceEdits.h"
 #include "core/edits/kinds/growth/ChangeInterval.h"
-#include "core/edits/kinds/growth/GrowCriteria.h"
 #include "core/edits/kinds/growth/GrowSteps.h"
-#include "core/edits/kinds/growth/ToleranceEdits.h"
 #include "core/edits/kinds/parts/GrowthPlane.h"
 #include "core/session/past/RecentGrowth.h"
 #include "core/session/questions/VoxelQuestions.h"

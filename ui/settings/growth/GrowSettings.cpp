@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/settings/growth/GrowSettings.h"
 
-#include "core/edits/kinds/growth/GrowCriteria.h"
-#include "core/edits/kinds/growth/GrowLimits.h"
+#include "core/edits/kinds/criteria/GrowCriteria.h"
+#include "core/edits/kinds/criteria/GrowLimits.h"
 #include "core/edits/kinds/growth/GrowSteps.h"
 #include "ui/base/DisplayJson.h"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/tasks/growth/GrowthTurns.h"
 
-#include "core/edits/kinds/growth/GrowCriteria.h"
-#include "core/edits/kinds/growth/GrowGuard.h"
+#include "core/edits/kinds/criteria/GrowCriteria.h"
+#include "core/edits/kinds/criteria/GrowGuard.h"
 #include "core/edits/kinds/growth/GrowSteps.h"
 #include "core/edits/kinds/parts/GrowthPlane.h"
 #include "core/session/EditSession.h"

@@ -10,7 +10,7 @@
 #include "core/edits/engine/EditableRanges.h"
 #include "core/edits/engine/EngineEdits.h"
 #include "core/edits/engine/ListedRuns.h"
-#include "core/edits/kinds/growth/GrowLimits.h"
+#include "core/edits/kinds/criteria/GrowLimits.h"
 #include "core/morphology/BallFilters.h"
 #include "core/morphology/MillimetreBall.h"
 #include "core/volume/MemoryLimit.h"

@@ -7,7 +7,7 @@
 #include "core/edits/answers/RowFacts.h"
 #include "core/edits/engine/EditableRanges.h"
 #include "core/edits/engine/EngineEdits.h"
-#include "core/edits/kinds/growth/GrowthParts.h"
+#include "core/edits/kinds/criteria/GrowthParts.h"
 #include "core/edits/kinds/parts/GrowthPlane.h"
 #include "core/edits/open/OpenStroke.h"
 #include "core/edits/open/StrokeExtension.h"

@@ -6,7 +6,7 @@
 #include "core/edits/answers/EditEffects.h"
 #include "core/edits/answers/RowFacts.h"
 #include "core/edits/engine/EngineEdits.h"
-#include "core/edits/kinds/growth/GrowthParts.h"
+#include "core/edits/kinds/criteria/GrowthParts.h"
 #include "core/edits/kinds/growth/OpenGrowth.h"
 #include "core/edits/kinds/parts/GrowthPlane.h"
 

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "core/edits/answers/EditAnswers.h"
-#include "core/edits/kinds/growth/GrowCriteria.h"
-#include "core/edits/kinds/growth/GrowGuard.h"
+#include "core/edits/kinds/criteria/GrowCriteria.h"
+#include "core/edits/kinds/criteria/GrowGuard.h"
 
 #include <cstdint>
 #include <optional>

@@ -4,7 +4,7 @@
 #include "core/edits/EditNames.h"
 #include "core/edits/document/DocumentEdits.h"
 #include "core/edits/kinds/EditParts.h"
-#include "core/edits/kinds/growth/GrowCriteria.h"
+#include "core/edits/kinds/criteria/GrowCriteria.h"
 #include "core/edits/kinds/history/RevertRows.h"
 #include "core/edits/kinds/history/ReviseStroke.h"
 #include "core/edits/kinds/parts/GrowthPlane.h"

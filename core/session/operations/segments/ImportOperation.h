@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/edits/kinds/segments/ImportMask.h"
+#include "core/edits/kinds/imports/ImportMask.h"
 #include "core/session/operations/segments/WorkedOutOperation.h"
 
 namespace core {

@@ -2,7 +2,7 @@
 #include "core/export/common/ImportedSegments.h"
 
 #include "core/edits/document/DocumentEdits.h"
-#include "core/edits/kinds/segments/ImportMask.h"
+#include "core/edits/kinds/imports/ImportMask.h"
 #include "core/edits/kinds/segments/RemoveSegment.h"
 #include "core/session/past/PastImports.h"
 #include "tests/support/program/TestProgram.h"

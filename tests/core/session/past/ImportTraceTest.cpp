@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/session/past/ImportTrace.h"
 
-#include "core/edits/kinds/segments/ImportMask.h"
+#include "core/edits/kinds/imports/ImportMask.h"
 #include "tests/support/cases/BoxedMasks.h"
 #include "tests/support/program/TestProgram.h"
 

@@ -2,8 +2,8 @@
 #include "core/session/past/SeedStrokes.h"
 
 #include "core/edits/EditJson.h"
+#include "core/edits/kinds/criteria/GrowCriteria.h"
 #include "core/edits/kinds/growth/ChangeInterval.h"
-#include "core/edits/kinds/growth/GrowCriteria.h"
 #include "core/edits/kinds/growth/ResumeGrowth.h"
 #include "core/edits/kinds/growth/SeedStroke.h"
 #include "core/edits/kinds/segments/RemoveSegment.h"

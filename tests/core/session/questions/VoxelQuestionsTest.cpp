@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/session/questions/VoxelQuestions.h"
 
+#include "core/edits/kinds/criteria/GrowCriteria.h"
+#include "core/edits/kinds/criteria/ToleranceEdits.h"
 #include "core/edits/kinds/growth/ChangeInterval.h"
-#include "core/edits/kinds/growth/GrowCriteria.h"
 #include "core/edits/kinds/growth/ShrinkAt.h"
-#include "core/edits/kinds/growth/ToleranceEdits.h"
 #include "core/edits/kinds/values/ThresholdSegment.h"
 #include "core/session/EditSession.h"
 #include "core/session/past/LabelReader.h"

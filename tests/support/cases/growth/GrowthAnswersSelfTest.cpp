@@ -3,7 +3,7 @@
 
 #include "core/edits/kinds/Edit.h"
 #include "core/edits/kinds/EditParts.h"
-#include "core/edits/kinds/growth/GrowCriteria.h"
+#include "core/edits/kinds/criteria/GrowCriteria.h"
 #include "tests/support/cases/EngineCases.h"
 #include "tests/support/cases/StrokeCases.h"
 #include "tests/support/program/TestProgram.h"

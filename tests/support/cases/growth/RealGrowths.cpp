@@ -2,8 +2,8 @@
 #include "tests/support/cases/growth/RealGrowths.h"
 
 #include "core/edits/kinds/EditParts.h"
-#include "core/edits/kinds/growth/GrowCriteria.h"
-#include "core/edits/kinds/growth/GrowGuard.h"
+#include "core/edits/kinds/criteria/GrowCriteria.h"
+#include "core/edits/kinds/criteria/GrowGuard.h"
 #include "core/edits/kinds/growth/PlugLeak.h"
 #include "core/edits/kinds/growth/ShrinkAt.h"
 #include "core/edits/kinds/parts/GrowBox.h"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/edits/kinds/Edit.h"
 #include "core/edits/kinds/history/ReviseStroke.h"
+#include "core/edits/kinds/imports/ImportMask.h"
 #include "core/edits/kinds/layers/AddLayer.h"
 #include "core/edits/kinds/layers/ChangeLayer.h"
 #include "core/edits/kinds/layers/MergeLayers.h"
@@ -16,7 +17,6 @@
 #include "core/edits/kinds/segments/ChangeSegment.h"
 #include "core/edits/kinds/segments/CleanSegment.h"
 #include "core/edits/kinds/segments/CombineSegments.h"
-#include "core/edits/kinds/segments/ImportMask.h"
 #include "core/edits/kinds/segments/InvertSegment.h"
 #include "core/edits/kinds/segments/LayerToSegment.h"
 #include "core/edits/kinds/segments/PaintStroke.h"

@@ -2,7 +2,7 @@
 #include "tests/support/cases/strokes/RandomStrokes.h"
 
 #include "core/edits/kinds/Edit.h"
-#include "core/edits/kinds/growth/GrowCriteria.h"
+#include "core/edits/kinds/criteria/GrowCriteria.h"
 #include "core/edits/kinds/growth/GrowSteps.h"
 #include "core/edits/kinds/growth/SeedStroke.h"
 #include "core/edits/kinds/layers/AddLayer.h"

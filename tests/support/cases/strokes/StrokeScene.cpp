@@ -2,7 +2,7 @@
 #include "tests/support/cases/strokes/StrokeScene.h"
 
 #include "core/edits/kinds/Edit.h"
-#include "core/edits/kinds/growth/GrowCriteria.h"
+#include "core/edits/kinds/criteria/GrowCriteria.h"
 #include "core/edits/kinds/parts/BrushPath.h"
 #include "core/edits/kinds/parts/PenSample.h"
 #include "core/edits/kinds/sculpt/BrushStroke.h"

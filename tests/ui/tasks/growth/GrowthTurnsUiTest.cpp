@@ -2,8 +2,8 @@
 #include "ui/tasks/growth/GrowthTurns.h"
 
 #include "core/edits/kinds/EditParts.h"
+#include "core/edits/kinds/criteria/GrowCriteria.h"
 #include "core/edits/kinds/growth/ChangeInterval.h"
-#include "core/edits/kinds/growth/GrowCriteria.h"
 #include "core/edits/kinds/segments/ReshapeSegment.h"
 #include "core/session/EditSession.h"
 #include "tests/support/faults/FailingLog.h"

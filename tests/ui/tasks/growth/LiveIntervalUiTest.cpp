@@ -2,8 +2,8 @@
 #include "core/session/questions/VoxelQuestions.h"
 #include "ui/tasks/growth/LiveInterval.h"
 
+#include "core/edits/kinds/criteria/GrowCriteria.h"
 #include "core/edits/kinds/growth/ChangeInterval.h"
-#include "core/edits/kinds/growth/GrowCriteria.h"
 #include "core/edits/kinds/segments/ReshapeSegment.h"
 #include "core/engine/EngineCommands.h"
 #include "tests/support/faults/FailingLog.h"

@@ -2,7 +2,7 @@
 #include "core/session/questions/VoxelQuestions.h"
 #include "ui/tools/growth/ShrinkTool.h"
 
-#include "core/edits/kinds/growth/GrowCriteria.h"
+#include "core/edits/kinds/criteria/GrowCriteria.h"
 #include "core/edits/kinds/growth/ShrinkAt.h"
 #include "core/edits/kinds/parts/GrowBox.h"
 #include "tests/support/cases/growth/LeakPhantoms.h"

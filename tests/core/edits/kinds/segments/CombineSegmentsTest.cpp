@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/edits/kinds/segments/CombineSegments.h"
 #include "core/brick/VoxelRuns.h"
-#include "core/edits/kinds/segments/ImportMask.h"
+#include "core/edits/kinds/imports/ImportMask.h"
 #include "core/growth/SeedWord.h"
 #include "core/session/EditSession.h"
 #include "tests/support/faults/FailingLog.h"

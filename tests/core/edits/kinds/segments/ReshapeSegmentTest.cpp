@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/edits/kinds/segments/ReshapeSegment.h"
+#include "core/edits/kinds/imports/ImportMask.h"
 #include "core/edits/kinds/segments/ChangeSegment.h"
 #include "core/edits/kinds/segments/CleanSegment.h"
-#include "core/edits/kinds/segments/ImportMask.h"
 #include "core/session/EditSession.h"
 #include "core/session/SegmentWork.h"
 #include "core/sessionfile/SessionSalvage.h"

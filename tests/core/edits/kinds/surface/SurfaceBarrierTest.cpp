@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/edits/kinds/surface/SurfaceBarrier.h"
 #include "core/edits/EditJson.h"
-#include "core/edits/kinds/growth/GrowCriteria.h"
+#include "core/edits/kinds/criteria/GrowCriteria.h"
 #include "core/edits/kinds/growth/ResumeGrowth.h"
 #include "core/edits/kinds/surface/DropSurface.h"
 #include "core/edits/kinds/surface/LaySurface.h"

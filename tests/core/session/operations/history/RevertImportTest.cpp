@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/brick/ThreadWithoutVoxels.h"
 #include "core/edits/kinds/history/RevertRows.h"
-#include "core/edits/kinds/segments/ImportMask.h"
+#include "core/edits/kinds/imports/ImportMask.h"
 #include "core/session/EditSession.h"
 #include "core/session/SegmentWork.h"
 #include "tests/support/cases/BoxedMasks.h"

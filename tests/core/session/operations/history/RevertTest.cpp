@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/edits/kinds/growth/GrowCriteria.h"
+#include "core/edits/kinds/criteria/GrowCriteria.h"
 #include "core/edits/kinds/growth/ShrinkSteps.h"
 #include "core/edits/kinds/history/RevertRows.h"
 #include "core/session/EditSession.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/edits/kinds/segments/ImportMask.h"
+#include "core/edits/kinds/imports/ImportMask.h"
 
 #include "core/brick/BrickGrid.h"
 #include "core/brick/VoxelRuns.h"
@@ -7,8 +7,8 @@
 #include "core/edits/answers/EditDependencies.h"
 #include "core/edits/answers/EditEffects.h"
 #include "core/edits/answers/RowFacts.h"
+#include "core/edits/kinds/imports/ImportTargets.h"
 #include "core/edits/kinds/segments/AddSegment.h"
-#include "core/edits/kinds/segments/ImportTargets.h"
 
 #include <algorithm>
 #include <bitset>

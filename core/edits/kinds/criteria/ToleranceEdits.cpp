@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/edits/kinds/growth/ToleranceEdits.h"
+#include "core/edits/kinds/criteria/ToleranceEdits.h"
 
 #include "core/document/Document.h"
-#include "core/edits/kinds/growth/GrowCriteria.h"
-#include "core/edits/kinds/growth/GrowLimits.h"
-#include "core/edits/kinds/growth/GrowthParts.h"
+#include "core/edits/kinds/criteria/GrowCriteria.h"
+#include "core/edits/kinds/criteria/GrowLimits.h"
+#include "core/edits/kinds/criteria/GrowthParts.h"
 #include "core/edits/kinds/parts/GrowthPlane.h"
 
 #include <array>

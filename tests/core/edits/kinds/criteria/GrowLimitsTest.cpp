@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/edits/kinds/growth/GrowLimits.h"
+#include "core/edits/kinds/criteria/GrowLimits.h"
 
 #include "core/edits/EditJson.h"
 #include "core/edits/EditQuantise.h"
 #include "core/edits/document/DocumentEdits.h"
 #include "core/edits/engine/EngineEdits.h"
+#include "core/edits/kinds/criteria/GrowCriteria.h"
+#include "core/edits/kinds/criteria/ToleranceEdits.h"
 #include "core/edits/kinds/growth/ChangeInterval.h"
-#include "core/edits/kinds/growth/GrowCriteria.h"
 #include "core/edits/kinds/growth/GrowSteps.h"
-#include "core/edits/kinds/growth/ToleranceEdits.h"
 #include "core/edits/kinds/parts/GrowBox.h"
 #include "core/session/past/RecentGrowth.h"
 #include "core/session/past/RowDependencies.h"

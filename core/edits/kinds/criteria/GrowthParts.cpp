@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/edits/kinds/growth/GrowthParts.h"
+#include "core/edits/kinds/criteria/GrowthParts.h"
 
 #include "core/edits/answers/RowWords.h"
 #include "core/edits/engine/BoxVoxels.h"
 #include "core/edits/engine/EditableRanges.h"
 #include "core/edits/engine/EngineEdits.h"
 #include "core/edits/fields/EditFields.h"
-#include "core/edits/kinds/growth/GrowCriteria.h"
-#include "core/edits/kinds/growth/GrowGuard.h"
-#include "core/edits/kinds/growth/GrowLimits.h"
+#include "core/edits/kinds/criteria/GrowCriteria.h"
+#include "core/edits/kinds/criteria/GrowGuard.h"
+#include "core/edits/kinds/criteria/GrowLimits.h"
 #include "core/edits/kinds/parts/GrowthPlane.h"
 #include "core/engine/ChangeFacts.h"
 

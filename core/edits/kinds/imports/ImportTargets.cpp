@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/edits/kinds/segments/ImportTargets.h"
+#include "core/edits/kinds/imports/ImportTargets.h"
 
 #include "core/edits/engine/EngineEdits.h"
+#include "core/edits/kinds/imports/ImportMask.h"
 #include "core/edits/kinds/parts/SegmentChoice.h"
-#include "core/edits/kinds/segments/ImportMask.h"
 
 #include <algorithm>
 

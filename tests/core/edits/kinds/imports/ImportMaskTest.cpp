@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/edits/kinds/segments/ImportMask.h"
+#include "core/edits/kinds/imports/ImportMask.h"
 #include "core/brick/VoxelRuns.h"
 #include "core/edits/EditJson.h"
 #include "core/edits/EditQuantise.h"
