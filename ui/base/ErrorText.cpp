@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/base/ErrorText.h"
 
-#include "core/edits/kinds/surface/SurfaceRules.h"
+#include "core/edits/kinds/surface/parts/SurfaceRules.h"
 #include "core/recipe/RecipeStep.h"
 #include "ui/texts/ClauseText.h"
 #include "ui/texts/SessionTexts.h"

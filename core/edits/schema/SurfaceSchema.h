@@ -13,8 +13,8 @@
 #include "core/edits/kinds/surface/SmoothSurface.h"
 #include "core/edits/kinds/surface/SpherePush.h"
 #include "core/edits/kinds/surface/SurfaceBarrier.h"
-#include "core/edits/kinds/surface/SurfacePath.h"
 #include "core/edits/kinds/surface/WriteBack.h"
+#include "core/edits/kinds/surface/parts/SurfacePath.h"
 #include "core/edits/schema/SchemaParts.h"
 
 namespace core::editSchema {

@@ -5,8 +5,8 @@
 #include "core/edits/EditTask.h"
 #include "core/edits/document/DocumentEdits.h"
 #include "core/edits/kinds/surface/LaySurface.h"
-#include "core/edits/kinds/surface/SurfacePath.h"
 #include "core/edits/kinds/surface/WriteBack.h"
+#include "core/edits/kinds/surface/parts/SurfacePath.h"
 #include "core/edits/open/StrokeExtension.h"
 #include "core/engine/EngineCommands.h"
 

@@ -12,7 +12,7 @@
 #include "core/edits/kinds/parts/BrushPath.h"
 #include "core/edits/kinds/parts/PenSample.h"
 #include "core/edits/kinds/sculpt/PeelCut.h"
-#include "core/edits/kinds/surface/SurfacePath.h"
+#include "core/edits/kinds/surface/parts/SurfacePath.h"
 #include "core/edits/kinds/values/ThresholdSegment.h"
 #include "core/session/EditSession.h"
 #include "tests/support/scenes/CutEdits.h"

@@ -7,7 +7,7 @@
 #include "core/edits/kinds/surface/PointDrag.h"
 #include "core/edits/kinds/surface/SmoothSurface.h"
 #include "core/edits/kinds/surface/SpherePush.h"
-#include "core/edits/kinds/surface/SurfacePath.h"
+#include "core/edits/kinds/surface/parts/SurfacePath.h"
 #include "core/measure/MeasuredSize.h"
 #include "core/refine/mesh/ShownSurface.h"
 #include "core/volume/ClipRegion.h"

@@ -5,7 +5,7 @@
 #include "core/edits/answers/EditDependencies.h"
 #include "core/edits/answers/EditEffects.h"
 #include "core/edits/answers/RowFacts.h"
-#include "core/edits/kinds/surface/SurfaceParts.h"
+#include "core/edits/kinds/surface/parts/SurfaceParts.h"
 
 namespace core {
 

@@ -6,7 +6,7 @@
 #include "core/edits/answers/EditEffects.h"
 #include "core/edits/answers/ListEdits.h"
 #include "core/edits/answers/RowFacts.h"
-#include "core/edits/kinds/surface/SurfaceParts.h"
+#include "core/edits/kinds/surface/parts/SurfaceParts.h"
 
 namespace core {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/edits/answers/EditAnswers.h"
-#include "core/edits/kinds/surface/SurfaceRules.h"
+#include "core/edits/kinds/surface/parts/SurfaceRules.h"
 
 namespace core {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/edits/answers/EditAnswers.h"
-#include "core/edits/kinds/surface/SurfacePath.h"
+#include "core/edits/kinds/surface/parts/SurfacePath.h"
 
 namespace core {
 

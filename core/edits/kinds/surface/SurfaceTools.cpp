@@ -8,7 +8,7 @@
 #include "core/edits/kinds/surface/AttractSurface.h"
 #include "core/edits/kinds/surface/PointDrag.h"
 #include "core/edits/kinds/surface/SmoothSurface.h"
-#include "core/edits/kinds/surface/SurfaceParts.h"
+#include "core/edits/kinds/surface/parts/SurfaceParts.h"
 
 namespace core {
 

@@ -3,7 +3,7 @@
 
 #include "core/edits/answers/EditAnswers.h"
 #include "core/edits/kinds/parts/EditableRange.h"
-#include "core/edits/kinds/surface/SurfaceRules.h"
+#include "core/edits/kinds/surface/parts/SurfaceRules.h"
 
 #include <optional>
 

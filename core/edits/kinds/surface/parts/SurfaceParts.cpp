@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/edits/kinds/surface/SurfaceParts.h"
+#include "core/edits/kinds/surface/parts/SurfaceParts.h"
 
 #include "core/edits/answers/RowWords.h"
-#include "core/edits/kinds/surface/SurfacePath.h"
+#include "core/edits/kinds/surface/parts/SurfacePath.h"
 
 namespace core {
 

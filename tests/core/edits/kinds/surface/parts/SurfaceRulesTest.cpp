@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/edits/kinds/surface/SurfaceRules.h"
+#include "core/edits/kinds/surface/parts/SurfaceRules.h"
 #include "core/edits/EditJson.h"
 #include "core/edits/kinds/surface/ApplyTemplate.h"
 #include "core/edits/kinds/surface/LaySurface.h"

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/edits/kinds/parts/PenPressures.h"
-#include "core/edits/kinds/surface/SurfaceRules.h"
+#include "core/edits/kinds/surface/parts/SurfaceRules.h"
 
 #include <glm/glm.hpp>
 
