@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/edits/sculpt/SculptEdits.h"
 
-#include "core/edits/engine/EngineEdits.h"
 #include "core/edits/engine/SegmentProtection.h"
 #include "core/edits/kinds/AnyEdit.h"
 #include "core/edits/kinds/IsOneOf.h"
-#include "core/edits/kinds/sculpt/DrillPathSampler.h"
 #include "core/edits/kinds/sculpt/ToolMasks.h"
 #include "core/edits/sculpt/SculptVisit.h"
 
@@ -15,61 +13,6 @@
 namespace core {
 
 namespace {
-
-/// Into another layer, and carving.
-template <class Cut> WholeCut alone(Cut cut, std::uint8_t layer, EngineExtension extension)
-{
-    cut.layer = layer;
-    cut.laying = Laying::Carve;
-    return {std::move(cut), {std::move(extension)}};
-}
-
-Result<WholeCut> cutAlone(const DrillStroke& stroke, const Document& document, std::uint8_t layer)
-{
-    Result<DrillCut> cut = drillCut(stroke, document);
-    if (!cut)
-        return tl::unexpected(cut.error());
-    DrillPath path{drillPath(stroke, *cut)};
-    return alone(*std::move(cut), layer, std::move(path));
-}
-
-Result<WholeCut> cutAlone(const LaserStroke& stroke, const Document& document, std::uint8_t layer)
-{
-    Result<LaserCut> cut = laserCut(stroke, document);
-    if (!cut)
-        return tl::unexpected(cut.error());
-    DrillPath path{laserPath(stroke, *cut)};
-    return alone(*std::move(cut), layer, std::move(path));
-}
-
-Result<WholeCut> cutAlone(const BrushStroke& stroke, const Document& document, std::uint8_t layer)
-{
-    Result<CapsuleCut> cut = capsuleCut(stroke, document);
-    if (!cut)
-        return tl::unexpected(cut.error());
-    cut->layer = layer;
-    cut->restore = false;
-    return WholeCut{
-        *std::move(cut), {CapsulePath{capsules(stroke.path, document.volumes.front().geometry)}}};
-}
-
-Result<WholeCut> cutAlone(const PeelCut& peel, const Document& document, std::uint8_t layer)
-{
-    Result<ShellPeel> cut = shellPeel(peel, document);
-    if (!cut)
-        return tl::unexpected(cut.error());
-    return alone(*std::move(cut), layer, peelDepth(peel));
-}
-
-Result<WholeCut> cutAlone(const ScissorsCut& scissors, const Document& document, std::uint8_t layer)
-{
-    Result<OutlineCut> cut = outlineCut(scissors, document);
-    if (!cut)
-        return tl::unexpected(cut.error());
-    cut->layer = layer;
-    cut->laying = Laying::Carve;
-    return WholeCut{*std::move(cut), {}};
-}
 
 template <class Visitor> void visitSize(Visitor& visit, ToolMask& mask)
 {
@@ -179,6 +122,14 @@ struct WritesLayer {
     requires(!namesLayer<E>) bool operator()(const E&) const { return false; }
 };
 
+struct StartsOnSurface {
+    bool operator()(const ScissorsCut& cut) const { return cut.depthMm || cut.firstLayerOnly; }
+    bool operator()(const BrushStroke&) const { return false; }
+    template <class E>
+    requires isOneOf<E, DrillStroke, LaserStroke, PeelCut>
+    bool operator()(const E&) const { return true; }
+};
+
 struct ParameterReader {
     void layer(int value) { read.layer = value; }
     void radius(double value) { read.radiusMm = value; }
@@ -257,9 +208,7 @@ bool restores(const SculptEdit& edit)
 
 bool startsOnSurface(const SculptEdit& edit)
 {
-    if (const auto* scissors = edit.as<ScissorsCut>())
-        return scissors->depthMm || scissors->firstLayerOnly;
-    return !edit.is<BrushStroke>();
+    return visitSculpt(StartsOnSurface(), edit);
 }
 
 const std::vector<glm::dvec2>* outlineOf(const SculptEdit& edit)
@@ -326,13 +275,6 @@ Result<SculptEdit> revised(SculptEdit edit, const ReviseStroke& revision)
             QStringLiteral("reviseStroke.") + QLatin1String(missing),
             Clause::saying("the cut of row %1 has none", revision.row));
     return edit;
-}
-
-Result<WholeCut> cutAlone(const SculptEdit& edit, const Document& document, std::uint8_t layer)
-{
-    return visitSculpt(
-        [&](const auto& known) -> Result<WholeCut> { return cutAlone(known, document, layer); },
-        edit);
 }
 
 } // namespace core

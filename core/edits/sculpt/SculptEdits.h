@@ -6,7 +6,8 @@
 #include "core/edits/kinds/Edit.h"
 #include "core/edits/kinds/parts/ProtectedSegments.h"
 #include "core/edits/kinds/parts/StrokeParameters.h"
-#include "core/engine/EngineEdit.h"
+
+#include <glm/glm.hpp>
 
 #include <cstdint>
 #include <optional>
@@ -47,7 +48,8 @@ private:
 /// Whether the visible surface decides where it cuts.
 [[nodiscard]] bool startsOnSurface(const SculptEdit& edit);
 
-/// The list of segments that an edit leaves uncut. Null: it does not carve.
+/// The drawn curve under which an edit cuts, in millimetres. Null: it has none, but a brush or a
+/// round or square mask.
 [[nodiscard]] const std::vector<glm::dvec2>* outlineOf(const SculptEdit& edit);
 
 /// The list of segments that a carving edit protects. Null: the edit carves nothing, or restores.
@@ -66,16 +68,5 @@ void addProtected(Edit& edit, const Document& document);
 [[nodiscard]] bool writesLayer(const Edit& edit, int layer);
 /// The same of whatever layer.
 [[nodiscard]] bool writesSomeLayer(const Edit& edit);
-
-/// A complete edit, as submitWhole() takes it.
-struct WholeCut {
-    EngineEdit edit;
-    std::vector<EngineExtension> extensions;
-};
-
-/// The cut of an edit by itself, into an empty layer. For an edit that restores, what it would
-/// refill is cut. Errors: InvalidField.
-[[nodiscard]] Result<WholeCut> cutAlone(
-    const SculptEdit& edit, const Document& document, std::uint8_t layer);
 
 } // namespace core

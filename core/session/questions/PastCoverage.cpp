@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/session/questions/PastCoverage.h"
 
+#include "core/edits/sculpt/CutAlone.h"
 #include "core/engine/EngineCommands.h"
 
 #include <algorithm>

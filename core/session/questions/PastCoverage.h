@@ -3,6 +3,7 @@
 
 #include "core/edits/sculpt/SculptEdits.h"
 #include "core/engine/BrickCommands.h"
+#include "core/engine/LayerCommands.h"
 #include "core/session/state/SessionState.h"
 
 #include <map>

@@ -4,6 +4,7 @@
 #include "core/edits/EditJson.h"
 #include "core/edits/engine/SegmentProtection.h"
 #include "core/edits/kinds/parts/ProtectedSegments.h"
+#include "core/edits/sculpt/CutAlone.h"
 #include "core/engine/EngineCommands.h"
 #include "core/session/past/GuardedLabels.h"
 #include "core/session/past/RowDependencies.h"
