@@ -130,6 +130,15 @@ struct StartsOnSurface {
     bool operator()(const E&) const { return true; }
 };
 
+struct IsPressed {
+    template <class E>
+    requires isOneOf<E, DrillStroke, LaserStroke>
+    bool operator()(const E&) const { return true; }
+    template <class E>
+    requires isOneOf<E, BrushStroke, PeelCut, ScissorsCut>
+    bool operator()(const E&) const { return false; }
+};
+
 struct ParameterReader {
     void layer(int value) { read.layer = value; }
     void radius(double value) { read.radiusMm = value; }
@@ -209,6 +218,11 @@ bool restores(const SculptEdit& edit)
 bool startsOnSurface(const SculptEdit& edit)
 {
     return visitSculpt(StartsOnSurface(), edit);
+}
+
+bool isPressed(const SculptEdit& edit)
+{
+    return visitSculpt(IsPressed(), edit);
 }
 
 const std::vector<glm::dvec2>* outlineOf(const SculptEdit& edit)

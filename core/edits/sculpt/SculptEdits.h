@@ -48,6 +48,9 @@ private:
 /// Whether the visible surface decides where it cuts.
 [[nodiscard]] bool startsOnSurface(const SculptEdit& edit);
 
+/// Whether a mask is pressed into the volume by a pen: its depth is that at full pressure.
+[[nodiscard]] bool isPressed(const SculptEdit& edit);
+
 /// The drawn curve under which an edit cuts, in millimetres. Null: it has none, but a brush or a
 /// round or square mask.
 [[nodiscard]] const std::vector<glm::dvec2>* outlineOf(const SculptEdit& edit);

@@ -95,7 +95,7 @@ ReviseStrokeDialog::ReviseStrokeDialog(const core::StandingStroke& stroke,
     Now now = core::parametersOf(stroke.form);
     if (now.factor)
         now.factor = factorOf(stroke.form, drawn);
-    const bool pressed = drawn.is<core::DrillStroke>() || drawn.is<core::LaserStroke>();
+    const bool pressed = core::isPressed(drawn);
     setWindowTitle(tr("Change stroke"));
     m_throughGaps->setObjectName(QStringLiteral("throughGaps"));
     m_throughGaps->setChecked(now.throughGaps.value_or(false));
