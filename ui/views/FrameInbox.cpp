@@ -17,6 +17,12 @@ FrameInbox::~FrameInbox()
     m_source.setListener({});
 }
 
+void FrameInbox::drop()
+{
+    const std::lock_guard lock(m_mutex);
+    m_waiting.clear();
+}
+
 void FrameInbox::put(const gpu::Frame& frame)
 {
     bool first = false;

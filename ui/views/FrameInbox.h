@@ -21,6 +21,10 @@ public:
     explicit FrameInbox(gpu::FrameSource& source, QObject* parent = nullptr);
     ~FrameInbox() override;
 
+    /// Drops the frames that wait: the views that they are for show something else by now. Call it
+    /// when the source has forgotten these views.
+    void drop();
+
 Q_SIGNALS:
     /// On the GUI thread.
     void arrived(const gpu::Frame& frame);

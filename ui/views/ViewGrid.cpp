@@ -56,6 +56,10 @@ ViewGrid::ViewGrid(Workspace& workspace, QWidget* parent)
     connect(&workspace, &Workspace::sessionChanged, this, [this] {
         awaitBox(false);
         m_planes.reset();
+        // What waits is of the last study. The views, which were told before, have forgotten what
+        // they asked for: no more of it comes.
+        if (!m_workspace.volume())
+            m_inbox.drop();
     });
     connect(&workspace, &Workspace::viewsCentred, this, &ViewGrid::centreOn);
     connect(&m_inbox, &FrameInbox::arrived, this, &ViewGrid::give);

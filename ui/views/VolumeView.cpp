@@ -96,6 +96,8 @@ QColor VolumeView::barColour() const
 void VolumeView::openVolume()
 {
     m_otherEye = {}; // of the last study; the first eye's next picture would be shown with it
+    if (!workspace().volume())
+        workspace().frames().forget(otherEye(viewId()));
     resetView();
 }
 

@@ -104,6 +104,8 @@ private Q_SLOTS:
         m_fixture.emplace();
     }
     void aPictureThatNobodyTookIsDrawnAgain();
+    void aWaitingPictureOfTheLastOneIsNotShown();
+    void nothingIsDrawnForAClosedStudy();
 };
 
 /// On a busy machine a picture of the next volume is done before the workspace shows that volume.
@@ -127,6 +129,43 @@ void NextVolumeUiTest::aPictureThatNobodyTookIsDrawnAgain()
     QVERIFY(views.isDrawn());
     QVERIFY(!views.grid.holdsPictures());
     QVERIFY2(views.grey() > before + 50, qPrintable(QString::number(views.grey())));
+}
+
+void NextVolumeUiTest::aWaitingPictureOfTheLastOneIsNotShown()
+{
+    Views views(*m_fixture);
+    views.begin();
+    core::WindowLevel window = views.workspace.windowLevel();
+    window.width *= 0.5;
+    views.workspace.setWindowLevel(window);
+    m_fixture->settle(); // now its picture waits
+    views.grid.holdPictures(QStringLiteral("the next one"));
+
+    views.workspace.setSession(nullptr);
+    views.draw(bright);
+    views.show(bright);
+    QCoreApplication::processEvents();
+    QVERIFY(views.grid.axial().picture().isNull() && views.grid.holdsPictures());
+    QVERIFY(views.isDrawn());
+    QVERIFY(!views.grid.holdsPictures());
+}
+
+/// Neither slices nor the 3D view for either eye.
+void NextVolumeUiTest::nothingIsDrawnForAClosedStudy()
+{
+    Views views(*m_fixture);
+    views.grid.maximise(nullptr);
+    views.grid.volume().setStereo({.mode = ui::Stereo::Mode::Anaglyph});
+    views.begin();
+    views.workspace.setSession(nullptr);
+    m_fixture->settle();
+    const std::int64_t tiles = m_fixture->scheduler.counters().tiles;
+    QVERIFY(tiles > 0);
+    views.draw(bright);
+    m_fixture->settle();
+    QCOMPARE(m_fixture->scheduler.counters().tiles, tiles);
+    views.show(bright);
+    QVERIFY(views.isDrawn());
 }
 
 BURIN_WINDOW_TEST(NextVolumeUiTest)
