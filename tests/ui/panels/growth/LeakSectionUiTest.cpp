@@ -1,18 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/session/questions/VoxelQuestions.h"
 #include "ui/panels/growth/LeakSection.h"
 
 #include "core/edits/kinds/growth/GrowSteps.h"
 #include "core/edits/kinds/growth/ShrinkSteps.h"
-#include "tests/support/cases/growth/LeakPhantoms.h"
+#include "core/session/questions/VoxelQuestions.h"
 #include "tests/support/faults/FailingLog.h"
-#include "tests/support/fixtures/WorkspaceFixture.h"
+#include "tests/support/fixtures/panels/LeakyPanel.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/PlainEdits.h"
 #include "ui/panels/growth/GenerationBar.h"
-#include "ui/panels/growth/GrowthPanel.h"
 #include "ui/tasks/growth/LiveInterval.h"
-#include "ui/workspace/SegmentActions.h"
 
 #include <QAbstractButton>
 #include <QCheckBox>
@@ -26,82 +23,9 @@
 
 namespace leakSectionUiTest {
 
+using test::LeakyPanel;
+using test::leakyVessel;
 using test::WorkspaceFixture;
-
-namespace {
-
-const test::LeakPhantom& phantom()
-{
-    static const test::LeakPhantom made = test::leakPhantom(0, true);
-    return made;
-}
-
-/// The growth panel on screen with a vessel that has a hole in its wall; the vessel is seeded, and
-/// the guard is on.
-class LeakyPanel : public WorkspaceFixture {
-public:
-    LeakyPanel()
-        : WorkspaceFixture(test::loadedVolume(phantom()))
-        , panel(workspace)
-    {
-        panel.show();
-        if (!QTest::qWaitForWindowExposed(&panel) || !ui::addSegment(workspace))
-            qFatal("no panel");
-        apply(test::seedAt(1, {placeOf(phantom().seed)}));
-        ui::GrowSettings settings = workspace.growSettings();
-        settings.lower = phantom().lowCode;
-        settings.upper = phantom().highCode;
-        settings.guard.on = true;
-        workspace.setGrowSettings(settings);
-    }
-    [[nodiscard]] glm::dvec3 placeOf(const glm::ivec3& voxel) const
-    {
-        return workspace.volume()->geometry.toWorld(glm::dvec3(voxel));
-    }
-    template <class Widget> Widget& part(const char* name)
-    {
-        auto* found = panel.findChild<Widget*>(QLatin1String(name));
-        if (!found)
-            qFatal("no %s", name);
-        return *found;
-    }
-    void click(const char* name)
-    {
-        QTest::mouseClick(&part<QAbstractButton>(name), Qt::LeftButton);
-        stopped();
-    }
-    /// Waits until nothing grows.
-    void stopped()
-    {
-        const auto still = [this] {
-            session().poll();
-            return !panel.running();
-        };
-        if (!QTest::qWaitFor(still, 60000))
-            qFatal("it grows on");
-        settle();
-    }
-    [[nodiscard]] bool offered() { return part<QAbstractButton>("leakPlug").isVisible(); }
-    [[nodiscard]] const core::Edit& lastEdit()
-    {
-        return session().history().row(session().history().position()).edit;
-    }
-    [[nodiscard]] std::size_t rows() { return session().history().rows().size(); }
-    [[nodiscard]] std::uint32_t generation() { return session().document().growth(0)->generation; }
-    /// Voxels of the leak that the segment holds.
-    [[nodiscard]] std::int64_t leaked()
-    {
-        const auto labels = *session().questions().labels(0);
-        std::int64_t count = 0;
-        for (std::size_t voxel = 0; voxel < labels.size(); ++voxel)
-            count += labels[voxel] != 0 && phantom().leak.values[voxel] != 0 ? 1 : 0;
-        return count;
-    }
-
-    ui::GrowthPanel panel;
-};
-
-} // namespace
 
 class LeakSectionUiTest : public QObject {
     Q_OBJECT
@@ -210,7 +134,7 @@ private Q_SLOTS:
         QCOMPARE(fixture.rows(), rows + 1);
         QVERIFY(fixture.lastEdit().is<core::GrowSteps>());
         QVERIFY(fixture.leaked() > 0);
-        QVERIFY(fixture.leaked() * 50 < phantom().leakVoxels);
+        QVERIFY(fixture.leaked() * 50 < leakyVessel().leakVoxels);
         auto& text = fixture.part<QLabel>("leakText");
         QVERIFY2(
             text.text().contains(QString::number(fixture.generation())), qPrintable(text.text()));
@@ -226,9 +150,9 @@ private Q_SLOTS:
         const glm::dvec3 index =
             fixture.workspace.volume()->geometry.toIndex(fixture.workspace.crosshairLps());
         const glm::ivec3 voxel(glm::round(index));
-        QVERIFY(phantom().leak.at(voxel) != 0);
+        QVERIFY(leakyVessel().leak.at(voxel) != 0);
         const auto labels = *fixture.session().questions().labels(0);
-        const glm::ivec3 size = phantom().leak.size;
+        const glm::ivec3 size = leakyVessel().leak.size;
         QCOMPARE(int(labels[std::size_t(voxel.x + size.x * (voxel.y + size.y * voxel.z))]), 1);
     }
 
@@ -242,12 +166,12 @@ private Q_SLOTS:
         fixture.apply(begun);
         QVERIFY(!fixture.offered());
         ui::LiveInterval interval(fixture.workspace);
-        interval.move(phantom().lowCode - 1.0, phantom().highCode);
+        interval.move(leakyVessel().lowCode - 1.0, leakyVessel().highCode);
         interval.settle();
         fixture.settle();
         QVERIFY(fixture.lastEdit().is<core::ChangeInterval>());
         QVERIFY(fixture.offered());
-        QVERIFY(fixture.leaked() * 50 < phantom().leakVoxels);
+        QVERIFY(fixture.leaked() * 50 < leakyVessel().leakVoxels);
         QVERIFY(fixture.session().undo());
         fixture.settle();
         QVERIFY(!fixture.offered());
@@ -295,7 +219,7 @@ private Q_SLOTS:
         QVERIFY(*shrink->steps > 0);
         QCOMPARE(fixture.generation(), alarmed - std::uint32_t(*shrink->steps));
         QCOMPARE(fixture.generation(), narrow);
-        QVERIFY(fixture.leaked() * 500 < phantom().leakVoxels); // the neck's mouth
+        QVERIFY(fixture.leaked() * 500 < leakyVessel().leakVoxels); // the neck's mouth
         QVERIFY(fixture.session().undo());
         fixture.settle();
         QCOMPARE(fixture.session().stateHash(), stopped);
@@ -353,9 +277,9 @@ private Q_SLOTS:
         fixture.apply(test::seedAt(2, {fixture.placeOf({2, 2, 2})}));
         fixture.workspace.setActiveSegment(2);
         ui::GrowSettings settings = fixture.workspace.growSettings();
-        const double width = phantom().highCode - phantom().lowCode;
-        settings.lower = phantom().lowCode - 1.5 * width;
-        settings.upper = phantom().highCode + 1.5 * width;
+        const double width = leakyVessel().highCode - leakyVessel().lowCode;
+        settings.lower = leakyVessel().lowCode - 1.5 * width;
+        settings.upper = leakyVessel().highCode + 1.5 * width;
         fixture.workspace.setGrowSettings(settings);
         const auto segmentsOf = [](const core::GrowSteps* growth) {
             return growth ? growth->criteria.segments.value_or(std::vector<int>())

@@ -6,16 +6,13 @@
 #include "core/edits/kinds/growth/ShrinkAt.h"
 #include "core/edits/kinds/growth/ShrinkSteps.h"
 #include "core/session/StepFindings.h"
-#include "tests/support/cases/growth/LeakPhantoms.h"
 #include "tests/support/faults/FailingLog.h"
-#include "tests/support/fixtures/WorkspaceFixture.h"
+#include "tests/support/fixtures/panels/LeakyPanel.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/PlainEdits.h"
-#include "ui/panels/growth/GrowthPanel.h"
 #include "ui/panels/growth/LeakSection.h"
 #include "ui/tasks/growth/LiveInterval.h"
 #include "ui/workspace/PendingSeeds.h"
-#include "ui/workspace/SegmentActions.h"
 
 #include <QAbstractButton>
 #include <QLabel>
@@ -26,32 +23,16 @@
 
 namespace acceptedFrontsUiTest {
 
-using test::WorkspaceFixture;
+using test::leakyVessel;
 
 namespace {
 
-const test::LeakPhantom& phantom()
-{
-    static const test::LeakPhantom made = test::leakPhantom(0, true);
-    return made;
-}
-
-/// The growth panel on screen beside a vessel whose wall has a hole: growth through it has raised
-/// an alarm, which was accepted, and has gone on to its end.
-class AcceptedLeak : public WorkspaceFixture {
+/// The growth through the hole in the vessel's wall has raised an alarm, which was accepted, and
+/// has gone on to its end.
+class AcceptedLeak : public test::LeakyPanel {
 public:
     AcceptedLeak()
-        : WorkspaceFixture(test::loadedVolume(phantom()))
-        , panel(workspace)
     {
-        panel.show();
-        if (!QTest::qWaitForWindowExposed(&panel) || !ui::addSegment(workspace))
-            qFatal("no panel");
-        apply(test::seedAt(1, {placeOf(phantom().seed)}));
-        ui::GrowSettings settings = workspace.growSettings();
-        settings.lower = phantom().lowCode;
-        settings.upper = phantom().highCode;
-        workspace.setGrowSettings(settings);
         click("growPlay");
         const auto alarm = session().findings().leakAlarm();
         if (!alarm)
@@ -59,35 +40,8 @@ public:
         raisedMm2 = std::ceil(2.0 * double(alarm->areaUm2) / 1.0e6);
         asked = *alarm;
         click("leakAccept");
-        if (part<QAbstractButton>("leakAccept").isVisible())
+        if (offered())
             qFatal("it asks for a leak again");
-    }
-    [[nodiscard]] glm::dvec3 placeOf(const glm::ivec3& voxel) const
-    {
-        return workspace.volume()->geometry.toWorld(glm::dvec3(voxel));
-    }
-    template <class Widget> Widget& part(const char* name)
-    {
-        auto* found = panel.findChild<Widget*>(QLatin1String(name));
-        if (!found)
-            qFatal("no %s", name);
-        return *found;
-    }
-    void click(const char* name)
-    {
-        QTest::mouseClick(&part<QAbstractButton>(name), Qt::LeftButton);
-        stopped();
-    }
-    /// Waits until nothing grows.
-    void stopped()
-    {
-        const auto still = [this] {
-            session().poll();
-            return !panel.running();
-        };
-        if (!QTest::qWaitFor(still, 60000))
-            qFatal("it grows on");
-        settle();
     }
     /// By how much a front must be wider for the next growth to ask.
     [[nodiscard]] double nextMm2() const { return panel.growEdit().guard.areaMm2; }
@@ -101,10 +55,9 @@ public:
             .narrow = generation - 1,
             .voxels = 300,
             .areaUm2 = areaUm2,
-            .voxel = phantom().seed});
+            .voxel = leakyVessel().seed});
     }
 
-    ui::GrowthPanel panel;
     core::LeakAlarm asked;
     double raisedMm2 = 0.0; ///< that the next front must be wider by
 };
@@ -156,7 +109,7 @@ private Q_SLOTS:
             leak.apply(core::ShrinkSteps{.steps = int(now - leak.asked.generation)});
         });
         QTest::newRow("shrink here") << Doing([](AcceptedLeak& leak) {
-            leak.apply(core::ShrinkAt{.pointsLps = {leak.placeOf(phantom().click)}});
+            leak.apply(core::ShrinkAt{.pointsLps = {leak.placeOf(leakyVessel().click)}});
         });
         QTest::newRow("a sketch") << Doing([](AcceptedLeak& leak) {
             leak.apply(test::seedAt(1, {leak.placeOf({2, 2, 2})}));
@@ -209,8 +162,8 @@ private Q_SLOTS:
         fixture.apply(test::newSegment(QStringLiteral("Other"), 1));
         fixture.apply(test::seedAt(2, {fixture.placeOf({2, 2, 2})}));
         fixture.workspace.setActiveSegment(2);
-        settings.lower = phantom().lowCode - 100.0;
-        settings.upper = phantom().lowCode - 50.0;
+        settings.lower = leakyVessel().lowCode - 100.0;
+        settings.upper = leakyVessel().lowCode - 50.0;
         fixture.workspace.setGrowSettings(settings);
         QCOMPARE(fixture.nextMm2(), fixture.setMm2());
         QVERIFY(!fixture.isTold());
@@ -221,7 +174,7 @@ private Q_SLOTS:
     {
         AcceptedLeak fixture;
         ui::LiveInterval interval(fixture.workspace);
-        interval.move(phantom().lowCode - 1.0, phantom().highCode);
+        interval.move(leakyVessel().lowCode - 1.0, leakyVessel().highCode);
         interval.settle();
         fixture.settle();
         const core::History& history = fixture.session().history();
@@ -301,7 +254,7 @@ private Q_SLOTS:
     {
         reference::ReferenceEngine other;
         AcceptedLeak fixture;
-        auto session = core::EditSession::create(other, test::loadedVolume(phantom()), {});
+        auto session = core::EditSession::create(other, test::loadedVolume(leakyVessel()), {});
         QVERIFY(session);
         fixture.workspace.setSession(std::move(*session));
         QVERIFY(fixture.workspace.seeds().acceptedFronts().isEmpty());
