@@ -5,7 +5,7 @@
 #include "core/edits/kinds/criteria/GrowCriteria.h"
 #include "core/edits/kinds/growth/ChangeInterval.h"
 #include "core/edits/kinds/segments/ReshapeSegment.h"
-#include "core/engine/EngineCommands.h"
+#include "tests/reference/PassingEngine.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/fixtures/WorkspaceFixture.h"
 #include "tests/support/program/TestProgram.h"
@@ -24,8 +24,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <functional>
-#include <span>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -115,34 +113,19 @@ public:
 };
 
 /// The oracle, but one that notes how it is asked.
-class NotingEngine final : public core::EditEngine {
+class NotingEngine final : public reference::PassingEngine {
 public:
-    core::Result<void> openVolume(
-        const glm::ivec3& size, std::span<const std::uint16_t> codes) override
-    {
-        return m_inner.openVolume(size, codes);
-    }
     core::Ticket submit(core::EngineCommand command) override
     {
         if (const auto* compare = std::get_if<core::CompareGrowth>(&command))
             kept.push_back(compare->keep);
         if (std::holds_alternative<core::DropCutPreview>(command))
             ++drops;
-        return m_inner.submit(std::move(command));
-    }
-    [[nodiscard]] std::vector<core::EngineResult> collect() override { return m_inner.collect(); }
-    void finish() override { m_inner.finish(); }
-    void setWakeUp(std::function<void()> wakeUp) override { m_inner.setWakeUp(std::move(wakeUp)); }
-    [[nodiscard]] core::GrowthProgress growthProgress() const override
-    {
-        return m_inner.growthProgress();
+        return PassingEngine::submit(std::move(command));
     }
 
     std::vector<bool> kept; ///< of each comparison
     int drops = 0;
-
-private:
-    reference::ReferenceEngine m_inner;
 };
 
 constexpr glm::ivec3 inBrain{head::side / 2 + 9, head::side / 2, head::side / 2};
