@@ -48,7 +48,7 @@ GrowthPanel::GrowthPanel(Workspace& workspace, QWidget* parent)
 {
     build();
     connect(m_run, &GrowthRun::begun, m_leak, [this] { m_leak->showAlarm({}); });
-    connect(m_run, &GrowthRun::alarmed, m_leak, &LeakSection::showAlarm);
+    connect(m_run, &GrowthRun::alarmed, m_leak, &LeakSection::showAlarmOf);
     connect(m_run, &GrowthRun::begun, m_pinholes, &PinholeOffer::forget);
     connect(m_run, &GrowthRun::completed, m_pinholes,
         [this](const GrowthTurn& last) { m_pinholes->lookInto(grownIn(last, m_workspace)); });

@@ -149,6 +149,7 @@ LeakSection::LeakSection(Workspace& workspace, QWidget* parent)
     connect(&workspace, &Workspace::growSettingsChanged, this, &LeakSection::showSettings);
     connect(&workspace, &Workspace::sessionChanged, this, [this] {
         m_shownGrowth = 0;
+        m_answered.reset();
         showAlarm({});
         showRaised();
     });
@@ -190,9 +191,24 @@ void LeakSection::takeSettings()
 
 void LeakSection::showAlarm(const std::optional<core::LeakAlarm>& alarm)
 {
-    m_alarm = alarm;
     m_plane = m_workspace.growthPlane();
+    m_grew.reset();
+    offer(alarm);
+}
+
+void LeakSection::showAlarmOf(const core::LeakAlarm& alarm, const GrowthTurn& burst)
+{
+    m_plane = core::growthPlaneOf(burst.plane);
+    m_grew = growingLabels(burst.segments, m_plane, m_workspace);
+    offer(alarm);
+}
+
+void LeakSection::offer(const std::optional<core::LeakAlarm>& alarm)
+{
+    m_alarm = alarm;
     m_stands = false;
+    if (alarm)
+        m_answered.reset();
     // Else the focus would go to whatever comes next in the panel.
     if (!alarm && m_offer->isAncestorOf(focusWidget()))
         m_guard->setFocus();
@@ -228,7 +244,8 @@ void LeakSection::follow()
     showRaised();
     const core::RowId row = session->history().position();
     const std::optional<core::LeakAlarm> alarm = session->findings().leakAlarm();
-    if (alarm && row != std::exchange(m_shownGrowth, row) && alarm != m_alarm) {
+    if (alarm && row != std::exchange(m_shownGrowth, row) && alarm != m_alarm
+        && alarm != std::exchange(m_answered, std::nullopt)) {
         showAlarm(alarm);
         Q_EMIT growthLeft();
     }
@@ -283,6 +300,8 @@ void LeakSection::askAsBefore()
 
 std::vector<int> LeakSection::alarmedLabels() const
 {
+    if (m_grew)
+        return *m_grew;
     const core::EditSession& session = *m_workspace.session();
     const std::optional<core::GrowCriteria> criteria =
         m_workspace.seeds().past().of(session, m_plane).criteria;
@@ -296,13 +315,21 @@ std::vector<int> LeakSection::alarmedLabels() const
     return labels;
 }
 
+/// A growth that is no row yet is not asked about once more when it is one.
+void LeakSection::endOffer()
+{
+    if (m_workspace.session()->findings().leakAlarm() != m_alarm)
+        m_answered = m_alarm;
+    showAlarm({});
+}
+
 void LeakSection::accept()
 {
     const std::uint8_t plane = m_plane;
     m_workspace.seeds().acceptedFronts().accept(
         *m_alarm, plane, alarmedLabels(), *m_workspace.session());
     showRaised();
-    showAlarm({});
+    endOffer();
     Q_EMIT goOnRequested(plane);
 }
 
@@ -312,7 +339,7 @@ void LeakSection::reject()
     const std::uint8_t plane = m_plane;
     m_workspace.seeds().acceptedFronts().forget(alarmedLabels());
     showRaised();
-    showAlarm({});
+    endOffer();
     apply(core::ShrinkSteps{
         .steps = int(alarm.generation - alarm.narrow), .plane = core::namedPlane(plane)});
     Q_EMIT growthLeft();
@@ -322,7 +349,7 @@ void LeakSection::plug()
 {
     const core::LeakAlarm alarm = *m_alarm;
     const std::uint8_t plane = m_plane;
-    showAlarm({});
+    endOffer();
     apply(
         core::PlugLeak{.pointLps = m_workspace.volume()->geometry.toWorld(glm::dvec3(alarm.voxel)),
             .plane = core::namedPlane(plane)});

@@ -18,6 +18,7 @@ class QLabel;
 namespace ui {
 
 class Workspace;
+struct GrowthTurn;
 
 /// The leak guard in the growth panel: whether growth stops where its front bursts out of a narrow
 /// place and, after it has stopped, what to do; and whether barriers are shown.
@@ -27,8 +28,10 @@ class LeakSection : public QWidget {
 public:
     explicit LeakSection(Workspace& workspace, QWidget* parent = nullptr);
 
-    /// Offers the choices for an alarm; none: no alarm any more.
+    /// Offers the choices for the alarm of the last growth; none: no alarm any more.
     void showAlarm(const std::optional<core::LeakAlarm>& alarm);
+    /// The same for the alarm of a burst that may be no row yet.
+    void showAlarmOf(const core::LeakAlarm& alarm, const GrowthTurn& burst);
 
 Q_SIGNALS:
     /// @param plane the label plane of the growth that is to go on
@@ -45,6 +48,8 @@ private:
     void takeSettings();
     void showBarriers();
     void follow();
+    void offer(const std::optional<core::LeakAlarm>& alarm);
+    void endOffer();
     /// Shows the alarm beside its growth, and hides it beside others.
     void showBesideGrowth();
     void showPlace();
@@ -68,7 +73,10 @@ private:
     QLabel* m_raised = nullptr;
     std::optional<core::LeakAlarm> m_alarm;
     std::uint8_t m_plane = 0; ///< the label plane of the growth that raised it
+    /// The segments of the burst that raised it; none: the last growth's row tells them.
+    std::optional<std::vector<int>> m_grew;
     bool m_stands = false; ///< the growth has reached the alarm's generation
+    std::optional<core::LeakAlarm> m_answered; ///< before its growth was a row
     core::RowId m_shownGrowth = 0; ///< the last growth whose alarm was shown
 };
 

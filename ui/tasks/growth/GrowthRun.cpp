@@ -92,6 +92,20 @@ bool GrowthRun::isOpen() const
     return session && (session->isOpen<core::GrowSteps>() || session->isOpen<core::ResumeGrowth>());
 }
 
+/// What grows in the burst that stands open and has begun: a growth that is resumed is named by
+/// then.
+GrowthTurn GrowthRun::openBurst() const
+{
+    const auto* growth = m_workspace.session()->openEdit()->as<core::GrowSteps>();
+    if (!growth)
+        return {};
+    const core::GrowCriteria& criteria = growth->criteria;
+    return {.segments = criteria.segments,
+        .lower = criteria.lower,
+        .upper = criteria.upper,
+        .plane = criteria.plane};
+}
+
 void GrowthRun::pause()
 {
     if (isOpen())
@@ -165,10 +179,13 @@ void GrowthRun::poll()
         dropTurns();
         return finish();
     }
-    const core::GrowthProgress progress = session->growthProgress();
+    // While the burst waits in line, the progress is that of the growth before.
+    const core::GrowthProgress progress =
+        session->openHasBegun() ? session->growthProgress() : core::GrowthProgress();
     if (progress.open && progress.alarm) {
+        const GrowthTurn burst = openBurst();
         finish();
-        Q_EMIT alarmed(*progress.alarm);
+        Q_EMIT alarmed(*progress.alarm, burst);
         return m_workspace.say(tr("The growth has stopped. Is this a leak? Plug, reject or accept "
                                   "it in the panel Growth"));
     }

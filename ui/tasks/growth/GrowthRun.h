@@ -50,7 +50,9 @@ public:
 Q_SIGNALS:
     void begun(); ///< a burst has begun
     void changed(); ///< a burst has begun, made progress or ended
-    void alarmed(const core::LeakAlarm& alarm); ///< a leak alarm has ended the burst
+    /// A leak alarm has ended the burst, which is no row yet.
+    /// @param burst the segments that grew in it, and where
+    void alarmed(const core::LeakAlarm& alarm, const GrowthTurn& burst);
     /// All turns have reached closure: nothing is left to grow within the intervals.
     /// @param last the last turn; after resume() it names no segments
     void completed(const GrowthTurn& last);
@@ -64,6 +66,7 @@ private:
     void goToNextTurn();
     void finish();
     [[nodiscard]] bool isOpen() const;
+    [[nodiscard]] GrowthTurn openBurst() const;
 
     Workspace& m_workspace;
     QTimer m_watch; ///< reads the progress; has no influence on voxels

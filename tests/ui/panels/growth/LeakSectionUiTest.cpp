@@ -3,13 +3,16 @@
 
 #include "core/edits/kinds/growth/GrowSteps.h"
 #include "core/edits/kinds/growth/ShrinkSteps.h"
+#include "core/growth/GrowthProgress.h"
 #include "core/session/questions/VoxelQuestions.h"
+#include "tests/reference/PassingEngine.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/fixtures/panels/LeakyPanel.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/PlainEdits.h"
 #include "ui/panels/growth/GenerationBar.h"
 #include "ui/tasks/growth/LiveInterval.h"
+#include "ui/workspace/PendingSeeds.h"
 
 #include <QAbstractButton>
 #include <QCheckBox>
@@ -21,11 +24,44 @@
 #include <QScrollBar>
 #include <QtTest>
 
+#include <optional>
+#include <utility>
+#include <variant>
+#include <vector>
+
 namespace leakSectionUiTest {
 
 using test::LeakyPanel;
 using test::leakyVessel;
 using test::WorkspaceFixture;
+
+namespace {
+
+/// The oracle, which tells of a growth until what has grown is handed out, as an engine does that
+/// is still fetching it.
+class LateEngine final : public reference::PassingEngine {
+public:
+    core::Ticket submit(core::EngineCommand command) override
+    {
+        if (std::holds_alternative<core::EndEdit>(command))
+            m_ending = PassingEngine::growthProgress();
+        return PassingEngine::submit(std::move(command));
+    }
+    [[nodiscard]] std::vector<core::EngineResult> collect() override
+    {
+        m_ending.reset();
+        return PassingEngine::collect();
+    }
+    [[nodiscard]] core::GrowthProgress growthProgress() const override
+    {
+        return m_ending ? *m_ending : PassingEngine::growthProgress();
+    }
+
+private:
+    std::optional<core::GrowthProgress> m_ending;
+};
+
+} // namespace
 
 class LeakSectionUiTest : public QObject {
     Q_OBJECT
@@ -240,6 +276,47 @@ private Q_SLOTS:
         QVERIFY(fixture.session().undo());
         fixture.settle();
         QCOMPARE(fixture.session().stateHash(), stopped);
+    }
+
+    /// In a large volume it takes a moment until what has grown is a row.
+    void anAnswerBeforeTheRowCountsOnce()
+    {
+        LateEngine engine;
+        LeakyPanel fixture;
+        auto session = core::EditSession::create(engine, test::loadedVolume(leakyVessel()), {});
+        QVERIFY(session);
+        fixture.workspace.setSession(std::move(*session));
+        fixture.seed();
+        const std::size_t rows = fixture.rows();
+        QTest::mouseClick(&fixture.part<QAbstractButton>("growPlay"), Qt::LeftButton);
+        const auto asks = [&fixture] {
+            if (!fixture.offered())
+                fixture.session().poll();
+            return fixture.offered();
+        };
+        QVERIFY(QTest::qWaitFor(asks, 60000));
+        QVERIFY(!fixture.session().idle());
+        QCOMPARE(fixture.rows(), rows);
+        QCOMPARE(fixture.session().document().segments[0].voxels, std::int64_t(0));
+
+        QTest::mouseClick(&fixture.part<QAbstractButton>("leakAccept"), Qt::LeftButton);
+        const double acceptedMm2 = fixture.workspace.seeds().acceptedFronts().areaMm2({1});
+        QVERIFY(acceptedMm2 > fixture.workspace.growSettings().guardAreaMm2);
+        // It is looked several times how far the next growth is, which waits in line.
+        QTest::qWait(200);
+        QVERIFY(fixture.panel.running() && !fixture.offered());
+        const auto isRow = [&] {
+            fixture.session().poll();
+            return fixture.rows() > rows;
+        };
+        QVERIFY(QTest::qWaitFor(isRow, 60000));
+        QVERIFY(!fixture.offered());
+        fixture.stopped();
+        QVERIFY(!fixture.offered());
+        QCOMPARE(fixture.rows(), rows + 2);
+        const auto* grown = fixture.lastEdit().as<core::GrowSteps>();
+        QVERIFY(grown);
+        QCOMPARE(grown->guard.areaMm2, acceptedMm2);
     }
 
     /// What was resumed goes on as it was, whatever the panel says by now.
