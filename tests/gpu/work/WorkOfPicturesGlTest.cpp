@@ -6,7 +6,6 @@
 #include "core/edits/kinds/growth/ChangeInterval.h"
 #include "core/edits/kinds/growth/ShrinkSteps.h"
 #include "core/session/EditSession.h"
-#include "core/session/SessionChunks.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/faults/WorkOfGl.h"
 #include "tests/support/fixtures/EditEngineFixture.h"
@@ -222,11 +221,7 @@ std::vector<Counted> WorkOfPicturesGlTest::stepsIn(int side)
         look();
 
         prepare(DivideSegment{.segment = 1, .marginMm = 6.0});
-        while (!known.chunks().map() && !known.chunks().whyNot()) {
-            m_gpu.engine().finish();
-            known.poll();
-            QThread::msleep(1);
-        }
+        m_gpu.awaitChunks(known);
         look();
         step("click on a chunk", [&] {
             require(known.apply(ChunkToggle{.segment = 1,
@@ -264,27 +259,21 @@ void WorkOfPicturesGlTest::doesNotGrowWithTheVolume()
                 qlonglong(step.work.pixels), step.work.dispatches, qlonglong(step.work.groups),
                 qlonglong(step.work.bytesUp), qlonglong(step.work.bytesDown),
                 qlonglong(step.work.bytesWithin));
-        const auto demand = [&](const char* what, std::int64_t found, std::int64_t most) {
-            if (found > most)
-                wrong += QStringLiteral("%1 in the large volume: %2 %3, at most %4 are right")
-                             .arg(QLatin1String(name))
-                             .arg(qlonglong(found))
-                             .arg(QLatin1String(what))
-                             .arg(qlonglong(most));
-        };
+        test::TooMuch much(small[i].name, "the large volume");
         const GlWork& a = small[i].work;
         const GlWork& b = large[i].work;
         if (small[i].drawn.frames == 0)
             wrong += QStringLiteral("%1: no picture").arg(QLatin1String(name));
-        demand("pictures", large[i].drawn.frames, small[i].drawn.frames);
-        demand("tiles", large[i].drawn.tiles, small[i].drawn.tiles);
-        demand("draws", b.draws, a.draws);
-        demand("pixels", b.pixels, a.pixels);
-        demand("dispatches", b.dispatches, a.dispatches);
-        demand("groups", b.groups, a.groups);
-        demand("bytes up", b.bytesUp, a.bytesUp + more);
-        demand("bytes down", b.bytesDown, a.bytesDown + more);
-        demand("bytes within", b.bytesWithin, a.bytesWithin + more);
+        much.demand("pictures", large[i].drawn.frames, small[i].drawn.frames);
+        much.demand("tiles", large[i].drawn.tiles, small[i].drawn.tiles);
+        much.demand("draws", b.draws, a.draws);
+        much.demand("pixels", b.pixels, a.pixels);
+        much.demand("dispatches", b.dispatches, a.dispatches);
+        much.demand("groups", b.groups, a.groups);
+        much.demand("bytes up", b.bytesUp, a.bytesUp + more);
+        much.demand("bytes down", b.bytesDown, a.bytesDown + more);
+        much.demand("bytes within", b.bytesWithin, a.bytesWithin + more);
+        wrong += much.sentences();
     }
     QVERIFY2(wrong.isEmpty(), qPrintable(wrong.join(QLatin1Char('\n'))));
 }

@@ -157,12 +157,16 @@ struct ContourReading {
 class WorkOfQuestionsGlTest : public test::WorkTest {
     Q_OBJECT
 
-private Q_SLOTS:
-    void growsWithTheVolumeOnlyWhereItHasTo();
+public:
+    WorkOfQuestionsGlTest()
+        : WorkTest(QStringLiteral("questions"))
+    {
+    }
 
 private:
     void prepare(CountedSession& counts) override;
     void takeSteps(CountedSession& counts, int round) override;
+    [[nodiscard]] test::MoreWork allowed(const QByteArray& step) const override;
     static void pick(CountedSession& counts);
     static void sketch(CountedSession& counts, double aside);
     static void readSlices(CountedSession& counts);
@@ -291,7 +295,7 @@ void WorkOfQuestionsGlTest::takeSteps(CountedSession& counts, int round)
     sketch(counts, 6.0 - 12.0 * round);
 }
 
-void WorkOfQuestionsGlTest::growsWithTheVolumeOnlyWhereItHasTo()
+test::MoreWork WorkOfQuestionsGlTest::allowed(const QByteArray& step) const
 {
     constexpr int codeBytes = sizeof(std::uint16_t);
     // Of each pixel: brightness, costs of two sides, the cost of the way there, whether it lies
@@ -305,33 +309,29 @@ void WorkOfQuestionsGlTest::growsWithTheVolumeOnlyWhereItHasTo()
     constexpr int askedBytes = 32;
     const std::int64_t few = obliquePixels(test::smallWorkSide);
     const std::int64_t many = obliquePixels(test::largeWorkSide);
-    const QStringList wrong = grown(QStringLiteral("questions"), [&](const QByteArray& name) {
-        if (name == "slice for an outline")
-            return test::MoreWork{.bytesDown = codeBytes * morePixels(),
-                // It arrives by way of copies.
-                .bytesAllocated = 3 * codeBytes * morePixels()};
-        if (name == "outline in a slice")
-            return test::MoreWork{.bytesAllocated = outlineBytes * morePixels()};
-        if (name == "oblique slice for an outline") {
-            const int portions = int(many / std::int64_t(probedAtOnce)) + 1;
-            // What is there may be a seed, and seeds have a table of pages.
-            return test::MoreWork{.tables = true,
-                .dispatches = portions,
-                .groups = (many - few) / voxelsOfGroup + portions,
-                .bytesUp = probeBytes * (many - few),
-                .bytesDown = probeBytes * (many - few),
-                .bytesWithin = 2 * probeBytes * (many - few),
-                .bytesAllocated = probeMemoryBytes * many};
-        }
-        if (name == "reading for a contour") {
-            test::MoreWork more = onAll(2); // the segment lies in two portions
-            more.bytesAllocated += askedBytes * bricksOf(test::largeWorkSide);
-            return more;
-        }
-        return test::MoreWork{
-            .tables = name == "sketch in 3D" || name == "back through the history"};
-    });
-    QVERIFY2(wrong.isEmpty(), qPrintable(wrong.join(QLatin1Char('\n'))));
+    if (step == "slice for an outline")
+        return test::MoreWork{.bytesDown = codeBytes * morePixels(),
+            // It arrives by way of copies.
+            .bytesAllocated = 3 * codeBytes * morePixels()};
+    if (step == "outline in a slice")
+        return test::MoreWork{.bytesAllocated = outlineBytes * morePixels()};
+    if (step == "oblique slice for an outline") {
+        const int portions = int(many / std::int64_t(probedAtOnce)) + 1;
+        // What is there may be a seed, and seeds have a table of pages.
+        return test::MoreWork{.tables = true,
+            .dispatches = portions,
+            .groups = (many - few) / voxelsOfGroup + portions,
+            .bytesUp = probeBytes * (many - few),
+            .bytesDown = probeBytes * (many - few),
+            .bytesWithin = 2 * probeBytes * (many - few),
+            .bytesAllocated = probeMemoryBytes * many};
+    }
+    if (step == "reading for a contour") {
+        test::MoreWork more = onAll(2); // the segment lies in two portions
+        more.bytesAllocated += askedBytes * bricksOf(test::largeWorkSide);
+        return more;
+    }
+    return test::MoreWork{.tables = step == "sketch in 3D" || step == "back through the history"};
 }
 
 BURIN_TEST(WorkOfQuestionsGlTest)

@@ -86,4 +86,20 @@ QStringList grownSinceRecorded(const QString& file, const std::vector<CountedSte
     return grownSince(record.readAll(), steps);
 }
 
+TooMuch::TooMuch(const QByteArray& step, const char* where)
+    : m_step(step)
+    , m_where(where)
+{
+}
+
+void TooMuch::demand(const char* what, std::int64_t found, std::int64_t most)
+{
+    if (found > most)
+        m_sentences += QStringLiteral("%1 in %2: %3 %4, at most %5 are right")
+                           .arg(QLatin1String(m_step), QLatin1String(m_where))
+                           .arg(qlonglong(found))
+                           .arg(QLatin1String(what))
+                           .arg(qlonglong(most));
+}
+
 } // namespace test

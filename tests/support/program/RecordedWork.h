@@ -30,4 +30,18 @@ struct CountedStep {
 [[nodiscard]] QStringList grownSinceRecorded(
     const QString& file, const std::vector<CountedStep>& steps);
 
+/// Which counts of a step are greater than they may be.
+class TooMuch {
+public:
+    /// @param where "the large volume"
+    TooMuch(const QByteArray& step, const char* where);
+    void demand(const char* what, std::int64_t found, std::int64_t most);
+    [[nodiscard]] const QStringList& sentences() const { return m_sentences; }
+
+private:
+    QByteArray m_step;
+    const char* m_where;
+    QStringList m_sentences;
+};
+
 } // namespace test

@@ -8,6 +8,7 @@
 #include <glm/glm.hpp>
 
 #include <cmath>
+#include <vector>
 
 namespace test {
 
@@ -59,6 +60,13 @@ struct GradedBall {
             .targetLps = middle,
             .up = {0.0, 0.0, 1.0},
             .heightMm = 80.0};
+    }
+    /// Returns a square in that view's plane.
+    [[nodiscard]] static std::vector<glm::dvec2> squareAround(
+        const glm::dvec2& place, double halfMm)
+    {
+        return {place + glm::dvec2(-halfMm, -halfMm), place + glm::dvec2(halfMm, -halfMm),
+            place + glm::dvec2(halfMm, halfMm), place + glm::dvec2(-halfMm, halfMm)};
     }
 };
 
