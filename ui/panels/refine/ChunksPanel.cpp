@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/panels/refine/ChunksPanel.h"
 
+#include "core/edits/kinds/chunks/ChunkToggle.h"
 #include "core/edits/kinds/chunks/DivideSegment.h"
 #include "core/masks/MaskOnVolume.h"
+#include "core/session/EditSession.h"
+#include "core/titles/RowTitle.h"
 #include "ui/base/NumberText.h"
 #include "ui/base/SmallLabel.h"
 #include "ui/base/Theme.h"
@@ -48,6 +51,16 @@ int countOf(int slider)
         int(std::lround(std::exp(double(slider) / 100.0))), Chunks::fewest, Chunks::most);
 }
 
+/// Whether the last step has added chunks.
+bool hasJustAdded(const core::EditSession* session)
+{
+    if (!session || session->history().position() == 0)
+        return false;
+    const core::HistoryRow& row = session->history().row(session->history().position());
+    return row.edit.is<core::ChunkToggle>() && row.title
+        && row.title->code != core::RowTitleCode::TakeChunks;
+}
+
 } // namespace
 
 ChunksPanel::ChunksPanel(Workspace& workspace, QWidget* parent)
@@ -67,6 +80,8 @@ ChunksPanel::ChunksPanel(Workspace& workspace, QWidget* parent)
         &workspace, &Workspace::documentChanged, this, [this](const core::DocumentChange& change) {
             if (change.what == core::DocumentChange::What::Labels)
                 show(); // a segment may have voxels now
+            else if (change.what == core::DocumentChange::What::History)
+                showHint();
         });
     show();
 }
@@ -229,9 +244,8 @@ void ChunksPanel::buildLook()
     grid->addWidget(m_bodies, 2, 1, 1, 2);
     column->addLayout(grid);
     column->addWidget(new LikelySection(m_workspace, m_looks));
-    m_hint = smallText(tr("Click on chunks with the tool Chunks (Shift+F): the strong ones are the "
-                          "segment's. A plane of the panel Clipping lets you look inside."),
-        m_looks);
+    m_hint = smallText({}, m_looks);
+    m_hint->setObjectName(QStringLiteral("chunksHint"));
     m_hint->setProperty("role", QStringLiteral("secondary"));
     column->addWidget(m_hint);
     layout()->addWidget(m_looks);
@@ -296,7 +310,17 @@ void ChunksPanel::show()
                                                 countText(chunks.shownCount()))
                                       : tr("%1 is divided").arg(divided->name));
     }
+    showHint();
     Q_EMIT summaryChanged(summary());
+}
+
+void ChunksPanel::showHint()
+{
+    m_hint->setText(hasJustAdded(m_workspace.session())
+            ? tr("Too much came along? Press [ until that part is a chunk by itself: a click "
+                 "takes it away again. ] joins chunks.")
+            : tr("Click on chunks with the tool Chunks (Shift+F): the strong ones are the "
+                 "segment's. A plane of the panel Clipping lets you look inside."));
 }
 
 void ChunksPanel::showStage()

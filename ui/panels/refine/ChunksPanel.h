@@ -40,6 +40,7 @@ private:
     void suitMargin(const core::Segment& segment);
     void buildLook();
     void show();
+    void showHint();
     void showStage();
     void takeLook();
 

@@ -12,6 +12,7 @@
 #include "ui/workspace/ChunkMembers.h"
 #include "ui/workspace/Chunks.h"
 
+#include <QLabel>
 #include <QListWidget>
 #include <QPushButton>
 #include <QSlider>
@@ -264,6 +265,44 @@ private Q_SLOTS:
         QCOMPARE(on.chunks().chunkAt(on.voxelAt(there)), std::optional(likely.front().chunk));
         QVERIFY(isBrain(there) && there.x >= missingFrom);
         QCOMPARE(on.position(), before);
+    }
+
+    /// A chunk may bring a neighbour along: once one was added, the panel says how they are parted.
+    void whereTooMuchCameAlongItIsSaid()
+    {
+        PanelFixture on;
+        on.divide();
+        const auto* hint = on.find<QLabel>("chunksHint");
+        QVERIFY(hint && hint->isVisibleTo(&on.panel));
+        const QString before = hint->text();
+        const auto saysHow = [hint] {
+            return hint->text().startsWith(QLatin1String("Too much came along? Press [ until"));
+        };
+        QVERIFY2(!before.isEmpty() && !saysHow(), qPrintable(before));
+        const auto click = [&on](core::ChunkToggle::Mode mode) {
+            const core::VolumeGeometry& geometry = on.workspace.volume()->geometry;
+            on.apply(core::ChunkToggle{.segment = 1,
+                .chunks = on.chunks().count(),
+                .mode = mode,
+                .pointsLps = {geometry.toWorld(glm::dvec3(on.voxelAt(inMissing)))}});
+            on.await();
+        };
+        click(core::ChunkToggle::Mode::Toggle);
+        QVERIFY2(saysHow(), qPrintable(hint->text()));
+        // As long as it is being followed.
+        ui::Chunks::Look look = on.chunks().look();
+        look.count *= 2;
+        on.chunks().setLook(look);
+        on.await();
+        QVERIFY(saysHow());
+        QVERIFY(on.session().undo());
+        on.settle();
+        QCOMPARE(hint->text(), before);
+        QVERIFY(on.session().redo());
+        on.settle();
+        QVERIFY(saysHow());
+        click(core::ChunkToggle::Mode::Remove);
+        QCOMPARE(hint->text(), before);
     }
 
     /// What was added is in doubt no more, until it is taken back.
