@@ -71,6 +71,11 @@ double HistogramPlot::roundedValueAt(double x) const
 
 void HistogramPlot::wheelEvent(QWheelEvent* event)
 {
+    // Whoever scrolls a panel would otherwise stop where the plot comes under the cursor.
+    if (!hasFocus() && !event->modifiers().testFlag(Qt::ControlModifier)) {
+        event->ignore();
+        return;
+    }
     const double pivot = valueAt(event->position().x());
     const double factor = std::pow(0.8, event->angleDelta().y() / 120.0);
     showValues(pivot + (m_from - pivot) * factor, pivot + (m_to - pivot) * factor);

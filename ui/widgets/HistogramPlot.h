@@ -8,7 +8,8 @@
 namespace ui {
 
 /// Draws a volume's histogram (logarithmic counts) with values along x, as the background for
-/// interval handles and transfer functions. The wheel zooms at the cursor; a double click on empty
+/// interval handles and transfer functions. Ctrl and the wheel zoom at the cursor, and so does the
+/// wheel alone once the plot has the focus; otherwise it scrolls the panel. A double click on empty
 /// ground shows the whole range again.
 class HistogramPlot : public QWidget {
     Q_OBJECT

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/program/TestProgram.h"
+#include "ui/widgets/HistogramPlot.h"
 #include "ui/widgets/fields/FieldManners.h"
 
 #include <QAction>
@@ -28,6 +29,7 @@ class FieldMannersUiTest : public QObject {
         QDoubleSpinBox* number = new QDoubleSpinBox;
         QComboBox* list = new QComboBox;
         QSlider* slider = new QSlider(Qt::Horizontal);
+        ui::HistogramPlot* histogram = new ui::HistogramPlot;
         QLineEdit* name = new QLineEdit;
         QAction undo{QStringLiteral("Undo")};
         QAction hide{QStringLiteral("Hide")};
@@ -41,7 +43,9 @@ class FieldMannersUiTest : public QObject {
             list->addItems({QStringLiteral("a"), QStringLiteral("b"), QStringLiteral("c")});
             list->setCurrentIndex(1);
             slider->setValue(50);
-            for (QWidget* each : std::initializer_list<QWidget*>{number, list, slider, name})
+            histogram->setHistogram({0.0, 1000.0, std::vector<std::uint32_t>(100, 5)});
+            for (QWidget* each :
+                std::initializer_list<QWidget*>{number, list, slider, histogram, name})
                 layout->addWidget(each);
             content->setMinimumHeight(2000);
             area.setWidget(content);
@@ -56,10 +60,10 @@ class FieldMannersUiTest : public QObject {
     std::optional<ui::FieldManners> m_manners;
     std::optional<Panel> m_panel;
 
-    static void wheelOver(QWidget& widget)
+    static void wheelOver(QWidget& widget, Qt::KeyboardModifiers keys = Qt::NoModifier)
     {
         const QPointF at = QRectF(widget.rect()).center();
-        QWheelEvent event(at, widget.mapToGlobal(at), {}, {0, -120}, Qt::NoButton, Qt::NoModifier,
+        QWheelEvent event(at, widget.mapToGlobal(at), {}, {0, -120}, Qt::NoButton, keys,
             Qt::NoScrollPhase, false);
         // As the window system tells it: only such ones go on to the parent.
         QSpontaneKeyEvent::setSpontaneous(&event);
@@ -111,6 +115,29 @@ private Q_SLOTS:
         panel.list->setFocus();
         wheelOver(*panel.list);
         QCOMPARE(panel.list->currentIndex(), 1);
+    }
+
+    void aHistogramIsZoomedByWhoMeansIt()
+    {
+        Panel& panel = *m_panel;
+        ui::HistogramPlot& plot = *panel.histogram;
+        const auto shown = [&plot] {
+            return plot.valueAt(plot.width() - 10.0) - plot.valueAt(10.0);
+        };
+        plot.showValues(400.0, 600.0);
+        const double before = shown();
+        panel.name->setFocus();
+        wheelOver(plot);
+        QVERIFY(panel.area.verticalScrollBar()->value() > 0);
+        QCOMPARE(shown(), before);
+        const int scrolled = panel.area.verticalScrollBar()->value();
+        wheelOver(plot, Qt::ControlModifier);
+        const double wider = shown();
+        QVERIFY(wider > before);
+        plot.setFocus();
+        wheelOver(plot);
+        QVERIFY(shown() > wider);
+        QCOMPARE(panel.area.verticalScrollBar()->value(), scrolled);
     }
 
     void keysOfTheWindowReachIt()
