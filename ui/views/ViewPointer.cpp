@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/views/ViewPointer.h"
 
+#include "ui/input/RestingTool.h"
 #include "ui/input/Tool.h"
 #include "ui/workspace/Workspace.h"
 
@@ -146,6 +147,9 @@ void ViewPointer::released(const PointerReading& reading)
         m_view.dragEnded(gesture);
     } else if (reading.button == Qt::LeftButton) {
         m_view.clicked(reading.sample.position);
+        // Nothing of what was meant has happened.
+        if (m_tool && !m_navigateKey && !m_tool->worksIn(m_view.context()))
+            m_workspace.say(whyToolRests(*m_tool, m_view.context()));
     } else if (reading.button == Qt::RightButton) {
         m_view.menuAsked(reading.sample.position);
     }

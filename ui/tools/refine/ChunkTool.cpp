@@ -102,7 +102,8 @@ void ChunkTool::applySettings(const QJsonObject& settings)
 bool ChunkTool::worksIn(const ViewContext& view) const
 {
     const auto* scene = std::get_if<gpu::VolumeScene>(&view.scene);
-    return !scene || (scene->orthographic && scene->context != gpu::Context::Hidden);
+    // Chunks are bodies of their own, drawn also where the volume is not.
+    return !scene || scene->orthographic;
 }
 
 QString ChunkTool::segmentName() const

@@ -562,6 +562,20 @@ private Q_SLOTS:
             qPrintable(QString::number(own.x)));
     }
 
+    void chunksAreTakenWhereSegmentsAloneAreShown()
+    {
+        ChunkFixture fixture;
+        fixture.divide(few);
+        ui::Workspace::VolumeDisplay display = fixture.workspace.volumeDisplay();
+        display.context = gpu::Context::Hidden;
+        fixture.workspace.setVolumeDisplay(display);
+        QCoreApplication::processEvents();
+        const std::int64_t before = fixture.voxels();
+        fixture.click(fixture.view, inVentricle);
+        QVERIFY(fixture.lastClick());
+        QVERIFY(fixture.voxels() != before);
+    }
+
     void ctrlAndTheEraserOnlyTake()
     {
         ChunkFixture fixture;

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/input/RestingTool.h"
+
+#include "ui/input/Tool.h"
+
+#include <QCoreApplication>
+
+#include <variant>
+
+namespace ui {
+
+namespace {
+
+QString tr(const char* text)
+{
+    return QCoreApplication::translate("ui::RestingTool", text);
+}
+
+} // namespace
+
+QString whyToolRests(const Tool& tool, const ViewContext& view)
+{
+    if (view.isSlice())
+        return tr("%1 works in the 3D view").arg(tool.longName());
+    ViewContext withVolume = view;
+    auto& scene = std::get<gpu::VolumeScene>(withVolume.scene);
+    scene.context = gpu::Context::Opaque;
+    if (!tool.worksIn(withVolume))
+        return tr("%1 works in the slices").arg(tool.longName());
+    return tr("%1 works on the volume, which steps back here: choose Volume or both at the bottom "
+              "left of the view")
+        .arg(tool.longName());
+}
+
+} // namespace ui
