@@ -46,7 +46,7 @@ fi
 
 say "testing"
 status=0
-ctest --test-dir "$burinBuild" --label-regex '^core$' --exclude-regex '^(DicomWeb|RudeWeb)' \
+ctest --test-dir "$burinBuild" --label-regex '^core$' --exclude-regex '^(DicomWeb|RudeWeb|WebConnection)' \
     ${1:+--tests-regex "$1"} --output-on-failure --no-tests=error \
     --parallel "$(buildJobs)" --output-junit "$burinBuild/tests.xml" \
     2>&1 | tee "$burinBuild/tests.log" || status=$?
