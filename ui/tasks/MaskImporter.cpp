@@ -204,8 +204,18 @@ void MaskImporter::apply(const core::ReadImport& read, const QString& path)
                 return;
             if (session->history().rows().size() == rows)
                 return Q_EMIT guard->nothingTaken(path);
+            guard->showInVolume();
             Q_EMIT guard->imported(nameOf(session->history().rows().back()), sentences);
         });
+}
+
+void MaskImporter::showInVolume()
+{
+    Workspace::VolumeDisplay display = m_workspace.volumeDisplay();
+    if (display.context != gpu::Context::Opaque)
+        return;
+    display.context = gpu::Context::Translucent;
+    m_workspace.setVolumeDisplay(display);
 }
 
 } // namespace ui

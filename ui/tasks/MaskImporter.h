@@ -76,6 +76,8 @@ private:
     void read(const QString& path, bool mayBeImage);
     void take(const core::Result<core::ReadImport>& read, const QString& path);
     void apply(const core::ReadImport& read, const QString& path);
+    /// Lets the 3D view show segments in the volume, unless it shows segments already.
+    void showInVolume();
 
     Workspace& m_workspace;
     QWidget* m_window;

@@ -108,6 +108,31 @@ private Q_SLOTS:
         QCOMPARE(fixture.session().stateHash(), before);
     }
 
+    /// Nobody who brings a mask along wants to see the skin alone.
+    void whatCameInIsSeenInTheVolume()
+    {
+        ImportFixture fixture;
+        const auto context = [&] { return fixture.workspace.volumeDisplay().context; };
+        fixture.window.importer().import(fixture.path("missing.nii"));
+        QTRY_VERIFY(!fixture.window.importer().busy());
+        QCOMPARE(context(), gpu::Context::Opaque);
+        const QString mask = fixture.mask("some.nii");
+        fixture.window.importer().import(mask);
+        fixture.finish();
+        QCOMPARE(context(), gpu::Context::Translucent);
+        // Whatever else shows segments is left as it was chosen.
+        for (const gpu::Context chosen : {gpu::Context::CutAway, gpu::Context::Hidden}) {
+            QVERIFY(fixture.session().undo());
+            QVERIFY(fixture.session().settle());
+            ui::Workspace::VolumeDisplay display = fixture.workspace.volumeDisplay();
+            display.context = chosen;
+            fixture.workspace.setVolumeDisplay(display);
+            fixture.window.importer().import(mask);
+            fixture.finish();
+            QCOMPARE(context(), chosen);
+        }
+    }
+
     /// The button of the message is about the import, whatever was done since.
     void theMessageUndoesTheImportAlone()
     {
