@@ -6,29 +6,59 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdlib>
 
 namespace core {
 
 namespace {
 
 constexpr std::size_t cellsBetweenLooks = 1 << 16; ///< at whether it was cancelled
+constexpr std::uint8_t carvedFrom = 128; ///< GrowLimits::onlyVisible
 
-enum Mark : std::uint8_t { Closed, Open, Taken };
+/// What is known of a cell, and of a voxel in a cell that holds barriers.
+enum Mark : std::uint8_t {
+    Closed = 0,
+    Open = 1,
+    OpenToRivals = 2,
+    Taken = 4,
+    TakenByRival = 8,
+    /// The cell holds barriers, and its voxels have marks of their own. It may be open besides, as
+    /// any other, but it is never taken itself.
+    Divided = 16,
+};
+using Of = CoarseSeed::Of;
+constexpr std::size_t sides = 3; ///< Of
+
+constexpr std::uint8_t openTo(Of side)
+{
+    return side == Of::Own ? Open : OpenToRivals;
+}
+constexpr std::uint8_t takenBy(Of side)
+{
+    return side == Of::Own ? Taken : TakenByRival;
+}
 
 /// Works on marks of all cells, with one more layer around them that nothing enters, so that a
 /// neighbour is a fixed distance away and need not be looked up.
 class Flood {
 public:
-    Flood(const CoarseCodes& codes, std::span<const std::uint8_t> labels, const CoarseRule& rule)
+    /// @param hasRivals else nobody asks who comes first
+    Flood(
+        const CoarseCodes& codes, const CoarseWalls& walls, const CoarseRule& rule, bool hasRivals)
         : m_grid(codes.grid())
         , m_cells(m_grid.size())
         , m_row(std::size_t(m_cells.x) + 2)
         , m_layer(m_row * (std::size_t(m_cells.y) + 2))
-        , m_labels(labels)
+        , m_walls(walls)
         , m_rule(rule)
+        , m_hasRivals(hasRivals)
         , m_marks(m_layer * (std::size_t(m_cells.z) + 2), Closed)
+        , m_waiting(hasRivals ? std::size_t(greatestSide()) + 1 : 1)
     {
         open(codes.codes());
+        divide();
+        for (std::size_t i = 0; i < m_steps.size(); ++i)
+            m_steps[i] = stepTo(seedWord::offsets[i]);
     }
 
     void begin(const CoarseSeed& seed)
@@ -36,29 +66,37 @@ public:
         if (seed.code < m_rule.lowCode || seed.code > m_rule.highCode || !isInBox(seed.voxel))
             return;
         const glm::ivec3 own = seed.voxel / m_grid.cell;
-        if (isClosed(m_grid.numberOf(own)))
+        if (isClosed(m_grid.numberOf(own), seed.of))
             return;
         const std::size_t at = placeOf(own);
-        const bool isOpen = m_marks[at] != Closed;
-        take(at);
-        m_marks[at] = Taken;
-        for (std::size_t i = 0; i < seedWord::directions && !isOpen; ++i)
-            take(at + stepOf(i));
+        if ((m_marks[at] & Divided) != 0)
+            return beginInside(at, seed);
+        if ((m_marks[at] & (Taken | TakenByRival)) != 0)
+            return;
+        const bool isOpen = (m_marks[at] & openTo(seed.of)) != 0;
+        m_marks[at] = takenBy(seed.of);
+        if (isOpen)
+            return wait({.at = at, .of = seed.of}, 0);
+        for (const Step& step : m_steps)
+            goOn(at, step, seed.of);
     }
 
     [[nodiscard]] bool run(const Progress& progress)
     {
-        std::array<std::size_t, seedWord::directions> steps{};
-        for (std::size_t i = 0; i < steps.size(); ++i)
-            steps[i] = stepOf(i);
-        const auto count = std::size_t(m_rule.connectivity);
-        for (std::size_t done = 0; !m_waiting.empty(); ++done) {
-            if (done % cellsBetweenLooks == 0 && progress.cancelled())
-                return false;
-            const std::size_t at = m_waiting.back();
-            m_waiting.pop_back();
-            for (std::size_t i = 0; i < count; ++i)
-                take(at + steps[i]);
+        std::size_t done = 0;
+        std::size_t idle = 0;
+        for (; idle < m_waiting.size(); m_now = (m_now + 1) % m_waiting.size(), ++idle) {
+            // Who comes first goes on first, so that it takes what several reach now.
+            for (std::vector<Place>& places : m_waiting[m_now]) {
+                while (!places.empty()) {
+                    idle = 0;
+                    if (done++ % cellsBetweenLooks == 0 && progress.cancelled())
+                        return false;
+                    const Place place = places.back();
+                    places.pop_back();
+                    goOnFrom(place);
+                }
+            }
         }
         return !progress.cancelled();
     }
@@ -66,7 +104,14 @@ public:
     [[nodiscard]] CoarseReach reach() const
     {
         CoarseReach reach;
-        const VoxelBox taken = countTaken(reach.voxels);
+        const std::vector<std::int64_t> inside = countInside();
+        VoxelBox taken = countTaken(reach.voxels);
+        for (std::size_t i = 0; i < inside.size(); ++i) {
+            const glm::ivec3& cell = m_walls.barriers->cells()[i];
+            if (inside[i] > 0)
+                taken = taken.united({cell, cell + 1});
+            reach.voxels += inside[i];
+        }
         if (taken.empty())
             return reach;
         reach.cells = {glm::max(taken.minimum - CoarseReach::margin, glm::ivec3(0)),
@@ -81,36 +126,196 @@ public:
                     marks[x] == Taken ? CoarseReach::Reached : CoarseReach::Beyond;
         });
         addRim(reach);
+        // Only now: beyond a barrier there is no rim.
+        for (std::size_t i = 0; i < inside.size(); ++i) {
+            if (inside[i] == 0)
+                continue;
+            const glm::ivec3& cell = m_walls.barriers->cells()[i];
+            const glm::ivec3 local = cell - reach.cells.minimum;
+            reach.states[std::size_t((local.z * size.y + local.y) * size.x + local.x)] =
+                2 * inside[i] >= m_grid.voxelsIn(cell) ? CoarseReach::Reached : CoarseReach::Rim;
+        }
         return reach;
     }
 
 private:
+    /// A cell from which the flood goes on, or a voxel of a divided one.
+    struct Place {
+        std::size_t at = 0;
+        int voxel = -1; ///< its number in the cell; −1: all of the cell
+        Of of = Of::Own;
+    };
+    /// A step from a cell to one beside it.
+    struct Step {
+        std::array<int, 3> offset{};
+        std::size_t places = 0; ///< to be added; it wraps where it leads back
+        int voxels = 1; ///< generations of a growth that lead as far
+    };
+
     [[nodiscard]] std::size_t placeOf(const glm::ivec3& cell) const
     {
         return std::size_t(cell.z + 1) * m_layer + std::size_t(cell.y + 1) * m_row
             + std::size_t(cell.x + 1);
     }
-    /// To be added; it wraps where it leads back.
-    [[nodiscard]] std::size_t stepOf(std::size_t direction) const
+    [[nodiscard]] Step stepTo(const std::array<int, 3>& offset) const
     {
-        const std::array<int, 3>& step = seedWord::offsets[direction];
-        return std::size_t(step[2]) * m_layer + std::size_t(step[1]) * m_row + std::size_t(step[0]);
+        Step step{.offset = offset};
+        step.places = std::size_t(offset[2]) * m_layer + std::size_t(offset[1]) * m_row
+            + std::size_t(offset[0]);
+        for (int axis = 0; axis < 3; ++axis)
+            step.voxels =
+                std::max(step.voxels, std::abs(offset[std::size_t(axis)]) * m_grid.cell[axis]);
+        return step;
+    }
+    [[nodiscard]] int greatestSide() const
+    {
+        return std::max({m_grid.cell.x, m_grid.cell.y, m_grid.cell.z});
     }
     [[nodiscard]] bool isInBox(const glm::ivec3& voxel) const
     {
         return glm::all(glm::greaterThanEqual(voxel, m_rule.boxFrom))
             && glm::all(glm::lessThanEqual(voxel, m_rule.boxTo));
     }
-    [[nodiscard]] bool isClosed(std::size_t number) const
+    [[nodiscard]] bool isClosed(std::size_t number, Of of = Of::Own) const
     {
-        return m_rule.closed.test(m_labels.empty() ? 0 : m_labels[number]);
+        const std::uint8_t label = m_walls.labels.empty() ? 0 : m_walls.labels[number];
+        return (of == Of::Own ? m_rule.closed : m_rule.closedToRivals).test(label)
+            || (!m_walls.coverage.empty() && m_walls.coverage[number] >= carvedFrom);
     }
-    void take(std::size_t at)
+
+    /// @param voxels on the way there
+    void wait(const Place& place, int voxels)
     {
-        if (m_marks[at] != Open)
+        const std::size_t when = (m_now + std::size_t(voxels)) % m_waiting.size();
+        m_waiting[when][std::size_t(place.of)].push_back(place);
+    }
+    void goOnFrom(const Place& place)
+    {
+        const auto count = std::size_t(m_rule.connectivity);
+        if (place.voxel >= 0)
+            return goOnInside(place);
+        for (std::size_t i = 0; i < count; ++i)
+            goOn(place.at, m_steps[i], place.of);
+    }
+    /// From all of a cell to the next one.
+    void goOn(std::size_t from, const Step& step, Of of)
+    {
+        const std::size_t at = from + step.places;
+        if ((m_marks[at] & openTo(of)) == 0)
             return;
-        m_marks[at] = Taken;
-        m_waiting.push_back(at);
+        if ((m_marks[at] & Divided) == 0)
+            return take(at, of, step.voxels);
+        // The voxels of that one that touch this.
+        glm::ivec3 first(0);
+        glm::ivec3 end = m_grid.cell;
+        for (int axis = 0; axis < 3; ++axis) {
+            const int along = step.offset[std::size_t(axis)];
+            if (along > 0)
+                end[axis] = 1;
+            else if (along < 0)
+                first[axis] = m_grid.cell[axis] - 1;
+        }
+        for (int z = first.z; z < end.z; ++z)
+            for (int y = first.y; y < end.y; ++y)
+                for (int x = first.x; x < end.x; ++x)
+                    takeInside(at, numberIn({x, y, z}), of, halfOf(step.voxels));
+    }
+    void goOnInside(const Place& place)
+    {
+        const glm::ivec3& cell = m_grid.cell;
+        const glm::ivec3 voxel(
+            place.voxel % cell.x, place.voxel / cell.x % cell.y, place.voxel / cell.x / cell.y);
+        for (std::size_t i = 0; i < std::size_t(m_rule.connectivity); ++i) {
+            const std::array<int, 3>& offset = seedWord::offsets[i];
+            glm::ivec3 next = voxel + glm::ivec3(offset[0], offset[1], offset[2]);
+            std::array<int, 3> leads{}; // to which cell
+            for (int axis = 0; axis < 3; ++axis) {
+                int& along = leads[std::size_t(axis)];
+                along = next[axis] < 0 ? -1 : next[axis] >= cell[axis] ? 1 : 0;
+                next[axis] -= along * cell[axis];
+            }
+            if (leads == std::array<int, 3>{}) {
+                takeInside(place.at, numberIn(next), place.of, 1);
+                continue;
+            }
+            const Step step = stepTo(leads);
+            const std::size_t at = place.at + step.places;
+            if ((m_marks[at] & openTo(place.of)) == 0)
+                continue;
+            if ((m_marks[at] & Divided) != 0)
+                takeInside(at, numberIn(next), place.of, 1);
+            else
+                take(at, place.of, halfOf(step.voxels));
+        }
+    }
+    [[nodiscard]] static int halfOf(int voxels) { return (voxels + 1) / 2; }
+    [[nodiscard]] int numberIn(const glm::ivec3& local) const
+    {
+        return (local.z * m_grid.cell.y + local.y) * m_grid.cell.x + local.x;
+    }
+    void take(std::size_t at, Of of, int voxels)
+    {
+        m_marks[at] = takenBy(of);
+        wait({.at = at, .of = of}, voxels);
+    }
+    /// @param at of a divided cell
+    [[nodiscard]] std::uint8_t& markInside(std::size_t at, int voxel)
+    {
+        return m_inside[std::size_t(m_numbers[at]) * voxelsOfCell() + std::size_t(voxel)];
+    }
+    [[nodiscard]] std::size_t voxelsOfCell() const
+    {
+        return std::size_t(m_grid.cell.x) * std::size_t(m_grid.cell.y) * std::size_t(m_grid.cell.z);
+    }
+    void takeInside(std::size_t at, int voxel, Of of, int voxels)
+    {
+        std::uint8_t& mark = markInside(at, voxel);
+        if ((mark & openTo(of)) == 0)
+            return;
+        mark = takenBy(of);
+        wait({.at = at, .voxel = voxel, .of = of}, voxels);
+    }
+    /// A seed in a cell with barriers stays on its side of them, whatever the middle voxel is.
+    void beginInside(std::size_t at, const CoarseSeed& seed)
+    {
+        if ((m_marks[at] & openTo(seed.of)) == 0) {
+            m_marks[at] |= openTo(seed.of);
+            const std::span<const std::uint8_t> passable =
+                m_walls.barriers->passable(m_numbers[at]);
+            for (std::size_t i = 0; i < passable.size(); ++i) {
+                std::uint8_t& mark = markInside(at, int(i));
+                if (passable[i] != 0 && (mark & (Taken | TakenByRival)) == 0)
+                    mark |= openTo(seed.of);
+            }
+        }
+        takeInside(at, numberIn(seed.voxel % m_grid.cell), seed.of, 0);
+    }
+    /// Gives marks to the voxels of the cells that hold barriers.
+    void divide()
+    {
+        if (!m_walls.barriers || m_walls.barriers->cells().empty())
+            return;
+        const std::vector<glm::ivec3>& cells = m_walls.barriers->cells();
+        m_numbers.resize(m_marks.size());
+        m_inside.reserve(cells.size() * voxelsOfCell());
+        for (std::size_t i = 0; i < cells.size(); ++i) {
+            const std::size_t at = placeOf(cells[i]);
+            m_numbers[at] = std::uint32_t(i);
+            for (const std::uint8_t isPassable : m_walls.barriers->passable(i))
+                m_inside.push_back(isPassable != 0 ? m_marks[at] : std::uint8_t(Closed));
+            m_marks[at] |= Divided;
+        }
+    }
+    /// How many voxels of each cell with barriers were taken.
+    [[nodiscard]] std::vector<std::int64_t> countInside() const
+    {
+        std::vector<std::int64_t> counts(m_inside.size() / voxelsOfCell());
+        for (std::size_t i = 0; i < counts.size(); ++i) {
+            const auto first = m_inside.begin() + std::ptrdiff_t(i * voxelsOfCell());
+            counts[i] =
+                std::count(first, first + std::ptrdiff_t(voxelsOfCell()), std::uint8_t(Taken));
+        }
+        return counts;
     }
     /// @param does called with the first cell of each row of a box
     template <class Does> static void forEachRow(const VoxelBox& cells, Does does)
@@ -138,8 +343,12 @@ private:
             std::uint8_t* const marks = &m_marks[placeOf(first)];
             for (int x = 0; x < to - from; ++x, ++number) {
                 const int code = codes[number];
-                if (code >= m_rule.lowCode && code <= m_rule.highCode && !isClosed(number))
-                    marks[x] = Open;
+                if (code < m_rule.lowCode || code > m_rule.highCode)
+                    continue;
+                if (!isClosed(number))
+                    marks[x] |= Open;
+                if (m_hasRivals && !isClosed(number, Of::RivalAfter))
+                    marks[x] |= OpenToRivals;
             }
         });
     }
@@ -195,8 +404,10 @@ private:
         std::size_t state = 0;
         forEachRow(reach.cells, [&](const glm::ivec3& first) {
             std::size_t number = m_grid.numberOf(first);
+            const std::uint8_t* const marks = &m_marks[placeOf(first)];
             for (int x = 0; x < size.x; ++x, ++state, ++number) {
-                if (widened[state] != reach.states[state] && !isClosed(number))
+                if (widened[state] != reach.states[state] && !isClosed(number)
+                    && (marks[x] & (Divided | TakenByRival)) == 0)
                     reach.states[state] = CoarseReach::Rim;
             }
         });
@@ -206,20 +417,33 @@ private:
     glm::ivec3 m_cells;
     std::size_t m_row; ///< from a mark to the one in the next row
     std::size_t m_layer;
-    std::span<const std::uint8_t> m_labels;
+    const CoarseWalls& m_walls;
     const CoarseRule& m_rule;
+    bool m_hasRivals;
+    std::array<Step, seedWord::directions> m_steps;
     std::vector<std::uint8_t> m_marks; ///< Mark
-    std::vector<std::size_t> m_waiting; ///< places of marks; the flood goes on from there
+    std::vector<std::uint32_t> m_numbers; ///< by place: of a divided cell, among them
+    std::vector<std::uint8_t> m_inside; ///< Mark of the voxels of divided cells
+    /// Where the flood goes on: by when, a ring of as many voxels as the longest step leads, and by
+    /// who comes first (Of).
+    std::vector<std::array<std::vector<Place>, sides>> m_waiting;
+    std::size_t m_now = 0; ///< in the ring
 };
 
 } // namespace
 
-Result<CoarseReach> coarseFlood(const CoarseCodes& codes, std::span<const std::uint8_t> labels,
+Result<CoarseReach> coarseFlood(const CoarseCodes& codes, const CoarseWalls& walls,
     const std::vector<CoarseSeed>& seeds, const CoarseRule& rule, const Progress& progress)
 {
-    Flood flood(codes, labels, rule);
-    for (const CoarseSeed& seed : seeds)
-        flood.begin(seed);
+    const auto isRival = [](const CoarseSeed& seed) { return seed.of != Of::Own; };
+    Flood flood(codes, walls, rule, std::any_of(seeds.begin(), seeds.end(), isRival));
+    // A cell that holds seeds of several is the growth's own.
+    for (const bool rivals : {false, true}) {
+        for (const CoarseSeed& seed : seeds) {
+            if (isRival(seed) == rivals)
+                flood.begin(seed);
+        }
+    }
     if (!flood.run(progress))
         return failure(ErrorCode::Cancelled);
     return flood.reach();

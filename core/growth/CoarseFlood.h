@@ -4,6 +4,7 @@
 #include "core/base/Progress.h"
 #include "core/base/Result.h"
 #include "core/brick/BrickGrid.h"
+#include "core/growth/CoarseBarriers.h"
 #include "core/growth/CoarseGrid.h"
 
 #include <bitset>
@@ -22,13 +23,25 @@ struct CoarseRule {
     glm::ivec3 boxTo{std::numeric_limits<int>::max()};
     int connectivity = 6; ///< 6, 18 or 26
     std::bitset<256> closed{}; ///< labels that it does not enter
+    std::bitset<256> closedToRivals{}; ///< and those that segments that grow with it do not
     bool operator==(const CoarseRule&) const = default;
+};
+
+/// What bounds a flood beside codes and box. By cell are the voxels that represent them.
+struct CoarseWalls {
+    std::span<const std::uint8_t> labels{}; ///< by cell; empty: all 0
+    std::span<const std::uint8_t> coverage{}; ///< by cell, 128 or more: closed; empty: all 0
+    const CoarseBarriers* barriers = nullptr; ///< of the same grid; null: none
 };
 
 /// A seed with the code of its voxel.
 struct CoarseSeed {
+    /// Whose it is. Who comes first takes what several reach at the same time, as the lower label
+    /// does in a growth.
+    enum class Of : std::uint8_t { RivalBefore, Own, RivalAfter };
     glm::ivec3 voxel{0};
     int code = 0;
+    Of of = Of::Own;
     bool operator==(const CoarseSeed&) const = default;
 };
 
@@ -51,18 +64,26 @@ struct CoarseReach {
 /// Finds out about what a growth from seeds to closure would take, in little time: instead of
 /// voxels it goes through cells (CoarseGrid), each of which is taken for as its middle voxel. If
 /// the grid is exact, this is what a GrowBurst would take by the interval, box, connectivity and
-/// labels of the rule; else structures and necks thinner than a cell may be missed, or passed.
+/// labels of the rule, and by coverage (GrowLimits::onlyVisible) and barriers; else structures and
+/// necks thinner than a cell may be missed, or passed.
 ///
-/// A cell is open if the code of its middle voxel is in the interval, that voxel in the box, and
-/// its label not closed. Only seeds count whose own voxel is in interval and box, and whose cell
-/// has no closed label. Each reaches its own cell, and goes on from there, or, if that is not open,
-/// from the open ones of the 26 cells around it.
+/// A cell is open if the code of its middle voxel is in the interval, that voxel in the box and not
+/// carved, and its label not closed. Only seeds count whose own voxel is in interval and box, and
+/// whose cell is neither carved nor has a closed label. Each reaches its own cell, and goes on from
+/// there, or, if that is not open, from the open ones of the 26 cells around it.
 ///
-/// @param labels by cell, of the voxels that represent them; empty: all 0
-/// Errors: Cancelled. Cost ∝ the cells; two million take some tens of milliseconds.
-[[nodiscard]] Result<CoarseReach> coarseFlood(const CoarseCodes& codes,
-    std::span<const std::uint8_t> labels, const std::vector<CoarseSeed>& seeds,
-    const CoarseRule& rule, const Progress& progress = Progress());
+/// Barriers may be one voxel thin, and nothing passes them: an open cell that holds some is gone
+/// through voxel by voxel, and of such a cell as many voxels are counted as were reached.
+///
+/// Rivals, the segments that grow in the same burst, are at each place sooner or later than the
+/// growth itself, by voxels on the way; what they reach first is not taken. They are told from each
+/// other nowhere.
+///
+/// Errors: Cancelled. Cost ∝ the cells, and the voxels of those with barriers; two million cells
+/// take some tens of milliseconds.
+[[nodiscard]] Result<CoarseReach> coarseFlood(const CoarseCodes& codes, const CoarseWalls& walls,
+    const std::vector<CoarseSeed>& seeds, const CoarseRule& rule,
+    const Progress& progress = Progress());
 
 /// The same in cells of twice the side along all axes: Reached where at least half of the cells
 /// are, Rim where any other is not Beyond.

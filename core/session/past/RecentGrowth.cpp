@@ -8,11 +8,16 @@
 #include "core/edits/kinds/criteria/GrowCriteria.h"
 #include "core/edits/kinds/criteria/GrowGuard.h"
 #include "core/edits/kinds/criteria/GrowLimits.h"
+#include "core/edits/kinds/growth/BarrierStroke.h"
 #include "core/edits/kinds/growth/ChangeInterval.h"
 #include "core/edits/kinds/growth/GrowSteps.h"
+#include "core/edits/kinds/growth/PlugLeak.h"
 #include "core/edits/kinds/growth/ResumeGrowth.h"
+#include "core/edits/kinds/growth/ShrinkAt.h"
+#include "core/edits/kinds/history/RevertRows.h"
 #include "core/edits/kinds/parts/GrowthPlane.h"
 #include "core/edits/kinds/segments/PaintStroke.h"
+#include "core/edits/kinds/surface/SurfaceBarrier.h"
 #include "core/growth/SeedWord.h"
 #include "core/session/past/SeedStrokes.h"
 
@@ -48,6 +53,13 @@ bool segmentsCompete(const GrowCriteria& criteria, const History& history, const
     return std::count_if(criteria.segments->begin(), criteria.segments->end(),
                [&growing](int label) { return growing.test(std::size_t(label)); })
         > 1;
+}
+
+bool setsBarriers(const Edit& edit)
+{
+    const auto* shrink = edit.as<ShrinkAt>();
+    return edit.is<BarrierStroke>() || edit.is<PlugLeak>() || edit.is<SurfaceBarrier>()
+        || (shrink && shrink->barrier);
 }
 
 bool asksPassage(const GrowCriteria& criteria, const Document& document)
@@ -92,6 +104,19 @@ std::optional<GrowCriteria> recentCriteria(const History& history, std::uint8_t 
 {
     const std::optional<Rules> rules = recentRules(history, plane);
     return rules ? std::optional(rules->criteria) : std::nullopt;
+}
+
+RowId lastBarrierRow(const History& history)
+{
+    RowId last = 0;
+    for (RowId id = history.position(); id != 0; id = history.row(id).parent) {
+        const Edit& edit = history.row(id).edit;
+        if (last == 0 && (setsBarriers(edit) || edit.is<RevertRows>()))
+            last = id;
+        if (setsBarriers(edit))
+            return last;
+    }
+    return 0; // whatever was taken back, it was no barrier
 }
 
 bool hasGrown(const History& history, const Segment& segment)

@@ -29,6 +29,10 @@ void dropGoneFromRange(GrowCriteria& criteria, const Document& document);
 /// Whether a growth in effect has begun at seeds of a segment; perhaps nothing of it is left.
 [[nodiscard]] bool hasGrown(const History& history, const Segment& segment);
 
+/// The last row on the way to the position that may have set or removed barriers, in any label
+/// plane: they are as they were after it. 0: there are none.
+[[nodiscard]] RowId lastBarrierRow(const History& history);
+
 /// Whether an edit changes how later growths continue, even if it changes no voxel: its criteria
 /// are new, and there are sketched seeds that may still be admitted.
 [[nodiscard]] bool bringsNewCriteria(

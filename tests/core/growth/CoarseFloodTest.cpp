@@ -200,7 +200,8 @@ private Q_SLOTS:
             seeds.push_back(seedAt(codes, test::randomVoxel(random, size)));
         const CoarseCodes coarse = sampled(codes, std::int64_t(codes.values.size()));
         QVERIFY(coarse.grid().isExact());
-        const auto reach = coarseFlood(coarse, sampled(labels, coarse.grid()), seeds, rule);
+        const auto reach =
+            coarseFlood(coarse, {.labels = sampled(labels, coarse.grid())}, seeds, rule);
         QVERIFY(reach);
         const Bytes wanted = plainFlood(codes, labels, seeds, rule);
         QCOMPARE(drawn(codes, coarse.grid(), *reach, rule).values, wanted.values);
@@ -262,7 +263,8 @@ private Q_SLOTS:
                     labels.at({x, y, z}) = 5;
         CoarseRule rule = tissue;
         rule.closed.set(5);
-        const auto closed = coarseFlood(joined, sampled(labels, joined.grid()), seeds, rule);
+        const auto closed =
+            coarseFlood(joined, {.labels = sampled(labels, joined.grid())}, seeds, rule);
         QVERIFY(closed);
         QCOMPARE(endAlongX(*closed, joined.grid()), 28);
         rule.closed.reset();

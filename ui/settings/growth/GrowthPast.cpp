@@ -15,7 +15,8 @@ const GrowthPast::Known& GrowthPast::of(const core::EditSession& session, std::u
         return m_known;
     m_known = {.seeds = sketchedSeeds(session, plane),
         .criteria = core::recentCriteria(history, plane),
-        .growing = core::growingSegments(history, session.document(), plane)};
+        .growing = core::growingSegments(history, session.document(), plane),
+        .barriers = core::lastBarrierRow(history)};
     m_asked = asked;
     return m_known;
 }

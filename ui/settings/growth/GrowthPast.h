@@ -25,6 +25,7 @@ public:
         int seeds = 0; ///< sketchedSeeds()
         std::optional<core::GrowCriteria> criteria{}; ///< core::recentCriteria()
         std::bitset<256> growing; ///< core::growingSegments()
+        core::RowId barriers = 0; ///< core::lastBarrierRow()
     };
 
     [[nodiscard]] const Known& of(const core::EditSession& session, std::uint8_t plane);

@@ -2,13 +2,12 @@
 #include "ui/tasks/growth/GrowthGhost.h"
 
 #include "core/edits/kinds/growth/GrowSteps.h"
-#include "core/edits/kinds/parts/GrowthPlane.h"
 #include "core/growth/GrowthCommands.h"
 #include "core/session/EditSession.h"
-#include "core/session/past/LabelReader.h"
 #include "core/session/questions/VoxelQuestions.h"
 #include "ui/base/StudyTexts.h"
 #include "ui/settings/growth/GrowSettings.h"
+#include "ui/tasks/growth/GrowthTurns.h"
 #include "ui/workspace/Workspace.h"
 
 #include <QPointer>
@@ -67,6 +66,7 @@ GrowthGhost::GrowthGhost(Workspace& workspace, QObject* parent, std::int64_t mos
     : QObject(parent)
     , m_workspace(workspace)
     , m_mostCells(mostCells)
+    , m_walls(workspace)
 {
     m_soon.setSingleShot(true);
     m_soon.setInterval(soonMilliseconds);
@@ -74,11 +74,9 @@ GrowthGhost::GrowthGhost(Workspace& workspace, QObject* parent, std::int64_t mos
     connect(&workspace, &Workspace::sessionClosing, this, &GrowthGhost::forget);
     connect(&workspace, &Workspace::sessionChanged, this, &GrowthGhost::forget);
     connect(&workspace, &Workspace::activeToolChanged, this, [this] { m_isRefused = false; });
-    connect(
-        &workspace, &Workspace::documentChanged, this, [this](const core::DocumentChange& change) {
-            if (change.what == core::DocumentChange::What::Labels)
-                loseLabels();
-        });
+    connect(&m_walls, &GhostWalls::read, this, &GrowthGhost::advance);
+    connect(&m_walls, &GhostWalls::refused, this, &GrowthGhost::drop);
+    connect(&m_walls, &GhostWalls::lost, this, &GrowthGhost::loseWalls);
 }
 
 void GrowthGhost::forget()
@@ -92,8 +90,7 @@ void GrowthGhost::forget()
     m_codes.reset();
     m_askedSeeds.reset();
     m_seeds.reset();
-    m_reader.reset();
-    m_labels.reset();
+    m_walls.forget();
 }
 
 void GrowthGhost::drop()
@@ -103,6 +100,7 @@ void GrowthGhost::drop()
     m_shown.reset();
     m_isFlooding = false;
     m_floods.cancel();
+    m_walls.stop();
     m_workspace.seeds().setGhost({});
     if (std::exchange(m_voxels, std::nullopt))
         Q_EMIT changed();
@@ -128,12 +126,14 @@ std::optional<GrowthGhost::Wanted> GrowthGhost::present() const
     if (std::none_of(wanted.seeds->begin(), wanted.seeds->end(), isItsOwn))
         return std::nullopt;
 
-    core::GrowSteps edit;
-    edit.criteria = criteriaOf(m_workspace.growSettings());
-    edit.criteria.segments = std::vector<int>{wanted.label};
-    edit.criteria.plane = core::namedPlane(wanted.plane);
-    edit.criteria.editable = m_workspace.editableRange();
-    const core::Result<core::GrowBurst> burst = core::growBurst(edit, document);
+    // Who grows before it in an interval of its own is not foreseen.
+    const std::vector<GrowthTurn> turns = growthTurns(m_workspace);
+    const auto turn = std::find_if(turns.begin(), turns.end(),
+        [this](const GrowthTurn& each) { return activeGrows(each, m_workspace); });
+    if (turn == turns.end())
+        return std::nullopt;
+    const core::Result<core::GrowBurst> burst =
+        core::growBurst(growthOf(*turn, m_workspace), document);
     if (!burst)
         return std::nullopt;
     const core::GrowthRange range = burst->range.value_or(core::GrowthRange());
@@ -145,15 +145,34 @@ std::optional<GrowthGhost::Wanted> GrowthGhost::present() const
         rule.boxFrom = burst->limits.boxFrom;
         rule.boxTo = burst->limits.boxTo;
     }
-    rule.closed = ~burst->overwritable;
+    rule.closed = rule.closedToRivals = ~burst->overwritable;
     rule.closed.reset(0).reset(std::size_t(wanted.label));
+    rule.closedToRivals.reset(0);
+    for (const gpu::SceneSeed& seed : *wanted.seeds) {
+        const core::Segment* other = document.segment(seed.label);
+        if (other && other->plane == wanted.plane && int(seed.label) != wanted.label
+            && !burst->lockedLabels.test(seed.label)) {
+            wanted.rivals.set(seed.label);
+            rule.closedToRivals.reset(seed.label);
+        }
+    }
     rule.closed |= range.closed;
-    wanted.asksLabels = range.closed.any()
-        || std::any_of(document.segments.begin(), document.segments.end(),
-            [&wanted](const core::Segment& other) {
-                return other.plane == wanted.plane && other.voxels > 0
-                    && wanted.rule.closed.test(other.label);
-            });
+    rule.closedToRivals |= range.closed;
+    const auto bounds = [&wanted](const core::Segment& other) {
+        return other.plane == wanted.plane && other.voxels > 0
+            && (wanted.rule.closed.test(other.label)
+                || (wanted.rivals.any() && wanted.rule.closedToRivals.test(other.label)));
+    };
+    wanted.walls = {.plane = wanted.plane,
+        .labels = range.closed.any()
+            || std::any_of(document.segments.begin(), document.segments.end(), bounds),
+        .barriers = m_workspace.seeds().past().of(*session, wanted.plane).barriers};
+    if (burst->limits.onlyVisible) {
+        for (const core::SculptLayer& layer : document.layers) {
+            if (document.carves(layer))
+                wanted.walls.layers.push_back(layer.id);
+        }
+    }
     return wanted;
 }
 
@@ -195,10 +214,8 @@ void GrowthGhost::advance()
         readSeeds();
     else if (!m_seeds)
         return; // they are on their way
-    else if (m_wanted->asksLabels && !(m_labels && m_labelsPlane == m_wanted->plane))
-        readLabels();
-    else
-        flood();
+    else if (const auto read = m_walls.of(m_wanted->walls, m_codes->grid()))
+        flood(*read);
 }
 
 void GrowthGhost::prepare()
@@ -286,71 +303,33 @@ void GrowthGhost::readSeeds()
         });
 }
 
-void GrowthGhost::readLabels()
+void GrowthGhost::loseWalls()
 {
-    if (m_reader && m_labelsPlane == m_wanted->plane)
-        return;
-    m_labels.reset();
-    m_labelsPlane = m_wanted->plane;
-    m_reader = std::make_shared<core::LabelReader>(m_codes->grid().volumeSize, m_labelsPlane);
-    readLabelsOn();
-}
-
-void GrowthGhost::readLabelsOn()
-{
-    const auto take = [ghost = QPointer<GrowthGhost>(this), reader = m_reader](
-                          const core::Result<void>& portion) {
-        if (!ghost || ghost->m_reader != reader)
-            return;
-        if (portion && ghost->m_wanted)
-            return ghost->readLabelsOn();
-        ghost->m_reader.reset(); // nobody waits for them any more, or they cannot be read
-        if (!portion)
-            ghost->drop();
-    };
-    if (m_workspace.session()->questions().readOn(m_reader, take))
-        return;
-    m_reads.start(
-        this,
-        [reader = m_reader, grid = m_codes->grid()] {
-            return std::make_shared<const std::vector<std::uint8_t>>(reader->sampled(grid));
-        },
-        [this, reader = m_reader](const core::Result<Cells>& cells) {
-            if (m_reader != reader)
-                return; // they have changed meanwhile
-            m_reader.reset();
-            if (!cells)
-                return drop();
-            m_labels = *cells;
-            advance();
-        });
-}
-
-void GrowthGhost::loseLabels()
-{
-    m_labels.reset();
-    m_reader.reset();
-    if (!m_wanted || !m_wanted->asksLabels)
+    if (!m_wanted)
         return;
     m_floods.cancel();
     m_isFlooding = false;
     advance();
 }
 
-void GrowthGhost::flood()
+void GrowthGhost::flood(const GhostWalls::Read& read)
 {
+    using Of = core::CoarseSeed::Of;
     m_isFlooding = true;
     std::vector<core::CoarseSeed> seeds;
     for (std::size_t i = 0; i < m_seeds->size(); ++i) {
-        if (int((*m_askedSeeds)[i].label) == m_wanted->label)
-            seeds.push_back((*m_seeds)[i]);
+        const std::uint8_t label = (*m_askedSeeds)[i].label;
+        if (int(label) != m_wanted->label && !m_wanted->rivals.test(label))
+            continue;
+        seeds.push_back((*m_seeds)[i]);
+        seeds.back().of = int(label) < m_wanted->label ? Of::RivalBefore
+            : int(label) == m_wanted->label            ? Of::Own
+                                                       : Of::RivalAfter;
     }
-    const auto work = [codes = m_codes, labels = m_wanted->asksLabels ? m_labels : nullptr,
-                          seeds = std::move(seeds),
-                          of = *m_wanted](const core::Progress& progress) -> core::Result<Drawn> {
-        core::Result<core::CoarseReach> reach = core::coarseFlood(*codes,
-            labels ? std::span<const std::uint8_t>(*labels) : std::span<const std::uint8_t>(),
-            seeds, of.rule, progress);
+    const auto work = [codes = m_codes, read, seeds = std::move(seeds), of = *m_wanted](
+                          const core::Progress& progress) -> core::Result<Drawn> {
+        core::Result<core::CoarseReach> reach =
+            core::coarseFlood(*codes, read.walls(), seeds, of.rule, progress);
         if (!reach)
             return tl::unexpected(reach.error());
         const std::int64_t voxels = reach->voxels;

@@ -4,20 +4,18 @@
 #include "core/base/Background.h"
 #include "core/base/Result.h"
 #include "core/growth/CoarseFlood.h"
+#include "ui/tasks/growth/GhostWalls.h"
 #include "ui/workspace/PendingSeeds.h"
 
 #include <QObject>
 #include <QString>
 #include <QTimer>
 
+#include <bitset>
 #include <cstdint>
 #include <memory>
 #include <optional>
 #include <vector>
-
-namespace core {
-class LabelReader;
-}
 
 namespace ui {
 
@@ -26,10 +24,11 @@ class Workspace;
 /// Shows in all views, before a growth begins, about what it would take of the active segment: what
 /// hangs together with its waiting seeds in the interval (core::coarseFlood()), as a translucent
 /// body. The volume is looked at in at most two million cells, whose codes are read once for each
-/// session, a slice at a time; other segments, the editable range and the box of the growth bound
-/// it, and so do none of the other criteria, nor barriers. Everything is computed on threads of its
-/// own, and no edit or picture waits for it. If settings arrive faster than it can follow, only the
-/// latest ones are used. GUI thread.
+/// session, a slice at a time. Other segments, barriers, what is carved, the editable range and the
+/// box of the growth bound it (GhostWalls), and so do the segments whose seeds grow together with
+/// it; the other criteria do not. Everything is computed on threads of its own, and no edit or
+/// picture waits for it. If settings arrive faster than it can follow, only the latest ones are
+/// used. GUI thread.
 class GrowthGhost : public QObject {
     Q_OBJECT
 
@@ -55,7 +54,7 @@ public:
     [[nodiscard]] std::optional<std::int64_t> voxels() const { return m_voxels; }
     /// Whether what is shown is what follow() asked for last.
     [[nodiscard]] bool upToDate() const { return m_wanted == m_shown; }
-    /// "about 12.4 mL"; empty without a ghost.
+    /// "about 12.4 mL", and which criterion was left out; empty without a ghost.
     [[nodiscard]] QString words() const;
 
 Q_SIGNALS:
@@ -69,15 +68,14 @@ private:
         std::uint32_t rgb = 0;
         std::shared_ptr<const std::vector<gpu::SceneSeed>> seeds;
         core::CoarseRule rule;
-        bool asksLabels = false; ///< the rule closes labels that there are
+        std::bitset<256> rivals; ///< labels that grow together with it
+        GhostWalls::Needs walls;
         bool operator==(const Wanted&) const = default;
     };
     struct Drawn {
         PendingSeeds::Ghost ghost;
         std::int64_t voxels = 0;
     };
-    using Cells = std::shared_ptr<const std::vector<std::uint8_t>>;
-
     [[nodiscard]] std::optional<Wanted> present() const;
     void forget();
     void drop();
@@ -86,10 +84,8 @@ private:
     void takeSlice(int layer, std::vector<std::uint16_t> slice);
     void refuse();
     void readSeeds();
-    void readLabels();
-    void readLabelsOn();
-    void loseLabels();
-    void flood();
+    void loseWalls();
+    void flood(const GhostWalls::Read& read);
     void take(const Wanted& of, const core::Result<Drawn>& drawn);
 
     Workspace& m_workspace;
@@ -110,9 +106,7 @@ private:
     std::shared_ptr<const std::vector<gpu::SceneSeed>> m_askedSeeds;
     std::optional<std::vector<core::CoarseSeed>> m_seeds; ///< these with their codes
 
-    std::shared_ptr<core::LabelReader> m_reader; ///< null: not reading
-    std::uint8_t m_labelsPlane = 0; ///< the plane of m_reader and m_labels
-    Cells m_labels; ///< null: not read, or changed since
+    GhostWalls m_walls;
 
     core::Background m_floods; ///< these last: they use all of the above
     core::Background m_reads;

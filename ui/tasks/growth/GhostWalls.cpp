@@ -1,0 +1,285 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/tasks/growth/GhostWalls.h"
+
+#include "core/session/EditSession.h"
+#include "core/session/past/LabelReader.h"
+#include "core/session/questions/VoxelQuestions.h"
+#include "ui/workspace/Workspace.h"
+
+#include <QPointer>
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+namespace ui {
+
+namespace {
+
+constexpr std::size_t bricksAtOnce = 1024; ///< of seed words: at most 16 MiB
+
+/// The greater of both at each cell. Empty: all 0.
+std::vector<std::uint8_t> greatestOf(
+    std::vector<std::uint8_t> one, const std::vector<std::uint8_t>& other)
+{
+    if (one.empty())
+        return other;
+    for (std::size_t i = 0; i < other.size(); ++i)
+        one[i] = std::max(one[i], other[i]);
+    return one;
+}
+
+/// The bricks of a grid that a box touches, ascending.
+std::vector<std::uint32_t> bricksIn(const core::BrickGrid& grid, const core::VoxelBox& box)
+{
+    std::vector<std::uint32_t> bricks;
+    if (box.empty())
+        return bricks;
+    const glm::ivec3 first = glm::max(box.minimum, glm::ivec3(0)) / core::BrickGrid::side;
+    const glm::ivec3 last = glm::min(box.maximum, grid.volumeSize) - 1;
+    for (int z = first.z; z <= last.z / core::BrickGrid::side; ++z) {
+        for (int y = first.y; y <= last.y / core::BrickGrid::side; ++y) {
+            for (int x = first.x; x <= last.x / core::BrickGrid::side; ++x)
+                bricks.push_back(
+                    std::uint32_t(grid.brickOf(glm::ivec3(x, y, z) * core::BrickGrid::side)));
+        }
+    }
+    return bricks;
+}
+
+} // namespace
+
+core::CoarseWalls GhostWalls::Read::walls() const
+{
+    core::CoarseWalls walls{.barriers = barriers.get()};
+    if (labels)
+        walls.labels = *labels;
+    if (coverage)
+        walls.coverage = *coverage;
+    return walls;
+}
+
+GhostWalls::GhostWalls(Workspace& workspace, QObject* parent)
+    : QObject(parent)
+    , m_workspace(workspace)
+{
+    using What = core::DocumentChange::What;
+    connect(
+        &workspace, &Workspace::documentChanged, this, [this](const core::DocumentChange& change) {
+            if (change.what == What::Labels)
+                return lose(m_labels);
+            if (change.what == What::Coverage)
+                return lose(m_coverage);
+            if (change.what != What::Growth || change.box.empty())
+                return;
+            m_changed = m_changed.united(change.box);
+            if (std::exchange(m_looking, nullptr))
+                Q_EMIT lost();
+        });
+}
+
+void GhostWalls::lose(Planes& planes)
+{
+    const bool isRead = m_reader && m_into == &planes;
+    if (!planes.cells && !isRead)
+        return;
+    planes.cells.reset();
+    if (isRead)
+        m_reader.reset();
+    Q_EMIT lost();
+}
+
+void GhostWalls::stop()
+{
+    m_reader.reset();
+    m_looking.reset();
+}
+
+void GhostWalls::forget()
+{
+    stop();
+    m_work.cancel();
+    m_labels.cells.reset();
+    m_coverage.cells.reset();
+    m_barriers.reset();
+    m_changed = {};
+}
+
+/// Silently: a picture or an edit will say why.
+void GhostWalls::refuse()
+{
+    stop();
+    Q_EMIT refused();
+}
+
+std::optional<GhostWalls::Read> GhostWalls::of(const Needs& needs, const core::CoarseGrid& grid)
+{
+    m_grid = grid;
+    Read read;
+    const auto take = [&](Planes& from, const std::vector<std::uint8_t>& planes, Cells& into) {
+        if (!from.cells || from.planes != planes) {
+            readPlanes(from, planes);
+            return false;
+        }
+        into = from.cells;
+        return true;
+    };
+    if (needs.labels && !take(m_labels, {needs.plane}, read.labels))
+        return std::nullopt;
+    if (!needs.layers.empty() && !take(m_coverage, needs.layers, read.coverage))
+        return std::nullopt;
+    if (needs.barriers != 0) {
+        if (!m_barriers || m_barriers->plane != needs.plane || m_barriers->row != needs.barriers) {
+            readBarriers(needs.plane, needs.barriers);
+            return std::nullopt;
+        }
+        m_changed = {}; // seeds and growths leave barriers as they are
+        read.barriers = m_barriers->cells;
+    }
+    return read;
+}
+
+void GhostWalls::readPlanes(Planes& into, const std::vector<std::uint8_t>& planes)
+{
+    if (m_reader && m_into == &into && into.planes == planes)
+        return;
+    into.cells.reset();
+    into.planes = planes;
+    m_into = &into;
+    m_left = planes;
+    m_greatest.reset();
+    readNextPlane();
+}
+
+void GhostWalls::readNextPlane()
+{
+    m_reader = std::make_shared<core::LabelReader>(m_grid.volumeSize, m_left.back(), m_into->field);
+    m_left.pop_back();
+    readPlaneOn();
+}
+
+void GhostWalls::readPlaneOn()
+{
+    const auto take = [walls = QPointer<GhostWalls>(this), reader = m_reader](
+                          const core::Result<void>& portion) {
+        if (!walls || walls->m_reader != reader)
+            return; // nobody waits for them any more, or they have changed
+        if (portion)
+            walls->readPlaneOn();
+        else
+            walls->refuse();
+    };
+    if (m_workspace.session()->questions().readOn(m_reader, take))
+        return;
+    m_work.start(
+        this,
+        [reader = m_reader, grid = m_grid, greatest = m_greatest]() -> Cells {
+            std::vector<std::uint8_t> cells = reader->sampled(grid);
+            return std::make_shared<const std::vector<std::uint8_t>>(
+                greatest ? greatestOf(std::move(cells), *greatest) : std::move(cells));
+        },
+        [this, reader = m_reader](const core::Result<Cells>& cells) {
+            if (m_reader == reader)
+                takePlane(cells);
+        });
+}
+
+void GhostWalls::takePlane(const core::Result<Cells>& cells)
+{
+    if (!cells) // memory has run out
+        return refuse();
+    m_reader.reset();
+    m_greatest = *cells;
+    if (!m_left.empty())
+        return readNextPlane();
+    m_into->cells = std::exchange(m_greatest, nullptr);
+    Q_EMIT read();
+}
+
+void GhostWalls::readBarriers(std::uint8_t plane, core::RowId row)
+{
+    if (m_looking && m_looking->plane == plane && m_looking->row == row)
+        return;
+    if (m_barriers && m_barriers->plane != plane)
+        m_barriers.reset();
+    const core::BrickGrid grid{m_grid.volumeSize};
+    const core::VoxelBox box =
+        m_barriers ? m_changed : core::VoxelBox{glm::ivec3(0), m_grid.volumeSize};
+    m_looking = std::make_shared<Looking>(Looking{.plane = plane, .row = row});
+    for (const std::uint32_t brick : bricksIn(grid, box))
+        m_looking->keys.push_back({core::Field::SeedWords, plane, brick});
+    if (m_looking->keys.empty())
+        finishBarriers();
+    else
+        readBarriersOn();
+}
+
+void GhostWalls::readBarriersOn()
+{
+    const std::size_t first = m_looking->asked;
+    m_looking->asked = std::min(first + bricksAtOnce, m_looking->keys.size());
+    const auto keys = m_looking->keys.begin();
+    m_workspace.session()->questions().bricks(
+        {keys + std::ptrdiff_t(first), keys + std::ptrdiff_t(m_looking->asked)},
+        [walls = QPointer<GhostWalls>(this), looking = m_looking](
+            const core::Result<std::vector<core::BrickImage>>& bricks) {
+            if (walls && walls->m_looking == looking)
+                walls->takeBarriers(bricks);
+        });
+}
+
+void GhostWalls::takeBarriers(const core::Result<std::vector<core::BrickImage>>& bricks)
+{
+    if (!bricks)
+        return refuse();
+    m_work.start(
+        this,
+        [looking = m_looking, bricks = *bricks] {
+            const Bricks found = core::barriersIn(bricks);
+            looking->found.insert(looking->found.end(), found.begin(), found.end());
+        },
+        [this, looking = m_looking, count = bricks->size()](const core::Result<void>& taken) {
+            if (m_looking != looking)
+                return;
+            if (!taken) // memory has run out
+                return refuse();
+            looking->taken += count;
+            if (looking->taken == looking->keys.size())
+                finishBarriers();
+        });
+    if (m_looking->asked < m_looking->keys.size())
+        readBarriersOn();
+}
+
+void GhostWalls::finishBarriers()
+{
+    const auto work = [looking = m_looking, grid = m_grid,
+                          before = m_barriers ? m_barriers->bricks : nullptr] {
+        // Those of other bricks are as they were.
+        const auto isRead = [&looking](const core::BarrierListed::Brick& held) {
+            return std::binary_search(looking->keys.begin(), looking->keys.end(),
+                core::BrickKey{core::Field::SeedWords, looking->plane, held.brick});
+        };
+        Bricks bricks = looking->found;
+        if (before)
+            std::remove_copy_if(before->begin(), before->end(), std::back_inserter(bricks), isRead);
+        std::sort(bricks.begin(), bricks.end(),
+            [](const auto& a, const auto& b) { return a.brick < b.brick; });
+        return Barriers{.plane = looking->plane,
+            .row = looking->row,
+            .bricks = std::make_shared<const Bricks>(bricks),
+            .cells = std::make_shared<const core::CoarseBarriers>(grid, bricks)};
+    };
+    m_work.start(this, work, [this, looking = m_looking](const core::Result<Barriers>& found) {
+        if (m_looking != looking)
+            return;
+        if (!found)
+            return refuse();
+        m_looking.reset();
+        m_barriers = *found;
+        m_changed = {};
+        Q_EMIT read();
+    });
+}
+
+} // namespace ui

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/base/Background.h"
+#include "core/base/Result.h"
+#include "core/brick/BrickGrid.h"
+#include "core/growth/CoarseFlood.h"
+#include "core/history/History.h"
+
+#include <QObject>
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace core {
+class LabelReader;
+}
+
+namespace ui {
+
+class Workspace;
+
+/// Reads for the ghost of a growth (GrowthGhost) where labels, sculpting and barriers close the
+/// volume to it: in portions, as questions between edits, and threads of its own put them into
+/// cells. What was read is kept until an edit changes it; of barriers only the bricks in which seed
+/// words have changed are read again. GUI thread.
+class GhostWalls : public QObject {
+    Q_OBJECT
+
+public:
+    struct Needs {
+        std::uint8_t plane = 0; ///< the label plane of the growth
+        bool labels = false;
+        std::vector<std::uint8_t> layers{}; ///< sculpt layers that close what they carve
+        core::RowId barriers = 0; ///< core::lastBarrierRow()
+        bool operator==(const Needs&) const = default;
+    };
+    /// By cell.
+    using Cells = std::shared_ptr<const std::vector<std::uint8_t>>;
+    struct Read {
+        Cells labels; ///< null: not needed
+        Cells coverage; ///< likewise
+        std::shared_ptr<const core::CoarseBarriers> barriers; ///< likewise
+        /// Refers to what is held here.
+        [[nodiscard]] core::CoarseWalls walls() const;
+    };
+
+    explicit GhostWalls(Workspace& workspace, QObject* parent = nullptr);
+
+    /// What is needed; none: it is being read, and read() or refused() will tell when to ask again.
+    /// @param grid always the same, until forget()
+    [[nodiscard]] std::optional<Read> of(const Needs& needs, const core::CoarseGrid& grid);
+    /// Nobody waits for what is being read.
+    void stop();
+    /// To be called when another session is opened.
+    void forget();
+
+Q_SIGNALS:
+    void read();
+    void refused(); ///< something could not be read
+    void lost(); ///< what of() has returned, or is about to, has changed
+
+private:
+    using Bricks = std::vector<core::BarrierListed::Brick>;
+    /// What the voxels of the cells hold in one plane, or the greatest that several layers hold.
+    struct Planes {
+        core::Field field = core::Field::Labels;
+        std::vector<std::uint8_t> planes{};
+        Cells cells{}; ///< null: not read
+    };
+    struct Barriers {
+        std::uint8_t plane = 0;
+        core::RowId row = 0; ///< of the Needs
+        std::shared_ptr<const Bricks> bricks; ///< ascending
+        std::shared_ptr<const core::CoarseBarriers> cells;
+    };
+    /// Bricks of seed words that are being read.
+    struct Looking {
+        std::uint8_t plane = 0;
+        core::RowId row = 0;
+        std::vector<core::BrickKey> keys; ///< ascending
+        std::size_t asked = 0; ///< of the keys
+        std::size_t taken = 0; ///< likewise
+        Bricks found; ///< only m_work uses it, until all are taken
+    };
+
+    void lose(Planes& planes);
+    void readPlanes(Planes& into, const std::vector<std::uint8_t>& planes);
+    void readNextPlane();
+    void readPlaneOn();
+    void takePlane(const core::Result<Cells>& cells);
+    void readBarriers(std::uint8_t plane, core::RowId row);
+    void readBarriersOn();
+    void takeBarriers(const core::Result<std::vector<core::BrickImage>>& bricks);
+    void finishBarriers();
+    void refuse();
+
+    Workspace& m_workspace;
+    core::CoarseGrid m_grid;
+    Planes m_labels{.field = core::Field::Labels};
+    Planes m_coverage{.field = core::Field::Coverage};
+    Planes* m_into = nullptr; ///< who is read by m_reader
+    std::vector<std::uint8_t> m_left; ///< planes that it has still to read, the next one last
+    std::shared_ptr<core::LabelReader> m_reader; ///< null: no plane is being read
+    Cells m_greatest; ///< of those that were read; null: none yet
+
+    std::optional<Barriers> m_barriers; ///< those that were read last
+    core::VoxelBox m_changed; ///< where seed words have changed since
+    std::shared_ptr<Looking> m_looking; ///< null: no barriers are being read
+
+    core::Background m_work; ///< last: it uses all of the above
+};
+
+} // namespace ui
