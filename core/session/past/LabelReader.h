@@ -3,7 +3,7 @@
 
 #include "core/base/Result.h"
 #include "core/brick/BrickGrid.h"
-#include "core/growth/CoarseGrid.h"
+#include "core/growth/coarse/CoarseGrid.h"
 
 #include <cstdint>
 #include <optional>

@@ -231,8 +231,8 @@ QLayout* GrowthPanel::buildGhost()
     m_ghostShown = new PreviewBox(QStringLiteral("growth"), this);
     m_ghostShown->setToolTip(
         tr("While you sketch seeds, show in all views roughly what a growth in this interval would "
-           "take: large volumes are looked at coarsely, and criteria and barriers are left out, "
-           "with which it takes less"));
+           "take: large volumes are looked at coarsely, and criteria that this cannot tell are "
+           "left out, which the line beside it says"));
     m_ghostText = new FittingLabel(Qt::AlignRight, this);
     m_ghostText->setObjectName(QStringLiteral("growthGhost"));
     m_ghostText->setFont(theme::smallFont());

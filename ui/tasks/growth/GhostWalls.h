@@ -4,7 +4,7 @@
 #include "core/base/Background.h"
 #include "core/base/Result.h"
 #include "core/brick/BrickGrid.h"
-#include "core/growth/CoarseFlood.h"
+#include "core/growth/coarse/CoarseFlood.h"
 #include "core/history/History.h"
 
 #include <QObject>

@@ -3,7 +3,9 @@
 
 #include "core/edits/kinds/growth/GrowSteps.h"
 #include "core/growth/GrowthCommands.h"
+#include "core/growth/coarse/CoarsePassage.h"
 #include "core/session/EditSession.h"
+#include "core/session/past/SeedStrokes.h"
 #include "core/session/questions/VoxelQuestions.h"
 #include "ui/base/StudyTexts.h"
 #include "ui/settings/growth/GrowSettings.h"
@@ -11,6 +13,7 @@
 #include "ui/workspace/Workspace.h"
 
 #include <QPointer>
+#include <QStringList>
 
 #include <algorithm>
 #include <utility>
@@ -36,6 +39,21 @@ std::uint32_t lighter(std::uint32_t rgb)
     return result;
 }
 
+/// All codes that a flood takes lie in here.
+core::CodeRange codesOf(const core::CoarseRule& rule)
+{
+    core::CodeRange codes{.lowest = rule.lowCode, .highest = rule.highCode};
+    if (!rule.among || rule.among->empty())
+        return codes;
+    int lowest = codes.highest;
+    int highest = codes.lowest;
+    for (const core::CodeInterval& interval : *rule.among) {
+        lowest = std::min(lowest, interval.low);
+        highest = std::max(highest, interval.high);
+    }
+    return {.lowest = std::max(codes.lowest, lowest), .highest = std::min(codes.highest, highest)};
+}
+
 /// @param of the flood
 PendingSeeds::Ghost ghostOf(
     core::CoarseReach reach, core::CoarseGrid grid, const core::CoarseRule& of, std::uint32_t rgb)
@@ -51,7 +69,7 @@ PendingSeeds::Ghost ghostOf(
         glm::min(reach.cells.maximum * grid.cell, grid.volumeSize)};
     areas->cell = grid.cell;
     areas->leaves = std::make_shared<const std::vector<std::uint16_t>>(std::move(reach.states));
-    areas->codes = core::CodeRange{.lowest = of.lowCode, .highest = of.highCode};
+    areas->codes = codesOf(of);
     areas->opacity = opacity;
     const std::uint32_t argb = 0xFF000000u | lighter(rgb);
     areas->argb = {argb, argb}; // by core::CoarseReach::State
@@ -90,6 +108,8 @@ void GrowthGhost::forget()
     m_codes.reset();
     m_askedSeeds.reset();
     m_seeds.reset();
+    m_askedMeans.reset();
+    m_meansOf.reset();
     m_walls.forget();
 }
 
@@ -141,6 +161,7 @@ std::optional<GrowthGhost::Wanted> GrowthGhost::present() const
     rule.lowCode = std::max(burst->lowCode, range.lowCode);
     rule.highCode = std::min(burst->highCode, range.highCode);
     rule.connectivity = burst->connectivity;
+    rule.passage = burst->limits.passage;
     if (burst->limits.boxed) {
         rule.boxFrom = burst->limits.boxFrom;
         rule.boxTo = burst->limits.boxTo;
@@ -167,6 +188,11 @@ std::optional<GrowthGhost::Wanted> GrowthGhost::present() const
         .labels = range.closed.any()
             || std::any_of(document.segments.begin(), document.segments.end(), bounds),
         .barriers = m_workspace.seeds().past().of(*session, wanted.plane).barriers};
+    if (burst->limits.sigmas256 > 0)
+        wanted.means = Means{.position = session->history().position(),
+            .plane = wanted.plane,
+            .interval = {.low = burst->lowCode, .high = burst->highCode},
+            .sigmas256 = burst->limits.sigmas256};
     if (burst->limits.onlyVisible) {
         for (const core::SculptLayer& layer : document.layers) {
             if (document.carves(layer))
@@ -214,6 +240,8 @@ void GrowthGhost::advance()
         readSeeds();
     else if (!m_seeds)
         return; // they are on their way
+    else if (m_wanted->means && m_meansOf != m_wanted->means)
+        readMeans();
     else if (const auto read = m_walls.of(m_wanted->walls, m_codes->grid()))
         flood(*read);
 }
@@ -303,10 +331,33 @@ void GrowthGhost::readSeeds()
         });
 }
 
+void GrowthGhost::readMeans()
+{
+    if (m_askedMeans)
+        return; // its answer asks for the latest
+    m_askedMeans = m_wanted->means;
+    const core::EditSession& session = *m_workspace.session();
+    m_workspace.session()->questions().seedSums(m_askedMeans->plane, m_askedMeans->interval,
+        core::seedStrokes(session.history(), session.document(), m_askedMeans->plane),
+        [ghost = QPointer<GrowthGhost>(this)](
+            const core::Result<std::vector<core::ProbedSeeds>>& means) {
+            if (!ghost || !ghost->m_askedMeans)
+                return;
+            ghost->m_meansOf = std::exchange(ghost->m_askedMeans, std::nullopt);
+            if (!means) {
+                ghost->m_meansOf.reset();
+                return ghost->drop();
+            }
+            ghost->m_means = *means;
+            ghost->advance();
+        });
+}
+
 void GrowthGhost::loseWalls()
 {
     if (!m_wanted)
         return;
+    m_shown.reset(); // it is shown until the new one comes, but it is not that of the present walls
     m_floods.cancel();
     m_isFlooding = false;
     advance();
@@ -326,15 +377,26 @@ void GrowthGhost::flood(const GhostWalls::Read& read)
             : int(label) == m_wanted->label            ? Of::Own
                                                        : Of::RivalAfter;
     }
-    const auto work = [codes = m_codes, read, seeds = std::move(seeds), of = *m_wanted](
+    core::CoarseRule rule = m_wanted->rule;
+    if (m_wanted->means) {
+        rule.among.emplace();
+        rule.rivalsAmong.emplace();
+        for (const core::ProbedSeeds& each : m_means) {
+            if (int(each.label) == m_wanted->label || m_wanted->rivals.test(each.label))
+                (int(each.label) == m_wanted->label ? rule.among : rule.rivalsAmong)
+                    ->push_back(core::seedInterval(each.sums, m_wanted->means->sigmas256));
+        }
+    }
+    const auto work = [codes = m_codes, read, seeds = std::move(seeds), rule, rgb = m_wanted->rgb](
                           const core::Progress& progress) -> core::Result<Drawn> {
         core::Result<core::CoarseReach> reach =
-            core::coarseFlood(*codes, read.walls(), seeds, of.rule, progress);
+            core::coarseFlood(*codes, read.walls(), seeds, rule, progress);
         if (!reach)
             return tl::unexpected(reach.error());
         const std::int64_t voxels = reach->voxels;
-        return Drawn{
-            .ghost = ghostOf(std::move(*reach), codes->grid(), of.rule, of.rgb), .voxels = voxels};
+        return Drawn{.ghost = ghostOf(std::move(*reach), codes->grid(), rule, rgb),
+            .voxels = voxels,
+            .tellsWidth = core::CoarsePassage(rule.passage, codes->grid()).isTold()};
     };
     m_floods.start(
         this, work, [this, of = *m_wanted](const core::Result<Drawn>& drawn) { take(of, drawn); });
@@ -347,6 +409,7 @@ void GrowthGhost::take(const Wanted& of, const core::Result<Drawn>& drawn)
         return drop();
     m_shown = of;
     m_voxels = drawn->voxels;
+    m_tellsWidth = drawn->tellsWidth;
     m_workspace.seeds().setGhost(drawn->ghost);
     Q_EMIT changed();
     if (m_wanted && !upToDate())
@@ -361,10 +424,20 @@ QString GrowthGhost::words() const
     if (*m_voxels == 0)
         return tr("nothing");
     const QString size = tr("about %1").arg(millilitreText(*volume, *m_voxels));
+    // What it leaves out makes a growth take less, mostly.
     const GrowSettings& settings = m_workspace.growSettings();
-    // The box is the one that counts.
-    return limitsOn(settings) > (settings.boxed ? 1 : 0) ? tr("%1, without the criteria").arg(size)
-                                                         : size;
+    QStringList without;
+    if (settings.majority.on || settings.smoothing)
+        without += tr("%1, without smoothing");
+    if (settings.gradient.on || settings.gradientDifference.on)
+        without += tr("%1, without gradients");
+    if (settings.difference.on)
+        without += tr("%1, without steps");
+    if (m_shown && core::isAsked(m_shown->rule.passage) && !m_tellsWidth)
+        without += tr("%1, without necks");
+    return without.isEmpty()  ? size
+        : without.size() == 1 ? without.front().arg(size)
+                              : tr("%1, without some criteria").arg(size);
 }
 
 } // namespace ui

@@ -3,7 +3,8 @@
 
 #include "core/base/Background.h"
 #include "core/base/Result.h"
-#include "core/growth/CoarseFlood.h"
+#include "core/growth/ProbedVoxel.h"
+#include "core/growth/coarse/CoarseFlood.h"
 #include "ui/tasks/growth/GhostWalls.h"
 #include "ui/workspace/PendingSeeds.h"
 
@@ -26,7 +27,8 @@ class Workspace;
 /// body. The volume is looked at in at most two million cells, whose codes are read once for each
 /// session, a slice at a time. Other segments, barriers, what is carved, the editable range and the
 /// box of the growth bound it (GhostWalls), and so do the segments whose seeds grow together with
-/// it; the other criteria do not. Everything is computed on threads of its own, and no edit or
+/// it, the means around strokes, and a passage width of at least two cells; the other criteria do
+/// not. Everything is computed on threads of its own, and no edit or
 /// picture waits for it. If settings arrive faster than it can follow, only the latest ones are
 /// used. GUI thread.
 class GrowthGhost : public QObject {
@@ -61,6 +63,14 @@ Q_SIGNALS:
     void changed(); ///< voxels()
 
 private:
+    /// Of which seeds the means are asked for.
+    struct Means {
+        core::RowId position = 0; ///< of the history, which knows the strokes
+        std::uint8_t plane = 0;
+        core::CodeInterval interval;
+        int sigmas256 = 0;
+        bool operator==(const Means&) const = default;
+    };
     /// What a ghost is of.
     struct Wanted {
         int label = 0;
@@ -70,11 +80,13 @@ private:
         core::CoarseRule rule;
         std::bitset<256> rivals; ///< labels that grow together with it
         GhostWalls::Needs walls;
+        std::optional<Means> means; ///< none: its codes need not be like those around seeds
         bool operator==(const Wanted&) const = default;
     };
     struct Drawn {
         PendingSeeds::Ghost ghost;
         std::int64_t voxels = 0;
+        bool tellsWidth = false; ///< of passages
     };
     [[nodiscard]] std::optional<Wanted> present() const;
     void forget();
@@ -84,6 +96,7 @@ private:
     void takeSlice(int layer, std::vector<std::uint16_t> slice);
     void refuse();
     void readSeeds();
+    void readMeans();
     void loseWalls();
     void flood(const GhostWalls::Read& read);
     void take(const Wanted& of, const core::Result<Drawn>& drawn);
@@ -94,6 +107,7 @@ private:
     std::optional<Wanted> m_shown;
     std::optional<std::int64_t> m_voxels;
     bool m_isFlooding = false;
+    bool m_tellsWidth = false; ///< what is shown knows of the passage width
     QTimer m_soon; ///< delay of a ghost where there is none: the interval may follow the seeds
 
     std::shared_ptr<core::CoarseCodes> m_reading; ///< being filled by m_reads; null: not reading
@@ -105,6 +119,10 @@ private:
     /// The seeds that were asked about last, those of all segments; null: none.
     std::shared_ptr<const std::vector<gpu::SceneSeed>> m_askedSeeds;
     std::optional<std::vector<core::CoarseSeed>> m_seeds; ///< these with their codes
+
+    std::optional<Means> m_askedMeans; ///< none: none are being asked for
+    std::optional<Means> m_meansOf; ///< what m_means were asked for; none: no means
+    std::vector<core::ProbedSeeds> m_means;
 
     GhostWalls m_walls;
 

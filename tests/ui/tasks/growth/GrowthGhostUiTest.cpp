@@ -277,7 +277,12 @@ private Q_SLOTS:
         ui::GrowSettings settings = fixture.workspace.growSettings();
         settings.majority.on = true;
         fixture.workspace.setGrowSettings(settings);
-        QVERIFY2(fixture.text().contains(QStringLiteral("criteria")), qPrintable(fixture.text()));
+        QVERIFY2(fixture.text().endsWith(QStringLiteral(", without smoothing")),
+            qPrintable(fixture.text()));
+        settings.difference.on = true;
+        fixture.workspace.setGrowSettings(settings);
+        QVERIFY2(fixture.text().endsWith(QStringLiteral(", without some criteria")),
+            qPrintable(fixture.text()));
     }
 
     /// Other segments and the editable range bound it as they bound a growth.

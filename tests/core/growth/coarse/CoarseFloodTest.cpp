@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/growth/CoarseFlood.h"
+#include "core/growth/coarse/CoarseFlood.h"
 
 #include "core/growth/SeedWord.h"
 #include "tests/support/faults/FailingLog.h"

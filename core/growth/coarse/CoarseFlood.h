@@ -3,13 +3,16 @@
 
 #include "core/base/Progress.h"
 #include "core/base/Result.h"
-#include "core/brick/BrickGrid.h"
-#include "core/growth/CoarseBarriers.h"
-#include "core/growth/CoarseGrid.h"
+#include "core/growth/Passage.h"
+#include "core/growth/SeedStatistics.h"
+#include "core/growth/coarse/CoarseBarriers.h"
+#include "core/growth/coarse/CoarseGrid.h"
+#include "core/growth/coarse/CoarseReach.h"
 
 #include <bitset>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -22,8 +25,13 @@ struct CoarseRule {
     glm::ivec3 boxFrom{0}; ///< voxels, both included
     glm::ivec3 boxTo{std::numeric_limits<int>::max()};
     int connectivity = 6; ///< 6, 18 or 26
+    /// Codes must lie in one of these too, as around the seeds of a stroke; none: no such
+    /// condition.
+    std::optional<std::vector<CodeInterval>> among{};
+    std::optional<std::vector<CodeInterval>> rivalsAmong{}; ///< the same for segments that grow too
     std::bitset<256> closed{}; ///< labels that it does not enter
     std::bitset<256> closedToRivals{}; ///< and those that segments that grow with it do not
+    Passage passage{}; ///< left out where cells are too large to tell it (CoarsePassage.h)
     bool operator==(const CoarseRule&) const = default;
 };
 
@@ -45,32 +53,17 @@ struct CoarseSeed {
     bool operator==(const CoarseSeed&) const = default;
 };
 
-/// What a coarse flood has reached.
-struct CoarseReach {
-    enum State : std::uint16_t {
-        Beyond,
-        Reached,
-        /// Of several voxels, and touches a reached cell: the border may run through it.
-        Rim,
-    };
-    static constexpr int margin = 2; ///< cells, so that bodies can be drawn smoothly
-
-    /// Holds all that are Reached, with the margin as far as the volume goes; empty: nothing was.
-    VoxelBox cells;
-    std::vector<std::uint16_t> states; ///< State of each cell of that box, x fastest
-    std::int64_t voxels = 0; ///< about how many voxels were reached
-};
-
 /// Finds out about what a growth from seeds to closure would take, in little time: instead of
 /// voxels it goes through cells (CoarseGrid), each of which is taken for as its middle voxel. If
 /// the grid is exact, this is what a GrowBurst would take by the interval, box, connectivity and
-/// labels of the rule, and by coverage (GrowLimits::onlyVisible) and barriers; else structures and
-/// necks thinner than a cell may be missed, or passed.
+/// labels of the rule, the means around its seeds, and by coverage (GrowLimits::onlyVisible) and
+/// barriers; else structures and necks thinner than a cell may be missed, or passed.
 ///
-/// A cell is open if the code of its middle voxel is in the interval, that voxel in the box and not
-/// carved, and its label not closed. Only seeds count whose own voxel is in interval and box, and
-/// whose cell is neither carved nor has a closed label. Each reaches its own cell, and goes on from
-/// there, or, if that is not open, from the open ones of the 26 cells around it.
+/// A cell is open if the code of its middle voxel is in the interval (and `among`), that voxel in
+/// the box and not carved, and its label not closed. Only seeds count whose own voxel is in
+/// interval and box, and whose cell is neither carved nor has a closed label. Each reaches its own
+/// cell, and goes on from there, or, if that is not open, from the open ones of the 26 cells around
+/// it.
 ///
 /// Barriers may be one voxel thin, and nothing passes them: an open cell that holds some is gone
 /// through voxel by voxel, and of such a cell as many voxels are counted as were reached.
@@ -79,14 +72,13 @@ struct CoarseReach {
 /// growth itself, by voxels on the way; what they reach first is not taken. They are told from each
 /// other nowhere.
 ///
+/// With a passage width only those cells are gone through around which a ball has room, and what
+/// such balls cover is reached; cells with barriers then count as closed.
+///
 /// Errors: Cancelled. Cost ∝ the cells, and the voxels of those with barriers; two million cells
 /// take some tens of milliseconds.
 [[nodiscard]] Result<CoarseReach> coarseFlood(const CoarseCodes& codes, const CoarseWalls& walls,
     const std::vector<CoarseSeed>& seeds, const CoarseRule& rule,
     const Progress& progress = Progress());
-
-/// The same in cells of twice the side along all axes: Reached where at least half of the cells
-/// are, Rim where any other is not Beyond.
-[[nodiscard]] CoarseReach inDoubledCells(const CoarseReach& reach);
 
 } // namespace core

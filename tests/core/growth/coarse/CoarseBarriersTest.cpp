@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/growth/CoarseBarriers.h"
+#include "core/growth/coarse/CoarseBarriers.h"
 
-#include "core/growth/CoarseFlood.h"
 #include "core/growth/SeedWord.h"
+#include "core/growth/coarse/CoarseFlood.h"
+#include "core/growth/coarse/CoarsePassage.h"
 #include "tests/reference/growth/Growth.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/program/TestProgram.h"
@@ -112,6 +113,7 @@ public:
         CoarseRule rule{.lowCode = std::max(burst.lowCode, range.lowCode),
             .highCode = std::min(burst.highCode, range.highCode)};
         rule.connectivity = burst.connectivity;
+        rule.passage = burst.limits.passage;
         if (burst.limits.boxed) {
             rule.boxFrom = burst.limits.boxFrom;
             rule.boxTo = burst.limits.boxTo;
@@ -158,6 +160,21 @@ Codes vessel()
     Codes codes = test::constantVolume({84, 30, 30}, 0);
     forEachVoxel(codes.size, [&codes](const glm::ivec3& voxel) {
         if (voxel.y >= 8 && voxel.y < 20 && voxel.z >= 8 && voxel.z < 20)
+            codes.at(voxel) = test::tissueCode;
+    });
+    return codes;
+}
+
+/// Two rooms of 28 × 28 × 28 voxels, which a neck of 6 × 6 voxels joins.
+Codes rooms()
+{
+    Codes codes = test::constantVolume({76, 40, 40}, 0);
+    forEachVoxel(codes.size, [&codes](const glm::ivec3& voxel) {
+        const bool isNeck = voxel.x >= 32 && voxel.x < 44;
+        const int from = isNeck ? 16 : 6;
+        const int end = isNeck ? 22 : 34;
+        if (voxel.x >= 4 && voxel.x < 72 && voxel.y >= from && voxel.y < end && voxel.z >= from
+            && voxel.z < end)
             codes.at(voxel) = test::tissueCode;
     });
     return codes;
@@ -401,6 +418,37 @@ private Q_SLOTS:
                 QVERIFY2(off < 0.12, qPrintable(QString::number(off)));
             }
         }
+    }
+
+    void itStopsAtNecks_data() { addSides(); }
+
+    /// A ball of 6 voxels has no room in the neck, one of 2 has, and the largest cells cannot tell
+    /// the latter.
+    void itStopsAtNecks()
+    {
+        QFETCH(int, side);
+        for (const int radius : {6, 2}) {
+            Scene scene(rooms());
+            scene.sketch(own, {{18, 20, 20}});
+            scene.burst.limits.passage = {
+                .spacing = glm::ivec3(16), .reach = 16 * radius * 16 * radius};
+            const CoarseGrid grid = cellsOf(scene, side);
+            QCOMPARE(CoarsePassage(scene.burst.limits.passage, grid).isTold(), side <= radius);
+            const Bytes grown = scene.grown();
+            QCOMPARE(countOf(grown) > 30000, radius == 2);
+            const double off = error(scene.foreseen(grid), grown);
+            QVERIFY2(off < (side == 1 ? 0.01 : 0.2), qPrintable(QString::number(off)));
+        }
+    }
+
+    /// In no ball, it takes itself alone.
+    void aSeedWithoutRoomStaysAlone()
+    {
+        Scene scene(rooms());
+        scene.sketch(own, {{38, 18, 18}});
+        scene.burst.limits.passage = {.spacing = glm::ivec3(16), .reach = 96 * 96};
+        QCOMPARE(countOf(scene.grown()), std::int64_t(1));
+        QCOMPARE(scene.foreseen(cellsOf(scene, 1)).voxels, std::int64_t(1));
     }
 };
 

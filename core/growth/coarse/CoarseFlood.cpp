@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/growth/CoarseFlood.h"
+#include "core/growth/coarse/CoarseFlood.h"
 
 #include "core/growth/SeedWord.h"
+#include "core/growth/coarse/CoarsePassage.h"
 
 #include <algorithm>
 #include <array>
@@ -25,6 +26,7 @@ enum Mark : std::uint8_t {
     /// The cell holds barriers, and its voxels have marks of their own. It may be open besides, as
     /// any other, but it is never taken itself.
     Divided = 16,
+    Narrow = 32, ///< open, but a ball has no room around it
 };
 using Of = CoarseSeed::Of;
 constexpr std::size_t sides = 3; ///< Of
@@ -52,10 +54,13 @@ public:
         , m_walls(walls)
         , m_rule(rule)
         , m_hasRivals(hasRivals)
+        , m_passage(rule.passage, m_grid)
         , m_marks(m_layer * (std::size_t(m_cells.z) + 2), Closed)
         , m_waiting(hasRivals ? std::size_t(greatestSide()) + 1 : 1)
     {
         open(codes.codes());
+        if (m_passage.isTold())
+            narrow();
         divide();
         for (std::size_t i = 0; i < m_steps.size(); ++i)
             m_steps[i] = stepTo(seedWord::offsets[i]);
@@ -63,12 +68,14 @@ public:
 
     void begin(const CoarseSeed& seed)
     {
-        if (seed.code < m_rule.lowCode || seed.code > m_rule.highCode || !isInBox(seed.voxel))
+        if (!isWithin(seed.code, seed.of) || !isInBox(seed.voxel))
             return;
         const glm::ivec3 own = seed.voxel / m_grid.cell;
         if (isClosed(m_grid.numberOf(own), seed.of))
             return;
         const std::size_t at = placeOf(own);
+        if (m_passage.isTold())
+            return beginAround(own, seed.of);
         if ((m_marks[at] & Divided) != 0)
             return beginInside(at, seed);
         if ((m_marks[at] & (Taken | TakenByRival)) != 0)
@@ -98,6 +105,8 @@ public:
                 }
             }
         }
+        if (m_passage.isTold())
+            cover();
         return !progress.cancelled();
     }
 
@@ -125,7 +134,10 @@ public:
                 reach.states[state] =
                     marks[x] == Taken ? CoarseReach::Reached : CoarseReach::Beyond;
         });
-        addRim(reach);
+        addRim(reach, m_grid, [this](const glm::ivec3& cell) {
+            const bool isKnown = (m_marks[placeOf(cell)] & (Divided | TakenByRival | Narrow)) != 0;
+            return !isKnown && !isClosed(m_grid.numberOf(cell));
+        });
         // Only now: beyond a barrier there is no rim.
         for (std::size_t i = 0; i < inside.size(); ++i) {
             if (inside[i] == 0)
@@ -175,6 +187,15 @@ private:
     {
         return glm::all(glm::greaterThanEqual(voxel, m_rule.boxFrom))
             && glm::all(glm::lessThanEqual(voxel, m_rule.boxTo));
+    }
+    [[nodiscard]] bool isWithin(int code, Of of) const
+    {
+        if (code < m_rule.lowCode || code > m_rule.highCode)
+            return false;
+        const auto& among = of == Of::Own ? m_rule.among : m_rule.rivalsAmong;
+        return !among || std::any_of(among->begin(), among->end(), [code](const auto& interval) {
+            return interval.low <= code && code <= interval.high;
+        });
     }
     [[nodiscard]] bool isClosed(std::size_t number, Of of = Of::Own) const
     {
@@ -290,6 +311,61 @@ private:
         }
         takeInside(at, numberIn(seed.voxel % m_grid.cell), seed.of, 0);
     }
+    /// In all balls that hold the seed; in none, it stays alone.
+    void beginAround(const glm::ivec3& own, Of of)
+    {
+        for (const glm::ivec3& step : m_passage.steps()) {
+            const glm::ivec3 cell = own + step;
+            if (glm::any(glm::lessThan(cell, glm::ivec3(0)))
+                || glm::any(glm::greaterThanEqual(cell, m_cells)))
+                continue;
+            const std::size_t at = placeOf(cell);
+            if ((m_marks[at] & openTo(of)) != 0)
+                take(at, of, 0);
+        }
+        std::uint8_t& mark = m_marks[placeOf(own)];
+        if ((mark & (Divided | Taken | TakenByRival)) == 0)
+            mark = takenBy(of);
+    }
+    /// Leaves only those cells open around which a ball has room.
+    void narrow()
+    {
+        if (m_walls.barriers) {
+            for (const glm::ivec3& cell : m_walls.barriers->cells())
+                m_marks[placeOf(cell)] = Closed;
+        }
+        std::vector<std::uint8_t> isOpen(m_grid.cellCount());
+        forEachCell([&](std::size_t number, std::uint8_t& mark) {
+            isOpen[number] = mark != Closed ? 1 : 0;
+        });
+        m_centres = m_passage.centres(isOpen);
+        forEachCell([&](std::size_t number, std::uint8_t& mark) {
+            if (m_centres[number] == 0)
+                mark = (mark & Open) != 0 ? Narrow : Closed;
+        });
+    }
+    /// Takes what is in the balls around the cells that were taken.
+    void cover()
+    {
+        forEachCell([&](std::size_t number, std::uint8_t& mark) {
+            m_centres[number] = m_centres[number] != 0 && mark == Taken ? 1 : 0;
+        });
+        const std::vector<std::uint8_t> covered = m_passage.covered(m_centres);
+        forEachCell([&](std::size_t number, std::uint8_t& mark) {
+            if (mark == Narrow && covered[number] != 0)
+                mark = Taken;
+        });
+    }
+    /// @param does called with the number and the mark of each
+    template <class Does> void forEachCell(Does does)
+    {
+        std::size_t number = 0;
+        forEachRow({glm::ivec3(0), m_cells}, [&](const glm::ivec3& first) {
+            std::uint8_t* const marks = &m_marks[placeOf(first)];
+            for (int x = 0; x < m_cells.x; ++x, ++number)
+                does(number, marks[x]);
+        });
+    }
     /// Gives marks to the voxels of the cells that hold barriers.
     void divide()
     {
@@ -343,11 +419,10 @@ private:
             std::uint8_t* const marks = &m_marks[placeOf(first)];
             for (int x = 0; x < to - from; ++x, ++number) {
                 const int code = codes[number];
-                if (code < m_rule.lowCode || code > m_rule.highCode)
-                    continue;
-                if (!isClosed(number))
+                if (isWithin(code, Of::Own) && !isClosed(number))
                     marks[x] |= Open;
-                if (m_hasRivals && !isClosed(number, Of::RivalAfter))
+                if (m_hasRivals && isWithin(code, Of::RivalAfter)
+                    && !isClosed(number, Of::RivalAfter))
                     marks[x] |= OpenToRivals;
             }
         });
@@ -378,40 +453,6 @@ private:
         });
         return taken;
     }
-    /// Makes Rim of what touches a reached cell.
-    void addRim(CoarseReach& reach) const
-    {
-        const glm::ivec3 size = reach.cells.maximum - reach.cells.minimum;
-        std::vector<std::uint16_t> widened = reach.states;
-        std::vector<std::uint16_t> narrow;
-        std::size_t step = 1;
-        for (int axis = 0; axis < 3; step *= std::size_t(size[axis]), ++axis) {
-            // A cell of one voxel has no border in it.
-            if (m_grid.cell[axis] == 1)
-                continue;
-            narrow = widened;
-            std::size_t state = 0;
-            forEachRow({glm::ivec3(0), size}, [&](const glm::ivec3& first) {
-                glm::ivec3 at = first;
-                for (; at.x < size.x; ++at.x, ++state) {
-                    if ((at[axis] > 0 && narrow[state - step] != CoarseReach::Beyond)
-                        || (at[axis] + 1 < size[axis]
-                            && narrow[state + step] != CoarseReach::Beyond))
-                        widened[state] = CoarseReach::Reached;
-                }
-            });
-        }
-        std::size_t state = 0;
-        forEachRow(reach.cells, [&](const glm::ivec3& first) {
-            std::size_t number = m_grid.numberOf(first);
-            const std::uint8_t* const marks = &m_marks[placeOf(first)];
-            for (int x = 0; x < size.x; ++x, ++state, ++number) {
-                if (widened[state] != reach.states[state] && !isClosed(number)
-                    && (marks[x] & (Divided | TakenByRival)) == 0)
-                    reach.states[state] = CoarseReach::Rim;
-            }
-        });
-    }
 
     CoarseGrid m_grid;
     glm::ivec3 m_cells;
@@ -420,6 +461,8 @@ private:
     const CoarseWalls& m_walls;
     const CoarseRule& m_rule;
     bool m_hasRivals;
+    CoarsePassage m_passage;
+    std::vector<std::uint8_t> m_centres; ///< by cell: around which a ball has room
     std::array<Step, seedWord::directions> m_steps;
     std::vector<std::uint8_t> m_marks; ///< Mark
     std::vector<std::uint32_t> m_numbers; ///< by place: of a divided cell, among them
@@ -447,44 +490,6 @@ Result<CoarseReach> coarseFlood(const CoarseCodes& codes, const CoarseWalls& wal
     if (!flood.run(progress))
         return failure(ErrorCode::Cancelled);
     return flood.reach();
-}
-
-CoarseReach inDoubledCells(const CoarseReach& reach)
-{
-    CoarseReach doubled;
-    doubled.voxels = reach.voxels;
-    if (reach.cells.empty())
-        return doubled;
-    doubled.cells = {reach.cells.minimum / 2, (reach.cells.maximum + 1) / 2};
-    const glm::ivec3 size = doubled.cells.maximum - doubled.cells.minimum;
-    struct Count {
-        std::uint8_t cells = 0;
-        std::uint8_t reached = 0;
-        bool isAny = false;
-    };
-    std::vector<Count> counts(std::size_t(size.x) * std::size_t(size.y) * std::size_t(size.z));
-    std::size_t from = 0;
-    for (int z = reach.cells.minimum.z; z < reach.cells.maximum.z; ++z) {
-        for (int y = reach.cells.minimum.y; y < reach.cells.maximum.y; ++y) {
-            const glm::ivec3 row = glm::ivec3(0, y, z) / 2 - doubled.cells.minimum;
-            const std::size_t first =
-                (std::size_t(row.z) * std::size_t(size.y) + std::size_t(row.y))
-                * std::size_t(size.x);
-            for (int x = reach.cells.minimum.x; x < reach.cells.maximum.x; ++x, ++from) {
-                Count& count = counts[first + std::size_t(x / 2 - doubled.cells.minimum.x)];
-                ++count.cells;
-                count.reached += reach.states[from] == CoarseReach::Reached ? 1 : 0;
-                count.isAny = count.isAny || reach.states[from] != CoarseReach::Beyond;
-            }
-        }
-    }
-    doubled.states.reserve(counts.size());
-    for (const Count& count : counts)
-        doubled.states.push_back(count.reached > 0 && 2 * count.reached >= count.cells
-                ? CoarseReach::Reached
-                : count.isAny ? CoarseReach::Rim
-                              : CoarseReach::Beyond);
-    return doubled;
 }
 
 } // namespace core

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "core/brick/BrickGrid.h"
-#include "core/growth/CoarseGrid.h"
 #include "core/growth/GrowthCommands.h"
+#include "core/growth/coarse/CoarseGrid.h"
 
 #include <cstddef>
 #include <cstdint>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/growth/CoarseBarriers.h"
+#include "core/growth/coarse/CoarseBarriers.h"
 
 #include "core/growth/SeedWord.h"
 

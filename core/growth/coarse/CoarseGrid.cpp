@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "core/growth/CoarseGrid.h"
+#include "core/growth/coarse/CoarseGrid.h"
 
 namespace core {
 
