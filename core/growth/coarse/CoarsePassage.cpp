@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <utility>
 
 namespace core {
 
@@ -29,12 +28,12 @@ CoarsePassage::CoarsePassage(const Passage& passage, const CoarseGrid& grid)
         return;
     // Between the middles of an open cell and of one that is not the border may lie anywhere: a
     // quarter of a cell more makes a ball as often too large as too small. What it covers reaches
-    // to the border of a flat wall.
+    // as much further, to the border.
     const glm::ivec3 beyond = m_sides - passage.spacing; // of a voxel
     const double blur = double(std::max({beyond.x, beyond.y, beyond.z}));
     const double radius = std::sqrt(double(passage.reach));
     m_room = squareOf(radius + 0.25 * blur);
-    m_reach = squareOf(radius + 0.75 * blur);
+    m_reach = squareOf(radius + 0.5 * blur);
     const glm::ivec3 most = glm::ivec3(std::sqrt(double(m_reach))) / m_sides + 1;
     for (int z = -most.z; z <= most.z; ++z) {
         for (int y = -most.y; y <= most.y; ++y) {

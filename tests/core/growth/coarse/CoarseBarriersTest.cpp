@@ -423,7 +423,7 @@ private Q_SLOTS:
     void itStopsAtNecks_data() { addSides(); }
 
     /// A ball of 6 voxels has no room in the neck, one of 2 has, and the largest cells cannot tell
-    /// the latter.
+    /// the latter. Without the width more than twice as much is taken.
     void itStopsAtNecks()
     {
         QFETCH(int, side);
@@ -437,7 +437,7 @@ private Q_SLOTS:
             const Bytes grown = scene.grown();
             QCOMPARE(countOf(grown) > 30000, radius == 2);
             const double off = error(scene.foreseen(grid), grown);
-            QVERIFY2(off < (side == 1 ? 0.01 : 0.2), qPrintable(QString::number(off)));
+            QVERIFY2(off < (side == 1 ? 0.001 : 0.25), qPrintable(QString::number(off)));
         }
     }
 
