@@ -119,21 +119,32 @@ RowId lastBarrierRow(const History& history)
     return 0; // whatever was taken back, it was no barrier
 }
 
-bool hasGrown(const History& history, const Segment& segment)
+std::bitset<256> grownIn(const History& history, std::uint8_t plane)
 {
-    bool seeded = false;
+    std::bitset<256> seeded;
+    std::bitset<256> grown;
     for (const RowId id : history.standing()) {
         const Edit& edit = history.row(id).edit;
-        seeded = seeded || segmentOfSeeds(edit) == segment.label;
+        if (const std::optional<int> segment = segmentOfSeeds(edit))
+            seeded.set(std::size_t(*segment));
         const GrowCriteria* criteria = growCriteriaOf(edit);
-        const bool meant = criteria && growthPlaneOf(criteria->plane) == segment.plane
-            && (!criteria->segments
-                || std::find(criteria->segments->begin(), criteria->segments->end(), segment.label)
-                    != criteria->segments->end());
-        if (seeded && meant)
-            return true;
+        if (!criteria || growthPlaneOf(criteria->plane) != plane)
+            continue;
+        if (!criteria->segments) {
+            grown |= seeded;
+            continue;
+        }
+        for (const int label : *criteria->segments) {
+            if (seeded.test(std::size_t(label)))
+                grown.set(std::size_t(label));
+        }
     }
-    return false;
+    return grown;
+}
+
+bool hasGrown(const History& history, const Segment& segment)
+{
+    return grownIn(history, segment.plane).test(std::size_t(segment.label));
 }
 
 bool bringsNewCriteria(const Edit& edit, const History& history, const Document& document)

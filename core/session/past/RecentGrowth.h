@@ -26,6 +26,9 @@ void dropGoneFromRange(GrowCriteria& criteria, const Document& document);
 [[nodiscard]] std::bitset<256> growingSegments(
     const History& history, const Document& document, std::uint8_t plane);
 
+/// The labels for which growths in effect in a label plane have begun at seeds; those of segments
+/// that lie elsewhere, or are gone, may be among them.
+[[nodiscard]] std::bitset<256> grownIn(const History& history, std::uint8_t plane);
 /// Whether a growth in effect has begun at seeds of a segment; perhaps nothing of it is left.
 [[nodiscard]] bool hasGrown(const History& history, const Segment& segment);
 

@@ -16,6 +16,7 @@ const GrowthPast::Known& GrowthPast::of(const core::EditSession& session, std::u
     m_known = {.seeds = sketchedSeeds(session, plane),
         .criteria = core::recentCriteria(history, plane),
         .growing = core::growingSegments(history, session.document(), plane),
+        .grown = core::grownIn(history, plane),
         .barriers = core::lastBarrierRow(history)};
     m_asked = asked;
     return m_known;

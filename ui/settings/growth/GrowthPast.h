@@ -25,6 +25,7 @@ public:
         int seeds = 0; ///< sketchedSeeds()
         std::optional<core::GrowCriteria> criteria{}; ///< core::recentCriteria()
         std::bitset<256> growing; ///< core::growingSegments()
+        std::bitset<256> grown; ///< core::grownIn()
         core::RowId barriers = 0; ///< core::lastBarrierRow()
     };
 

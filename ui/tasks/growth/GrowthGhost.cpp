@@ -166,7 +166,9 @@ std::optional<GrowthGhost::Wanted> GrowthGhost::present() const
         rule.boxFrom = burst->limits.boxFrom;
         rule.boxTo = burst->limits.boxTo;
     }
-    rule.closed = rule.closedToRivals = ~burst->overwritable;
+    // What a segment has grown is its own, also where it may be overwritten.
+    const GrowthPast::Known& past = m_workspace.seeds().past().of(*session, wanted.plane);
+    rule.closed = rule.closedToRivals = ~burst->overwritable | past.grown;
     rule.closed.reset(0).reset(std::size_t(wanted.label));
     rule.closedToRivals.reset(0);
     for (const gpu::SceneSeed& seed : *wanted.seeds) {
@@ -187,7 +189,7 @@ std::optional<GrowthGhost::Wanted> GrowthGhost::present() const
     wanted.walls = {.plane = wanted.plane,
         .labels = range.closed.any()
             || std::any_of(document.segments.begin(), document.segments.end(), bounds),
-        .barriers = m_workspace.seeds().past().of(*session, wanted.plane).barriers};
+        .barriers = past.barriers};
     if (burst->limits.sigmas256 > 0)
         wanted.means = Means{.position = session->history().position(),
             .plane = wanted.plane,

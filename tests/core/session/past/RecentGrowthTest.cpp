@@ -231,6 +231,60 @@ private Q_SLOTS:
         QVERIFY(!refused || !bench.session->settle());
     }
 
+    /// Seeds and growths leave barriers as they are; undo and "undo only" do not.
+    void barriersAreThoseOfTheLastRowThatChangedThem()
+    {
+        Bench bench;
+        const auto last = [&bench] { return lastBarrierRow(bench.session->history()); };
+        const auto undo = [&bench] {
+            QVERIFY(bench.session->undo());
+            QVERIFY(bench.session->settle());
+        };
+        bench.run(Bench::seed(1, 3));
+        bench.run(test::revertRows({bench.session->history().position()}));
+        QCOMPARE(last(), RowId(0)); // what was taken back was none
+        BarrierStroke wall;
+        wall.path.pointsLps = {ramp().volume.geometry.toWorld({20, 3, 2})};
+        bench.run(wall);
+        const RowId first = bench.session->history().position();
+        QCOMPARE(last(), first);
+        bench.run(test::revertRows({first}));
+        QCOMPARE(last(), bench.session->history().position());
+        undo();
+        QCOMPARE(last(), first);
+        bench.run(Bench::seed(1, 3));
+        bench.run(Bench::grow(20.0));
+        QCOMPARE(last(), first);
+        wall.path.pointsLps = {ramp().volume.geometry.toWorld({30, 3, 2})};
+        bench.run(wall);
+        QCOMPARE(last(), bench.session->history().position());
+        undo();
+        QCOMPARE(last(), first);
+        for (int steps = 0; steps < 3; ++steps) // the growth, its seed, the first barrier
+            undo();
+        QCOMPARE(last(), RowId(0));
+    }
+
+    void whatHasGrownIsKnownByPlane()
+    {
+        Bench bench;
+        const auto grown = [&bench](int plane) {
+            return grownIn(bench.session->history(), std::uint8_t(plane)).to_ulong();
+        };
+        bench.run(Bench::seed(1, 3));
+        bench.run(Bench::seed(2, 30));
+        QCOMPARE(grown(0), 0UL);
+        bench.run(
+            GrowSteps{.criteria = {.lower = 0.0, .upper = 10.0, .segments = std::vector<int>{1}}});
+        QCOMPARE(grown(0), 1UL << 1);
+        QCOMPARE(grown(1), 0UL);
+        bench.run(Bench::grow(100.0));
+        QCOMPARE(grown(0), (1UL << 1) | (1UL << 2));
+        QVERIFY(bench.session->undo());
+        QVERIFY(bench.session->settle());
+        QCOMPARE(grown(0), 1UL << 1);
+    }
+
     void namesCountStepsThatWereAskedFor()
     {
         Bench bench;

@@ -2,6 +2,7 @@
 #include "ui/tasks/growth/GhostWalls.h"
 
 #include "core/edits/kinds/growth/BarrierStroke.h"
+#include "core/edits/kinds/growth/GrowCriteria.h"
 #include "core/edits/kinds/growth/GrowSteps.h"
 #include "core/edits/kinds/layers/ChangeLayer.h"
 #include "core/session/EditSession.h"
@@ -12,6 +13,7 @@
 #include "ui/settings/GrowSettings.h"
 #include "ui/tasks/growth/GrowthGhost.h"
 #include "ui/tasks/growth/GrowthTurns.h"
+#include "ui/workspace/PendingSeeds.h"
 #include "ui/workspace/SegmentActions.h"
 
 #include <QtTest>
@@ -200,6 +202,29 @@ private Q_SLOTS:
         }
         fixture.apply(test::lockSegment(1));
         QVERIFY(fixture.foresees(allInside()));
+    }
+
+    /// With "overwrite", what was painted is taken, and what has grown is not.
+    void whatOthersHaveGrownStaysTheirs()
+    {
+        Foreseen fixture(asManyAsVoxels);
+        QVERIFY(ui::addSegment(fixture.workspace));
+        QVERIFY(ui::addSegment(fixture.workspace));
+        fixture.apply(test::WorkspaceFixture::middleSeed(2));
+        fixture.apply(test::growBy({.lower = 0.0, .upper = 20.0, .segments = std::vector<int>{2}}));
+        fixture.workspace.seeds().intervals().setByHand(2, 0.0, 20.0);
+        fixture.apply(test::paintAt(3, {{0.0, 9.0, 0.0}}, 3.0));
+        fixture.apply(test::seedAt(1, {{8.0, 0.0, 0.0}}));
+        fixture.workspace.setActiveSegment(1);
+        const std::int64_t brain = smallHead::voxelsOf(smallHead::brainHu);
+        const std::int64_t around = fixture.grown();
+        QVERIFY(around < brain);
+        QVERIFY(fixture.foresees(around));
+        ui::GrowSettings settings = fixture.workspace.growSettings();
+        settings.overwriteUnlocked = true;
+        fixture.workspace.setGrowSettings(settings);
+        QCOMPARE(fixture.grown(), brain);
+        QVERIFY(fixture.foresees(brain));
     }
 
     void meansAroundSeedsBoundTheGhost_data() { addCells(); }
