@@ -29,15 +29,15 @@ enum Mark : std::uint8_t {
     Narrow = 32, ///< open, but a ball has no room around it
 };
 using Of = CoarseSeed::Of;
-constexpr std::size_t sides = 3; ///< Of
+constexpr std::size_t claimants = 3; ///< Of
 
-constexpr std::uint8_t openTo(Of side)
+constexpr std::uint8_t openTo(Of of)
 {
-    return side == Of::Own ? Open : OpenToRivals;
+    return of == Of::Own ? Open : OpenToRivals;
 }
-constexpr std::uint8_t takenBy(Of side)
+constexpr std::uint8_t takenBy(Of of)
 {
-    return side == Of::Own ? Taken : TakenByRival;
+    return of == Of::Own ? Taken : TakenByRival;
 }
 
 /// Works on marks of all cells, with one more layer around them that nothing enters, so that a
@@ -469,7 +469,7 @@ private:
     std::vector<std::uint8_t> m_inside; ///< Mark of the voxels of divided cells
     /// Where the flood goes on: by when, a ring of as many voxels as the longest step leads, and by
     /// who comes first (Of).
-    std::vector<std::array<std::vector<Place>, sides>> m_waiting;
+    std::vector<std::array<std::vector<Place>, claimants>> m_waiting;
     std::size_t m_now = 0; ///< in the ring
 };
 

@@ -83,10 +83,10 @@ std::vector<std::uint32_t> CoarsePassage::squaresFrom(
         const std::size_t stride = strides[std::size_t(axis)];
         const auto length = std::size_t(size[axis]);
         for (std::size_t away = 1; away < length; ++away) {
-            const std::uint64_t side = std::uint64_t(m_sides[axis]) * away;
-            if (side * side > most)
+            const std::uint64_t distance = std::uint64_t(m_sides[axis]) * away;
+            if (distance * distance > most)
                 break;
-            const auto added = std::uint32_t(side * side);
+            const auto added = std::uint32_t(distance * distance);
             // Whole rows of what lies along the axis, in both directions.
             const std::size_t block = stride * length;
             for (std::size_t first = 0; first < squares.size(); first += block) {
