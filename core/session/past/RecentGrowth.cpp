@@ -55,11 +55,23 @@ bool segmentsCompete(const GrowCriteria& criteria, const History& history, const
         > 1;
 }
 
+/// Whether a kind of growth may set or remove barriers. Each has to be named here.
+struct BarrierSetting {
+    bool operator()(const ShrinkAt& shrink) const { return shrink.barrier; }
+    template <class E>
+    requires isOneOf<E, BarrierStroke, PlugLeak>
+    bool operator()(const E&) const { return true; }
+    template <class E>
+    requires isOneOf<E, SeedStroke, GrowSteps, ResumeGrowth, ChangeInterval, ShrinkSteps,
+        GrowFromSeeds>
+    bool operator()(const E&) const { return false; }
+};
+
 bool setsBarriers(const Edit& edit)
 {
-    const auto* shrink = edit.as<ShrinkAt>();
-    return edit.is<BarrierStroke>() || edit.is<PlugLeak>() || edit.is<SurfaceBarrier>()
-        || (shrink && shrink->barrier);
+    bool sets = edit.is<SurfaceBarrier>();
+    visitAmong([&sets](const auto& known) { sets = BarrierSetting()(known); }, edit, GrowthKinds());
+    return sets;
 }
 
 bool asksPassage(const GrowCriteria& criteria, const Document& document)

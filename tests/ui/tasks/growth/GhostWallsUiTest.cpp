@@ -10,7 +10,7 @@
 #include "tests/support/fixtures/WorkspaceFixture.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/PlainEdits.h"
-#include "ui/settings/GrowSettings.h"
+#include "ui/settings/growth/GrowSettings.h"
 #include "ui/tasks/growth/GrowthGhost.h"
 #include "ui/tasks/growth/GrowthTurns.h"
 #include "ui/workspace/PendingSeeds.h"
