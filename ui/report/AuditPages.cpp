@@ -156,7 +156,10 @@ void AuditPages::addVerdict(const AuditTexts& texts)
     constexpr double inset = 5.0;
     const PaperText verdict(texts.verdict, mm(textWidth - 2.0 * inset), point,
         {.sizePoints = 10.0, .colour = strong, .bold = true});
-    const PaperText words(texts.explanation, mm(textWidth - 2.0 * inset), point, {});
+    // What is damaged stands at its end, so it is cut only where it would fill more than a page.
+    constexpr qsizetype longest = 3000;
+    const PaperText words(
+        texts.explanation, mm(textWidth - 2.0 * inset), point, {.longest = longest});
     const Texts placed{
         {{mm(inset), mm(3.0)}, verdict}, {{mm(inset), mm(4.0) + verdict.height()}, words}};
     const double height = heightOf(placed) + mm(3.0);

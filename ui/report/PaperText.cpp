@@ -11,7 +11,6 @@ namespace ui {
 namespace {
 
 constexpr double lineSpacing = 1.12; ///< of the font's own
-constexpr qsizetype longestText = 300; ///< a name is no essay; every row fits on a page
 
 QFont fontOf(const PaperText::Style& style, double pixelsPerPoint)
 {
@@ -30,7 +29,7 @@ QFont fontOf(const PaperText::Style& style, double pixelsPerPoint)
 PaperText::PaperText(const QString& text, double width, double pixelsPerPoint, const Style& style)
     : m_colour(style.colour)
 {
-    QString shown = text.size() > longestText ? text.left(longestText) + u'…' : text;
+    QString shown = text.size() > style.longest ? text.left(style.longest) + u'…' : text;
     shown.replace(u'\n', QChar::LineSeparator);
     m_layout = std::make_shared<QTextLayout>(shown, fontOf(style, pixelsPerPoint));
     QTextOption option(style.alignment);

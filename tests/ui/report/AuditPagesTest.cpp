@@ -170,6 +170,32 @@ private Q_SLOTS:
             QVERIFY(pages.contentBox().contains(place.box));
     }
 
+    /// It stands behind all that is said of a history in any case.
+    void whatIsDamagedStandsOnPaper()
+    {
+        const auto pageSaying = [](const QString& reason) {
+            AuditReport report = reportOf(2);
+            report.damage = {
+                {ErrorCode::SessionDamaged, {QStringLiteral("/home/me/a.burin"), reason}}};
+            return painted(AuditPages(AuditTexts::of(report), a4), 0);
+        };
+        const QString begin = QStringLiteral("the file ends in the middle of what it says of row ");
+        QVERIFY(pageSaying(begin + u'1') == pageSaying(begin + u'1'));
+        QVERIFY(pageSaying(begin + u'1') != pageSaying(begin + u'2'));
+    }
+
+    /// However much is damaged, nothing is painted over the foot of a page.
+    void endlessDamageFitsOnAPage()
+    {
+        AuditReport report = reportOf(1);
+        report.damage = {{ErrorCode::SessionDamaged,
+            {QStringLiteral("/home/me/a.burin"), QString(20000, u'W')}}};
+        const AuditPages pages(AuditTexts::of(report), a4);
+        for (int page = 0; page < pages.count(); ++page)
+            QVERIFY(isBlank(
+                painted(pages, page), {0, pages.contentBox().bottom() + 2, a4.width(), 10}));
+    }
+
     void whatWasNotDoneIsSaid()
     {
         const AuditTexts nothing = AuditTexts::of(reportOf(0));
