@@ -2,6 +2,7 @@
 #include "ui/report/AuditSegments.h"
 
 #include "core/brick/LabelRuns.h"
+#include "core/measure/MeasuredSize.h"
 #include "ui/report/ChangePicture.h"
 
 #include <QBuffer>
@@ -63,6 +64,7 @@ core::Result<AuditSegments> auditSegments(
             core::changeSinceImport({}, segment.label, request.imported, volume.geometry);
     }
     AuditSegments found;
+    found.areCounted = core::unknownSpacing(volume) != core::UnknownSpacing::Nothing;
     for (core::SegmentStatistics& each : *measured) {
         AuditSegments::One one{.measured = std::move(each), .changes = {}};
         addPicture(one, volume, request);

@@ -251,15 +251,20 @@ QString millilitresText(double millilitres)
     return tr("%1 mL").arg(millilitres, 0, 'f', millilitres < 10.0 ? 2 : 1);
 }
 
-AuditTexts::Segment segmentTexts(const core::SegmentStatistics& measured)
+/// @param isCounted no volume is told
+AuditTexts::Segment segmentTexts(const core::SegmentStatistics& measured, bool isCounted)
 {
+    const QString voxels = unbroken(counted(qlonglong(measured.voxels), "voxel", "voxels"));
     AuditTexts::Segment texts{.name = measured.segment.name,
-        .size = measured.voxels == 0
-            ? tr("no voxel")
-            : QStringLiteral("%1, %2").arg(millilitresText(measured.millilitres),
-                unbroken(counted(qlonglong(measured.voxels), "voxel", "voxels"))),
+        .size = measured.voxels == 0 ? tr("no voxel")
+            : isCounted
+            ? voxels
+            : QStringLiteral("%1, %2").arg(millilitresText(measured.millilitres), voxels),
         .change = {}};
-    if (const auto& change = measured.sinceImport)
+    const auto& change = measured.sinceImport;
+    if (change && isCounted)
+        texts.change = tr("imported; Dice %1 with what it was").arg(change->dice, 0, 'f', 3);
+    else if (change)
         texts.change = tr("imported; %1 added and %2 taken since, Dice %3")
                            .arg(millilitresText(change->addedMl), millilitresText(change->takenMl))
                            .arg(change->dice, 0, 'f', 3);
@@ -273,7 +278,7 @@ void addSegments(AuditTexts& texts, const AuditSegments& segments)
         return;
     }
     for (const AuditSegments::One& one : segments.segments) {
-        texts.segments.push_back(segmentTexts(one.measured));
+        texts.segments.push_back(segmentTexts(one.measured, segments.areCounted));
         if (one.changes.isEmpty())
             continue;
         const auto hash = QCryptographicHash::hash(one.changes, QCryptographicHash::Sha256).toHex();

@@ -36,7 +36,7 @@ struct AuditTexts {
 
     struct Segment {
         QString name;
-        QString size; ///< in mL and voxels; "no voxel"
+        QString size; ///< in mL and voxels, or in voxels alone; "no voxel"
         QString change; ///< since it was imported; empty: it was not
     };
 

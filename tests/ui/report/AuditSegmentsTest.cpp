@@ -116,6 +116,22 @@ private Q_SLOTS:
         QCOMPARE(texts.changes.size(), std::size_t(1));
     }
 
+    /// Where the study does not say how large its voxels are, nobody has measured millilitres.
+    void voxelsOfUnknownSizeAreCounted()
+    {
+        Study study;
+        study.fill(1);
+        study.volume.problems.push_back(
+            {.kind = VolumeProblem::Kind::AssumedSpacing, .said = {ProblemCode::SpacingAssumed}});
+        const ui::AuditSegments audited = study.audited(2, {1, 2});
+        const auto texts = ui::AuditTexts::of({}, &audited);
+        QCOMPARE(texts.segments.size(), std::size_t(2));
+        QCOMPARE(texts.segments[0].size, QStringLiteral("64 voxels"));
+        QCOMPARE(texts.segments[0].change, QStringLiteral("imported; Dice 1.000 with what it was"));
+        QCOMPARE(texts.segments[1].size, QStringLiteral("no voxel"));
+        QCOMPARE(texts.segments[1].change, QStringLiteral("imported; Dice 0.000 with what it was"));
+    }
+
     void nothingIsThere()
     {
         const ui::AuditSegments audited = Study().audited(0, {});
