@@ -7,6 +7,7 @@
 #include "core/base/files/StagedFile.h"
 #include "core/document/SegmentColours.h"
 #include "core/masks/MaskOnVolume.h"
+#include "core/measure/MeasuredSize.h"
 #include "core/refine/fit/MeasuredFit.h"
 #include "core/refine/mesh/SimplexDual.h"
 #include "core/refine/mesh/SurfacePart.h"
@@ -50,7 +51,7 @@ struct Facts {
     std::uint64_t voxels = 0; ///< of the mask
     std::uint64_t meshVoxels = 0;
     std::uint64_t sharedVoxels = 0;
-    double mm3 = 0.0;
+    std::optional<double> mm3{}; ///< none: nobody knows how large the voxels are
 };
 
 core::Result<Facts> factsOf(const core::SimplexMesh& mesh, const core::VoxelRuns& mask,
@@ -68,8 +69,7 @@ core::Result<Facts> factsOf(const core::SimplexMesh& mesh, const core::VoxelRuns
         .crossings = core::selfIntersections(mesh, geometry).size(),
         .voxels = mask.voxelCount(),
         .meshVoxels = inside->voxelCount(),
-        .sharedVoxels = core::sharedVoxels(*inside, mask),
-        .mm3 = core::enclosedMm3(mesh)};
+        .sharedVoxels = core::sharedVoxels(*inside, mask)};
 }
 
 void print(const QString& segment, const Facts& facts, bool asJson)
@@ -85,12 +85,15 @@ void print(const QString& segment, const Facts& facts, bool asJson)
             {QStringLiteral("voxels"), qint64(facts.voxels)},
             {QStringLiteral("meshVoxels"), qint64(facts.meshVoxels)},
             {QStringLiteral("sharedVoxels"), qint64(facts.sharedVoxels)},
-            {QStringLiteral("volumeMm3"), facts.mm3}});
+            {QStringLiteral("volumeMm3"), facts.mm3 ? QJsonValue(*facts.mm3) : QJsonValue()}});
         return;
     }
     std::printf("%s\n", qUtf8Printable(segment));
-    std::printf("  surface  %zu vertices, %zu faces, %zu part%s, encloses %.3f mL\n",
-        facts.vertices, facts.faces, facts.parts, facts.parts == 1 ? "" : "s", facts.mm3 / 1000.0);
+    std::printf("  surface  %zu vertices, %zu faces, %zu part%s", facts.vertices, facts.faces,
+        facts.parts, facts.parts == 1 ? "" : "s");
+    if (facts.mm3)
+        std::printf(", encloses %.3f mL", *facts.mm3 / 1000.0);
+    std::printf("\n");
     std::printf("  voxels   %llu of the mask, %llu inside the surface (%+.2f %%), %llu shared\n",
         static_cast<unsigned long long>(facts.voxels),
         static_cast<unsigned long long>(facts.meshVoxels), drift,
@@ -156,9 +159,11 @@ int runMesh(const Arguments& arguments)
         if (!fit)
             return reportFailure(fit.error());
         const core::SimplexMesh& mesh = fit->mesh;
-        const core::Result<Facts> facts = factsOf(mesh, segment.voxels, geometry);
+        core::Result<Facts> facts = factsOf(mesh, segment.voxels, geometry);
         if (!facts)
             return reportFailure(facts.error());
+        if (core::unknownSpacing(loaded->volume) == core::UnknownSpacing::Nothing)
+            facts->mm3 = core::enclosedMm3(mesh);
         core::MeshPart part = core::partOf(mesh, isRas ? glm::dvec3(-1, -1, 1) : glm::dvec3(1));
         part.name = segment.name;
         part.rgb = segment.rgb.value_or(core::usualSegmentColour(i));

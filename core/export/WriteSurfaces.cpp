@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/export/common/CheckSources.h"
 #include "core/export/common/MaskSelection.h"
+#include "core/measure/MeasuredSize.h"
 #include "core/meshfile/MeshWriter.h"
 #include "core/surface/SegmentSurface.h"
 #include "core/volume/UnevenSlices.h"
@@ -52,6 +53,8 @@ Result<ReportLines> writeSurfaces(const QString& path, const Volume& volume,
 {
     std::vector<MeshPart> parts;
     std::vector<ReportSentence> surfaces;
+    // Millilitres that nobody measured are told nowhere.
+    const bool isMeasured = unknownSpacing(volume) == UnknownSpacing::Nothing;
     for (std::size_t i = 0; i < selection.segments.size(); ++i) {
         if (progress.cancelled())
             return failure(ErrorCode::Cancelled);
@@ -60,9 +63,12 @@ Result<ReportLines> writeSurfaces(const QString& path, const Volume& volume,
         const auto labels = planeOf(request, segment)->labels;
         parts.push_back(partOf(segment, segmentSurface(labels, segment.label, volume.geometry.size),
             volume.geometry, request.space));
-        surfaces.push_back({ReportCode::SurfaceOf,
-            {segment.name, std::int64_t(parts.back().triangles.size()),
-                QString::number(millilitresOf(parts.back()), 'f', 3)}});
+        const auto triangles = std::int64_t(parts.back().triangles.size());
+        if (isMeasured)
+            surfaces.push_back({ReportCode::SurfaceOf,
+                {segment.name, triangles, QString::number(millilitresOf(parts.back()), 'f', 3)}});
+        else
+            surfaces.push_back({ReportCode::TrianglesOf, {segment.name, triangles}});
     }
     const QString space =
         request.space == MeshSpace::Ras ? QStringLiteral("RAS") : QStringLiteral("LPS");

@@ -33,6 +33,7 @@ enum class ReportCode : std::uint8_t {
     DeflatedSeg,
     AsLayerCovers,
     SurfaceOf,
+    TrianglesOf,
     VolumeOf,
     // Formats, as ui/texts/ExportFormatTexts.h calls them.
     StlFormat,

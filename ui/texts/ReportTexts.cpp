@@ -60,6 +60,8 @@ QString formOf(ReportCode code, std::int64_t count)
         return ReportTexts::tr("'%1' as sculpt layer '%2' covers it");
     case ReportCode::SurfaceOf:
         return ReportTexts::tr("%1 (%2 triangles, %3 mL)");
+    case ReportCode::TrianglesOf:
+        return ReportTexts::tr("%1 (%2 triangles)");
     case ReportCode::VolumeOf:
         return ReportTexts::tr("%1 (%2 mL)");
     case ReportCode::StlFormat:

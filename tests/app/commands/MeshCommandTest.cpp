@@ -126,6 +126,25 @@ private Q_SLOTS:
         QVERIFY(glm::distance(turned, read) < 1e-4);
     }
 
+    /// Where the study does not say how large its voxels are, nobody has measured millilitres.
+    void noVolumeOfUnknownVoxels()
+    {
+        const QByteArray unknown =
+            "NRRD0004\ntype: unsigned char\ndimension: 3\nsizes: 40 40 40\nencoding: raw\n\n";
+        m_study = put(QStringLiteral("study.nrrd"), unknown + ball());
+        m_mask = put(QStringLiteral("mask.nrrd"), unknown + ball());
+        const QStringList words{QStringLiteral("--out"),
+            m_folder->filePath(QStringLiteral("a.ply")), QStringLiteral("--force")};
+        const test::Outcome facts = mesh(words + QStringList{QStringLiteral("--json")});
+        QCOMPARE(facts.status, 0);
+        QVERIFY(facts.lines.value(0).contains(QStringLiteral("volumeMm3")));
+        QVERIFY(facts.lines.value(0).value(QStringLiteral("volumeMm3")).isNull());
+        const test::Outcome told = mesh(words);
+        QCOMPARE(told.status, 0);
+        QVERIFY2(told.output.contains("1 part\n"), told.output.constData());
+        QVERIFY2(!told.output.contains("mL"), told.output.constData());
+    }
+
     void refusals_data()
     {
         QTest::addColumn<QStringList>("words");

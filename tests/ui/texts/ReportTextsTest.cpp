@@ -47,6 +47,7 @@ const std::vector<Row>& rows()
         {ReportCode::DeflatedSeg, "%1, deflated"},
         {ReportCode::AsLayerCovers, "'%1' as sculpt layer '%2' covers it"},
         {ReportCode::SurfaceOf, "%1 (%2 triangles, %3 mL)"},
+        {ReportCode::TrianglesOf, "%1 (%2 triangles)"},
         {ReportCode::VolumeOf, "%1 (%2 mL)"},
         {ReportCode::StlFormat, "STL surface"},
         {ReportCode::ObjFormat, "OBJ surfaces"},

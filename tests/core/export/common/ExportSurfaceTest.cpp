@@ -120,6 +120,7 @@ private Q_SLOTS:
     void readByOthers();
     void rasIsHalfATurn();
     void namesOfAnyKind();
+    void noMillilitresOfUnknownVoxels();
     void fullDiskLeavesNothing();
     void faultInTheFileIsCaught_data();
     void faultInTheFileIsCaught();
@@ -232,6 +233,26 @@ void ExportSurfaceTest::rasIsHalfATurn()
         QCOMPARE(ras->parts[0].triangles.size(), lps->parts[0].triangles.size());
         for (std::size_t i = 0; i < lps->parts[0].vertices.size(); ++i)
             QVERIFY(ras->parts[0].vertices[i] * glm::vec3(-1, -1, 1) == lps->parts[0].vertices[i]);
+    }
+}
+
+/// Where the study does not say how large its voxels are, nobody has measured them.
+void ExportSurfaceTest::noMillilitresOfUnknownVoxels()
+{
+    Fixture on;
+    for (const bool isKnown : {true, false}) {
+        if (!isKnown)
+            on.volume.problems.push_back({.kind = core::VolumeProblem::Kind::AssumedSpacing,
+                .said = {core::ProblemCode::SpacingAssumed}});
+        const auto report = on.exported(Format::Ply, "a.ply");
+        QVERIFY2(report.has_value(), qPrintable(report ? QString() : messageOf(report.error())));
+        const auto& said = std::get<core::ReportSentence>(report->written.front());
+        QVERIFY(said.code == core::ReportCode::Surfaces);
+        const auto& surfaces = std::get<core::ReportSentence::Listed>(said.arguments.at(2));
+        QCOMPARE(surfaces.all.size(), std::size_t(2));
+        for (const core::ReportSentence& each : surfaces.all)
+            QVERIFY(each.code
+                == (isKnown ? core::ReportCode::SurfaceOf : core::ReportCode::TrianglesOf));
     }
 }
 
