@@ -9,6 +9,7 @@
 #include "core/study/StudyLoader.h"
 #include "ui/texts/MaskTexts.h"
 
+#include <algorithm>
 #include <cstdio>
 
 namespace app {
@@ -84,6 +85,22 @@ QString namesOf(const std::vector<core::MaskSegment>& segments)
     return names.join(QStringLiteral(", "));
 }
 
+/// Segments that are in one of the masks alone are told, or a structure that one of them lacks
+/// would be missing without a word.
+void reportLeftOver(const QString& path, const std::vector<core::MaskSegment>& segments,
+    const std::vector<core::SegmentPair>& pairs, std::size_t core::SegmentPair::*which)
+{
+    QStringList names;
+    for (std::size_t i = 0; i < segments.size(); ++i) {
+        if (std::none_of(pairs.begin(), pairs.end(),
+                [i, which](const core::SegmentPair& pair) { return pair.*which == i; }))
+            names.append(segments[i].name);
+    }
+    if (!names.isEmpty())
+        std::fprintf(stderr, "%s: not compared, as the other mask has no counterpart: %s\n",
+            qUtf8Printable(path), qUtf8Printable(names.join(QStringLiteral(", "))));
+}
+
 core::Result<Compared> readBoth(const QStringList& paths, const core::Volume& volume)
 {
     core::Result<core::MaskOnVolume> mask = core::readMask(paths[0], volume, {});
@@ -124,6 +141,10 @@ int runCompare(const Arguments& arguments)
                 QStringLiteral("its segments (%1) have no counterpart in %2 (%3); --segment and "
                                "--reference say which belong together")
                     .arg(namesOf(segments), paths[1], namesOf(references))}});
+    if (!arguments.has("segment") && !arguments.has("reference")) {
+        reportLeftOver(paths[0], segments, pairs, &core::SegmentPair::segment);
+        reportLeftOver(paths[1], references, pairs, &core::SegmentPair::reference);
+    }
     const bool isMeasured = core::unknownSpacing(loaded->volume) == core::UnknownSpacing::Nothing;
     for (const core::SegmentPair& pair : pairs) {
         const core::MaskSegment& segment = segments[pair.segment];

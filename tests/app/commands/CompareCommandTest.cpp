@@ -92,6 +92,27 @@ private Q_SLOTS:
         QCOMPARE(outcome.lines[0][QStringLiteral("reference")].toString(), second);
     }
 
+    /// A structure that one of them lacks is not missing without a word.
+    void whatHasNoCounterpartIsTold()
+    {
+        QByteArray three = boxes(0, 7);
+        three[0] = 3;
+        m_reference = put(QStringLiteral("reference.nrrd"), header("") + three);
+        const test::Outcome outcome = compare({QStringLiteral("--json")});
+        QCOMPARE(outcome.status, 0);
+        QCOMPARE(outcome.lines.size(), 2);
+        QVERIFY2(outcome.complaint.contains(m_reference
+                     + QStringLiteral(": not compared, as the other mask has no "
+                                      "counterpart: Label 3")),
+            qPrintable(outcome.complaint));
+        QVERIFY(!outcome.complaint.contains(m_mask + QStringLiteral(": not compared")));
+        // Who asks for one pair knows that there are others.
+        const test::Outcome one = compare({QStringLiteral("--segment"), QStringLiteral("Label 1")});
+        QCOMPARE(one.status, 0);
+        QVERIFY2(
+            !one.complaint.contains(QStringLiteral("not compared")), qPrintable(one.complaint));
+    }
+
     void inWords()
     {
         const test::Outcome outcome = compare({});
