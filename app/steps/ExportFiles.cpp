@@ -100,14 +100,19 @@ private:
     static Result<void> addCodes(core::ExportRequest& request, const core::RecipeExport& target)
     {
         for (const auto& [name, codes] : target.codes) {
-            const auto segment = std::find_if(request.segments.begin(), request.segments.end(),
-                [&name = name](const core::Segment& each) { return each.name == name; });
-            if (segment == request.segments.end())
+            bool isThere = false;
+            // Names are not unique.
+            for (const core::Segment& segment : request.segments) {
+                if (segment.name != name)
+                    continue;
+                request.seg.codes[segment.label] = codes;
+                isThere = true;
+            }
+            if (!isThere)
                 return core::failure(core::ErrorCode::UnsupportedFormat, target.file,
                     QStringLiteral(
                         "it has codes for a segment '%1', and no such segment is exported")
                         .arg(name));
-            request.seg.codes[segment->label] = codes;
         }
         return {};
     }

@@ -4,7 +4,9 @@
 #include "core/study/StudyLoader.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/fixtures/CommandFixture.h"
+#include "tests/support/program/FileBytes.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/PlainEdits.h"
 #include "tests/support/scenes/SmallStudy.h"
 
 #include <QFile>
@@ -68,6 +70,26 @@ private Q_SLOTS:
         QVERIFY2(outcome.complaint.contains(key("coded.seg.nrrd: "))
                 && outcome.complaint.contains(key("'Nobody'")),
             qPrintable(outcome.complaint));
+    }
+
+    /// Names are not unique: none of those that have it is left without.
+    void codesOfSegmentsThatShareAName()
+    {
+        const QJsonObject cyst{{key("edit"), key("addSegment")}, {key("name"), key("Cyst")},
+            {key("color"), key("#e8dcc0")},
+            {key("code"), QJsonArray{key("SCT"), key("367643001"), key("Cyst")}}};
+        QJsonArray edits{cyst, cyst};
+        for (const QJsonValue& edit :
+            toJson({test::thresholdOf(1, 900.0, 1100.0), test::thresholdOf(2, 0.0, 100.0)}))
+            edits.append(edit);
+        QJsonObject target = exportTo("seg-nrrd", "coded.seg.nrrd");
+        target[key("codes")] = QJsonObject{{key("Cyst"),
+            QJsonObject{{key("region"), QJsonArray{key("SCT"), key("64033007"), key("Kidney")}}}}};
+        const Outcome outcome =
+            run(recipe("coded.json", {{key("edits"), edits}, {key("export"), QJsonArray{target}}}),
+                "a.burin");
+        QVERIFY2(outcome.status == 0, qPrintable(outcome.complaint));
+        QCOMPARE(test::bytesOf(path("coded.seg.nrrd")).count("SCT^64033007^Kidney"), 2);
     }
 
     void whatWasExportedComesBackAsItWas_data()
