@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/export/common/LabelMap.h"
 #include "core/nifti/NiftiWriter.h"
+#include "core/repair/RepairVolume.h"
 
 namespace core {
 
@@ -12,12 +13,13 @@ Result<ReportLines> writeNiftiMask(const QString& path, const Volume& volume,
     if (!map)
         return tl::unexpected(map.error());
     const QString names = map->names.join(QStringLiteral(", "));
+    const QString repair = repairMade(volume);
     const auto written = writeNiftiAt(path,
         {.geometry = geometry,
             .voxels = map->labels,
-            .description = volume.repair.isEmpty()
+            .description = repair.isEmpty()
                 ? QStringLiteral("Burin: ") + names
-                : QStringLiteral("Burin, repaired %1: %2").arg(volume.repair, names)});
+                : QStringLiteral("Burin, repaired %1: %2").arg(repair, names)});
     if (!written)
         return tl::unexpected(written.error());
     if (!written->qform && geometry.shearAngleDegrees() > 0.01)

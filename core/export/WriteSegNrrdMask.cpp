@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/export/common/LabelMap.h"
 #include "core/nrrd/NrrdWriter.h"
+#include "core/repair/RepairVolume.h"
 
 namespace core {
 
@@ -77,8 +78,8 @@ KeyValues keyValuesOf(const Volume& volume, const ExportRequest& request,
             put("Tags",
                 tagsText(codesIn(request.seg, segment.label, request.category), segment.code));
     }
-    if (!volume.repair.isEmpty())
-        keyValues.emplace_back("Burin_Repair", volume.repair.toUtf8());
+    if (const QString repair = repairMade(volume); !repair.isEmpty())
+        keyValues.emplace_back("Burin_Repair", repair.toUtf8());
     keyValues.emplace_back("Segmentation_ContainedRepresentationNames", "Binary labelmap|");
     keyValues.emplace_back("Segmentation_ConversionParameters", "");
     // Older versions of 3D Slicer look for the first of these two names, newer ones for either.

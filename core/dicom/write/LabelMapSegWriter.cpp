@@ -36,7 +36,7 @@ void describe(
     items.put(&set, DCM_DeviceSerialNumber, "0");
     items.put(&set, DCM_ImageType, "DERIVED\\PRIMARY");
     items.put(&set, DCM_ContentLabel, "SEGMENTATION");
-    items.put(&set, DCM_ContentDescription, "Segmentation");
+    items.put(&set, DCM_ContentDescription, contentDescription(content));
     items.put(&set, DCM_ContentCreatorName, "");
     items.put(&set, DCM_SegmentationType, "LABELMAP");
     items.put(&set, DCM_SegmentsOverlap, "NO");
@@ -128,9 +128,12 @@ void putMeasures(
     }
 }
 
-void putDerivation(DcmItem* group, const SegSlice& slice, const ItemWriter& items)
+/// @param description how the frame was made
+void putDerivation(
+    DcmItem* group, const SegSlice& slice, const QString& description, const ItemWriter& items)
 {
     DcmItem* derivation = items.append(group, DCM_DerivationImageSequence);
+    items.put(derivation, DCM_DerivationDescription, description);
     items.putCode(derivation, DCM_DerivationCodeSequence,
         {.scheme = QStringLiteral("DCM"),
             .value = QStringLiteral("113076"),
@@ -174,6 +177,7 @@ void addFrames(
         dimension->putAndInsertTagKey(DCM_DimensionIndexPointer, DCM_ImagePositionPatient);
         dimension->putAndInsertTagKey(DCM_FunctionalGroupPointer, DCM_PlanePositionSequence);
     }
+    const QString description = derivationDescription(content);
     for (const SegContent::Frame& frame : content.frames) {
         const SegSlice& slice = source.slices[std::size_t(frame.slice)];
         DcmItem* group = items.append(&set, DCM_PerFrameFunctionalGroupsSequence);
@@ -182,7 +186,7 @@ void addFrames(
             indices->putAndInsertUint32(DCM_DimensionIndexValues, Uint32(frame.slice + 1));
         items.put(items.append(group, DCM_PlanePositionSequence), DCM_ImagePositionPatient,
             slice.position[0] + "\\" + slice.position[1] + "\\" + slice.position[2]);
-        putDerivation(group, slice, items);
+        putDerivation(group, slice, description, items);
         if (!sharedOrientation)
             putOrientation(group, slice, items);
         if (!sharedMeasures)

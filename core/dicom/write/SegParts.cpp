@@ -6,6 +6,7 @@
 #include "core/dicom/write/MadeObject.h"
 #include "core/dicom/write/SaveDicom.h"
 #include "core/dicom/write/SegCompletion.h"
+#include "core/repair/SeriesRepair.h"
 
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dctk.h>
@@ -60,6 +61,21 @@ void putSegDetails(DcmItem* segment, const SegCodes& codes, const ItemWriter& it
     if (codes.regionModifier.isSet())
         items.putCode(inner(segment, DCM_AnatomicRegionSequence),
             DCM_AnatomicRegionModifierSequence, codes.regionModifier);
+}
+
+QString contentDescription(const SegContent& content)
+{
+    constexpr qsizetype longest = 64; // LO
+    return content.repair.isEmpty()
+        ? QStringLiteral("Segmentation")
+        : (QStringLiteral("Repaired series: ") + content.repair).left(longest);
+}
+
+QString derivationDescription(const SegContent& content)
+{
+    const QString stamp = repairStamp(content.repair);
+    return stamp.isEmpty() ? QStringLiteral("Segmentation")
+                           : QStringLiteral("Segmentation. ") + stamp;
 }
 
 std::string algorithmTypeText(const SegSettings& settings)

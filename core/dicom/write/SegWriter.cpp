@@ -7,7 +7,6 @@
 #include "core/dicom/source/SegSource.h"
 #include "core/dicom/write/SegCompletion.h"
 #include "core/dicom/write/SegParts.h"
-#include "core/repair/SeriesRepair.h"
 
 #include <QCoreApplication>
 #include <QDateTime>
@@ -132,9 +131,7 @@ void addFrames(
             seg.addForAllFrames(*measuresOf(source.slices.front(), content.sliceDistanceMm, chain)),
             "pixel measures");
 
-    const QString stamp = repairStamp(content.repair);
-    const std::string derivationText =
-        stamp.isEmpty() ? "Segmentation" : "Segmentation. " + stamp.toStdString();
+    const std::string derivationText = derivationDescription(content).toStdString();
     // dcmseg packs these pixels; ours take their place afterwards.
     std::vector<Uint8> blank(std::size_t(content.rows) * std::size_t(content.columns), 0);
     for (const SegContent::Frame& frame : content.frames) {
@@ -252,9 +249,8 @@ Result<SegWritten> writeSeg(
 
     const std::string version = programVersion();
     const IODGeneralEquipmentModule::EquipmentInfo equipment("Burin", "Burin", "0", version);
-    const QString repaired = QStringLiteral("Repaired series: ") + content.repair;
-    const ContentIdentificationMacro identification("1", "SEGMENTATION",
-        content.repair.isEmpty() ? "Segmentation" : repaired.left(64).toStdString(), "");
+    const ContentIdentificationMacro identification(
+        "1", "SEGMENTATION", contentDescription(content).toStdString(), "");
     DcmSegmentation* made = nullptr;
     ConditionChain chain;
     if (content.type == SegContent::Type::Fractional)

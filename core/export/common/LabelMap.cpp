@@ -2,6 +2,7 @@
 #include "core/export/common/LabelMap.h"
 
 #include "core/export/common/CheckSources.h"
+#include "core/repair/RepairVolume.h"
 
 #include <algorithm>
 #include <bitset>
@@ -70,8 +71,9 @@ void fill(LabelMap& map, const ExportRequest& request, const MaskSelection& sele
 
 ReportSentence gridName(const Volume& volume)
 {
-    return volume.asIs && volume.sources.empty()
-        ? ReportSentence{ReportCode::RepairedGrid, {volume.repair}}
+    const QString repair = repairMade(volume);
+    return volume.asIs && volume.sources.empty() && !repair.isEmpty()
+        ? ReportSentence{ReportCode::RepairedGrid, {repair}}
         : ReportSentence{ReportCode::SourceGrid};
 }
 

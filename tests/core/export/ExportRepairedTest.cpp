@@ -6,6 +6,7 @@
 #include "core/repair/RepairVolume.h"
 #include "core/repair/SeriesRepair.h"
 #include "core/repair/WayBack.h"
+#include "tests/support/program/FileBytes.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/series/Affine.h"
 #include "tests/support/series/OpenedVolume.h"
@@ -293,6 +294,9 @@ void ExportRepairedTest::headersSayHowItWasRepaired()
         QStringLiteral("Repaired series: tilt"));
     const QString how = attribute(path("seg.dcm"), DCM_DerivationDescription);
     QVERIFY2(how.contains(QLatin1String("tilt sheared out")), qPrintable(how));
+    QVERIFY(exported(loaded.volume, labels, ExportFormat::DicomSegLabelMap, "map.dcm"));
+    for (const DcmTagKey& tag : {DCM_ContentDescription, DCM_DerivationDescription})
+        QCOMPARE(attribute(path("map.dcm"), tag), attribute(path("seg.dcm"), tag));
     const QString description = attribute(path("rt.dcm"), DCM_StructureSetDescription);
     QVERIFY2(description.contains(QLatin1String("tilt sheared out")), qPrintable(description));
 }
@@ -315,6 +319,11 @@ void ExportRepairedTest::whatWasNotNeededIsNotSaid()
     }
     QCOMPARE(attribute(path("seg.dcm"), DCM_ContentDescription),
         QStringLiteral("Repaired series: tilt"));
+    constexpr qsizetype niftiDescription = 148; // in its header
+    QVERIFY(
+        test::bytesOf(path("mask.nii")).mid(niftiDescription).startsWith("Burin, repaired tilt: "));
+    QVERIFY(exported(loaded.volume, labels, ExportFormat::SegNrrd, "mask.seg.nrrd"));
+    QVERIFY(test::bytesOf(path("mask.seg.nrrd")).contains("\nBurin_Repair:=tilt\n"));
     const LoadedVolume both =
         opened(QStringLiteral("gapped and tilted"), QStringLiteral("gap=fill,tilt"));
     QCOMPARE(repairMade(both.volume), QStringLiteral("gap=fill,tilt"));
@@ -328,6 +337,9 @@ void ExportRepairedTest::whatWasNotNeededIsNotSaid()
     const QStringList cautions = ui::reportTexts(report->cautions);
     QVERIFY2(
         cautions.filter(QStringLiteral("on loading")).isEmpty(), qPrintable(cautions.join(u'\n')));
+    QVERIFY(test::bytesOf(path("sound.nii")).mid(niftiDescription).startsWith("Burin: "));
+    QVERIFY(exported(sound.volume, full, ExportFormat::SegNrrd, "sound.seg.nrrd"));
+    QVERIFY(!test::bytesOf(path("sound.seg.nrrd")).contains("Burin_Repair"));
 }
 
 void ExportRepairedTest::carvedSeriesIsRefused()
