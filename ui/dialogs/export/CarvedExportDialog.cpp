@@ -13,6 +13,7 @@
 #include "ui/texts/ClauseText.h"
 #include "ui/texts/ReportTexts.h"
 #include "ui/widgets/fields/NumberField.h"
+#include "ui/widgets/fields/ValueField.h"
 #include "ui/workspace/Workspace.h"
 
 #include <QDoubleSpinBox>
@@ -25,6 +26,7 @@
 
 #include <algorithm>
 #include <initializer_list>
+#include <optional>
 #include <set>
 
 namespace ui {
@@ -113,8 +115,11 @@ void CarvedExportDialog::build()
     m_fill = new NumberField(this);
     m_fill->setObjectName(QStringLiteral("carvedFill"));
     m_fill->setRange(-1e6, 1e6);
-    m_fill->setDecimals(volume.encoding.rescaleSlope == 1.0 ? 0 : 3);
+    m_fill->setDecimals(volume.encoding.rescaleSlope == 1.0
+            ? 0
+            : std::max(3, valueFieldDecimals(volume.maximum - volume.minimum)));
     m_fill->setValue(volume.minimum);
+    m_least = m_fill->value();
     if (!volume.unit.isEmpty())
         m_fill->setSuffix(QLatin1Char(' ') + volume.unit);
     m_fill->setToolTip(tr("The value of the voxels that are carved away; at first the least of the "
@@ -232,8 +237,11 @@ void CarvedExportDialog::write(const LabelFetch::Planes& layers)
         });
         return;
     }
+    // Rounded as the field shows it, the least value may be one that no image of the study has.
+    const std::optional<double> fill =
+        m_fill->value() == m_least ? std::nullopt : std::optional(m_fill->value());
     m_job.start(
-        [volume, target, force = m_force, fill = m_fill->value(),
+        [volume, target, force = m_force, fill,
             deidentifier =
                 m_series->isChecked() ? m_deidentify->deidentifier(volume.identity) : nullptr,
             session = m_workspace.session()->file(), bytes = std::move(coverage)](

@@ -50,6 +50,7 @@ private:
     QRadioButton* m_nifti = nullptr;
     QRadioButton* m_coverage = nullptr;
     QDoubleSpinBox* m_fill = nullptr;
+    double m_least = 0.0; ///< the study's least value, as the field shows it
     QLabel* m_fillLabel = nullptr;
     TargetRow* m_target = nullptr;
     QString m_suggested; ///< the target as it was last named here

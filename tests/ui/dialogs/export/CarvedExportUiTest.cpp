@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/dialogs/export/CarvedExportDialog.h"
 
+#include "core/nifti/NiftiWriter.h"
+#include "core/study/StudyLoader.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/fixtures/ApplicationFixture.h"
 #include "tests/support/fixtures/WindowFixture.h"
+#include "tests/support/program/FileBytes.h"
 #include "tests/support/program/TestProgram.h"
+#include "tests/support/scenes/PlainEdits.h"
 #include "tests/support/scenes/SmallStudy.h"
 #include "ui/dialogs/export/Screenshot.h"
 #include "ui/panels/lists/MeasurementsPanel.h"
@@ -21,6 +25,11 @@
 #include <QSettings>
 #include <QTemporaryDir>
 #include <QtTest>
+
+#include <cmath>
+#include <cstring>
+#include <span>
+#include <vector>
 
 namespace carvedExportUiTest {
 
@@ -81,6 +90,41 @@ private Q_SLOTS:
         if (!pictures.isEmpty())
             QVERIFY(
                 dialog.grab().save(QDir(pictures).filePath(QStringLiteral("carved-export.png"))));
+    }
+
+    /// Not as the field shows it, rounded: a DICOM image may have no such value.
+    void theLeastValueIsWrittenExactly()
+    {
+        const QTemporaryDir folder;
+        const core::LoadedVolume whole = test::smallStudy();
+        std::vector<float> values;
+        for (const std::uint16_t code : whole.codes)
+            values.push_back(float(whole.volume.encoding.value(code)) / 1000.0F - 0.00046F);
+        const QString file = folder.filePath(QStringLiteral("study.nii"));
+        QVERIFY(core::writeNifti(file,
+            {.geometry = whole.volume.geometry,
+                .voxels = std::span<const float>(values),
+                .description = {}}));
+        core::Result<core::LoadedVolume> loaded = core::loadVolume(file);
+        QVERIFY(loaded);
+        const auto least = float(loaded->volume.minimum);
+        QVERIFY(std::abs(least + 1.00046F) < 1e-4F);
+        test::WindowFixture fixture(*std::move(loaded));
+        fixture.apply(test::carveAt(test::pointsInBrain(), 3.0));
+        ui::CarvedExportDialog dialog(fixture.workspace);
+        const QString target = folder.filePath(QStringLiteral("carved.nii"));
+        dialog.findChild<QLineEdit*>(QStringLiteral("carvedTarget"))->setText(target);
+        dialog.findChild<QPushButton*>(QStringLiteral("carvedStart"))->click();
+        QTRY_VERIFY((fixture.session().poll(), !dialog.running()));
+        const QByteArray bytes = test::bytesOf(target);
+        const glm::dvec3 index = whole.volume.geometry.toIndex(test::pointsInBrain().front());
+        constexpr std::size_t header = 352;
+        const std::size_t at =
+            header + sizeof(float) * test::smallIndexOf(glm::ivec3(glm::round(index)));
+        QVERIFY(std::size_t(bytes.size()) >= at + sizeof(float));
+        float filled = 0.0F;
+        std::memcpy(&filled, bytes.constData() + at, sizeof filled);
+        QVERIFY2(filled == least, qPrintable(QString::number(double(filled), 'g', 9)));
     }
 
     /// What other dialogs and panels write is offered as the export of segments is: beside the
