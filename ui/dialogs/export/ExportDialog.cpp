@@ -2,6 +2,7 @@
 #include "ui/dialogs/export/ExportDialog.h"
 
 #include "core/export/common/ImportedSegments.h"
+#include "core/export/common/StatisticsText.h"
 #include "core/session/EditSession.h"
 #include "core/session/past/PastImports.h"
 #include "core/session/past/SegmentLayers.h"
@@ -39,6 +40,15 @@ QString suffixOf(core::ExportFormat format)
     return QLatin1String(core::factsOf(format).ending);
 }
 
+/// A report comes with the SEG that it refers to, which goes first.
+QStringList filesOf(const core::ExportRequest& request)
+{
+    QStringList files{request.file};
+    if (request.format == core::ExportFormat::Sr)
+        files.prepend(core::segBeside(request.file));
+    return files;
+}
+
 } // namespace
 
 ExportDialog::ExportDialog(Workspace& workspace, QWidget* parent)
@@ -59,8 +69,8 @@ ExportDialog::ExportDialog(Workspace& workspace, QWidget* parent)
     connect(m_target, &TargetRow::changed, this, &ExportDialog::showChange);
     connect(m_run, &ExportRun::startRequested, this, &ExportDialog::start);
     connect(m_run, &ExportRun::closeRequested, this, &ExportDialog::reject);
-    connect(
-        m_send, &QPushButton::clicked, this, [this] { SendDialog({m_request.file}, this).exec(); });
+    connect(m_send, &QPushButton::clicked, this,
+        [this] { SendDialog(filesOf(m_request), this).exec(); });
     connect(&m_workspace, &Workspace::sessionChanged, this, [this] {
         m_fetch.cancel();
         m_coverageFetch.cancel();
@@ -215,8 +225,11 @@ void ExportDialog::start()
     m_options->putInto(request);
     request.seg.codes = m_segments->codes();
     request.file = m_target->path();
-    if (QFileInfo::exists(request.file)) {
-        if (!mayReplace(request.file, this))
+    const QStringList files = filesOf(request);
+    for (const QString& file : files) {
+        if (!QFileInfo::exists(file))
+            continue;
+        if (!mayReplace(file, this))
             return;
         request.force = true;
     }
