@@ -122,9 +122,14 @@ QByteArray statisticsJson(
         }
         segments.append(entry);
     }
-    const QJsonObject study{{QStringLiteral("studyUid"), identity.studyUid},
+    QJsonObject study{{QStringLiteral("studyUid"), identity.studyUid},
         {QStringLiteral("seriesUid"), identity.seriesUid},
         {QStringLiteral("modality"), identity.modality}};
+    // All points of a series in time have its UIDs.
+    if (volume.alternatives && volume.alternatives->times.size() > 1) {
+        study[QStringLiteral("pointInTime")] = volume.alternatives->time + 1;
+        study[QStringLiteral("pointsInTime")] = qint64(volume.alternatives->times.size());
+    }
     return QJsonDocument(
         QJsonObject{{QStringLiteral("study"), study}, {QStringLiteral("unit"), volume.unit},
             {QStringLiteral("segments"), segments}})

@@ -22,8 +22,9 @@ struct StatisticsNumber {
 [[nodiscard]] QByteArray statisticsCsv(
     const std::vector<SegmentStatistics>& all, const Volume& volume);
 
-/// {"study", "unit", "segments": [{"label", "name", "code", "voxels", …}]}. @p identity is that of
-/// the study in the form that may be written.
+/// {"study", "unit", "segments": [{"label", "name", "code", "voxels", …}]}; of a series in time the
+/// study also has "pointInTime", from 1, and "pointsInTime". @p identity is that of the study in
+/// the form that may be written.
 [[nodiscard]] QByteArray statisticsJson(
     const std::vector<SegmentStatistics>& all, const Volume& volume, const StudyIdentity& identity);
 

@@ -171,7 +171,7 @@ QString CarvedExportDialog::nameOfTarget() const
     const core::SculptLayer* layer = m_coverage->isChecked() ? activeLayer(m_workspace) : nullptr;
     const bool deidentified = isSeries && m_deidentify->deidentifier(volume.identity);
     return exportName(volume.identity, layer ? tr("%1 coverage").arg(layer->name) : tr("carved"),
-               !deidentified)
+               !deidentified, pointOf(volume))
         + (isSeries ? QString() : QStringLiteral(".nii.gz"));
 }
 

@@ -148,7 +148,8 @@ void ExportDialog::suggestName()
         return;
     core::ExportRequest request;
     m_options->putInto(request);
-    m_target->setName(exportName(volume->identity, m_segments->chosen(), !request.deidentifier)
+    m_target->setName(
+        exportName(volume->identity, m_segments->chosen(), !request.deidentifier, pointOf(*volume))
         + suffixOf(m_options->format()));
     m_suggested = m_target->path();
 }

@@ -59,8 +59,8 @@ QString folderBeside(const core::Volume& volume, const QString& otherwise)
     return exportsIn(parent);
 }
 
-QString exportName(
-    const core::StudyIdentity& identity, const std::vector<core::Segment>& segments, bool dated)
+QString exportName(const core::StudyIdentity& identity, const std::vector<core::Segment>& segments,
+    bool dated, int point)
 {
     QStringList names;
     for (const core::Segment& segment : segments) {
@@ -70,21 +70,29 @@ QString exportName(
     QString of = names.join(QStringLiteral(", "));
     if (const qsizetype more = qsizetype(segments.size()) - names.size(); more > 0)
         of += QObject::tr(" and %1 more").arg(more);
-    return exportName(identity, of, dated);
+    return exportName(identity, of, dated, point);
 }
 
-QString exportName(const core::StudyIdentity& identity, const QString& of, bool dated)
+QString exportName(const core::StudyIdentity& identity, const QString& of, bool dated, int point)
 {
     QStringList study{identity.modality};
     if (dated)
         study += identity.studyDate;
     if (!identity.seriesNumber.isEmpty())
         study += QStringLiteral("series %1").arg(identity.seriesNumber);
+    if (point > 0)
+        study += QStringLiteral("point %1").arg(point);
     study.removeAll(QString());
     QStringList parts{study.join(QLatin1Char(' ')), of};
     parts.removeAll(QString());
     const QString name = harmless(parts.join(QStringLiteral(" - "))).left(longestName).trimmed();
     return name.isEmpty() ? QStringLiteral("segmentation") : name;
+}
+
+int pointOf(const core::Volume& volume)
+{
+    const core::SeriesAlternatives* series = volume.alternatives.get();
+    return series && series->times.size() > 1 ? series->time + 1 : 0;
 }
 
 bool makeFolderBeside(const core::Volume& volume, const QString& file)
@@ -124,8 +132,8 @@ std::optional<ChosenTarget> askForTarget(
 {
     const QString suggested = suggestedFolder(volume);
     const QString folder = rememberedFolder(exportFolderKey(), suggested);
-    const QString name =
-        exportName(volume ? volume->identity : core::StudyIdentity(), question.of, true)
+    const QString name = exportName(volume ? volume->identity : core::StudyIdentity(), question.of,
+                             true, volume ? pointOf(*volume) : 0)
         + question.ending;
     // A file dialog opens in no folder that is not there.
     const bool made = volume && makeFolderBeside(*volume, QDir(folder).filePath(name));

@@ -22,13 +22,18 @@ namespace ui {
 /// and the names of the segments: "CT 2026-11-20 series 3 - Liver, Tumour". It never contains the
 /// patient's name.
 /// @param dated whether to include the date; false for de-identified exports
-[[nodiscard]] QString exportName(
-    const core::StudyIdentity& identity, const std::vector<core::Segment>& segments, bool dated);
+/// @param point pointOf(), so that what is written of one point in time does not lie where that of
+/// another one would
+[[nodiscard]] QString exportName(const core::StudyIdentity& identity,
+    const std::vector<core::Segment>& segments, bool dated, int point = 0);
 
 /// Like the other one, for what is not made of chosen segments.
 /// @param of what is written: "carved"; may be empty
 [[nodiscard]] QString exportName(
-    const core::StudyIdentity& identity, const QString& of, bool dated);
+    const core::StudyIdentity& identity, const QString& of, bool dated, int point = 0);
+
+/// Which point of a series in time the volume is, from 1; 0 if it is none of several.
+[[nodiscard]] int pointOf(const core::Volume& volume);
 
 /// Creates the folder of a file if it is the one that folderBeside() suggests. Any other missing
 /// folder is left to the user, since its name may be a typing error.

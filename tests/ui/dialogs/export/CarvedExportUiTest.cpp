@@ -10,6 +10,7 @@
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/PlainEdits.h"
 #include "tests/support/scenes/SmallStudy.h"
+#include "ui/dialogs/export/ExportDialog.h"
 #include "ui/dialogs/export/Screenshot.h"
 #include "ui/panels/lists/MeasurementsPanel.h"
 #include "ui/panels/refine/RefinePanel.h"
@@ -28,6 +29,7 @@
 
 #include <cmath>
 #include <cstring>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -125,6 +127,26 @@ private Q_SLOTS:
         float filled = 0.0F;
         std::memcpy(&filled, bytes.constData() + at, sizeof filled);
         QVERIFY2(filled == least, qPrintable(QString::number(double(filled), 'g', 9)));
+    }
+
+    /// What is written of one point in time does not lie where that of another one would.
+    void offersNameThePointInTime()
+    {
+        QSettings().remove(QStringLiteral("export/folder"));
+        core::LoadedVolume study = test::smallStudy();
+        study.volume.identity.modality = QStringLiteral("MR");
+        core::SeriesAlternatives series;
+        series.times = QStringList{QStringLiteral("0 ms"), QStringLiteral("40 ms")};
+        series.time = 1;
+        study.volume.alternatives = std::make_shared<const core::SeriesAlternatives>(series);
+        test::WindowFixture fixture(std::move(study));
+        const ui::CarvedExportDialog carved(fixture.workspace);
+        const QString target = carved.findChild<QLineEdit*>(QStringLiteral("carvedTarget"))->text();
+        QCOMPARE(QFileInfo(target).fileName(), QStringLiteral("MR point 2 - carved.nii.gz"));
+        const ui::ExportDialog segments(fixture.workspace);
+        const QString file = segments.findChild<QLineEdit*>(QStringLiteral("exportFile"))->text();
+        QVERIFY2(
+            QFileInfo(file).fileName().startsWith(QStringLiteral("MR point 2")), qPrintable(file));
     }
 
     /// What other dialogs and panels write is offered as the export of segments is: beside the
