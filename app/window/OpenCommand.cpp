@@ -59,6 +59,9 @@ QString parse(const Arguments& arguments, OpenArguments& parsed)
     parsed.series = arguments.value("series");
     parsed.study = arguments.value("study");
     parsed.screenshot = arguments.value("screenshot");
+    if (const core::Clause obstacle = ui::pictureNameObstacle(parsed.screenshot);
+        !obstacle.isEmpty())
+        return QObject::tr("--screenshot: %1").arg(obstacle);
     QString repair = arguments.value("repair");
     const QString spacing = arguments.value("spacing");
     if (arguments.has("size")) {

@@ -83,6 +83,8 @@ void OpenCommandUiTest::saysWhatIsWrong_data()
         "/no/such/study: no such file or folder");
     row("size without height", {QStringLiteral("--size"), QStringLiteral("800")}, 2, "--size 800");
     row("size missing", {QStringLiteral("--size")}, 2, "--size needs a value");
+    row("picture of another kind", {QStringLiteral("--screenshot"), QStringLiteral("a.jpg")}, 2,
+        "--screenshot: the name of a picture of the window ends in .png");
     row("unknown option", {QStringLiteral("--shiny")}, 2, "unknown option --shiny");
     row("two paths", {QStringLiteral("a"), QStringLiteral("b")}, 2, "one path at a time: b");
 }

@@ -15,6 +15,8 @@
 #include <QPixmap>
 #include <QWidget>
 
+#include <algorithm>
+#include <array>
 #include <optional>
 
 namespace ui {
@@ -24,12 +26,26 @@ bool isDicomPicture(const QString& file)
     return file.endsWith(QLatin1String(".dcm"), Qt::CaseInsensitive);
 }
 
+core::Clause pictureNameObstacle(const QString& file)
+{
+    static constexpr std::array others{
+        "jpg", "jpeg", "bmp", "gif", "tif", "tiff", "webp", "svg", "pdf"};
+    const QString ending = QFileInfo(file).suffix().toLower();
+    const bool isOther = std::any_of(others.begin(), others.end(),
+        [&ending](const char* other) { return ending == QLatin1String(other); });
+    return isOther ? core::Clause::saying("the name of a picture of the window ends in .png, or in "
+                                          ".dcm for a DICOM one")
+                   : core::Clause();
+}
+
 core::Result<core::ExportReport> savePicture(
     const QImage& picture, const core::Volume* volume, const QString& file)
 {
     if (volume && core::isSourceFile(*volume, file))
         return core::failure(core::ErrorCode::FileUnwritable, file,
             core::Clause::saying("it is a file of the study itself"));
+    if (const core::Clause obstacle = pictureNameObstacle(file); !obstacle.isEmpty())
+        return core::failure(core::ErrorCode::UnsupportedFormat, file, obstacle);
     if (!isDicomPicture(file)) {
         auto staged = core::StagedFile::create(file, true);
         if (!staged)

@@ -19,6 +19,7 @@
 #include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QImage>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
@@ -147,6 +148,23 @@ private Q_SLOTS:
         const QString file = segments.findChild<QLineEdit*>(QStringLiteral("exportFile"))->text();
         QVERIFY2(
             QFileInfo(file).fileName().startsWith(QStringLiteral("MR point 2")), qPrintable(file));
+    }
+
+    /// A PNG that is called a JPEG would be taken for one.
+    void aPictureIsWhatItsNameSays()
+    {
+        const QTemporaryDir folder;
+        QImage white(8, 8, QImage::Format_RGB32);
+        white.fill(Qt::white);
+        for (const char* name : {"a.jpg", "a.JPEG", "a.tif"}) {
+            const QString file = folder.filePath(QLatin1String(name));
+            const auto saved = ui::savePicture(white, nullptr, file);
+            QVERIFY(!saved);
+            QCOMPARE(saved.error().code, core::ErrorCode::UnsupportedFormat);
+            QVERIFY(!QFileInfo::exists(file));
+        }
+        for (const char* name : {"a.png", "a", "2026.11"})
+            QVERIFY(ui::savePicture(white, nullptr, folder.filePath(QLatin1String(name))));
     }
 
     /// What other dialogs and panels write is offered as the export of segments is: beside the
