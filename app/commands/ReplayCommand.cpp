@@ -17,6 +17,7 @@
 
 #include <QJsonObject>
 
+#include <cmath>
 #include <cstdio>
 #include <map>
 #include <optional>
@@ -255,7 +256,8 @@ QString readExport(const Arguments& arguments, Task& task)
             continue;
         bool isNumber = false;
         const double value = arguments.value(number).toDouble(&isNumber);
-        if (!isNumber)
+        // "nan" and "inf" are read as numbers, too, and no recipe can hold them.
+        if (!isNumber || !std::isfinite(value))
             return QStringLiteral("--%1: must be a number").arg(QLatin1String(number));
         words[QLatin1String(number)] = value;
     }

@@ -149,6 +149,10 @@ private Q_SLOTS:
         QVERIFY(named(exported("x.nii", {key("--layer"), key("1")}), 2, "--layer"));
         QVERIFY(named(exported("x.nii", carved + QStringList{key("--layer"), key("1")}), 2,
             "--layer means nothing to --format carved-volume"));
+        for (const char* fill : {"nan", "inf", "nothing"})
+            QVERIFY(named(exported("x.nii",
+                              {key("--format"), key("carved-volume"), key("--fill"), key(fill)}),
+                2, "--fill: must be a number"));
         QVERIFY(named(exported("x.dcm", coverage), 1, ".nii"));
         QVERIFY(named(exported("coverage1.nii.gz", coverage), 1, "--force"));
         QVERIFY(
