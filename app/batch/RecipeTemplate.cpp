@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/batch/RecipeTemplate.h"
 
+#include "core/export/common/StatisticsText.h"
 #include "core/recipe/RecipeJson.h"
 #include "core/recipe/RecipeStep.h"
 
@@ -167,6 +168,11 @@ Result<QByteArray> RecipeTemplate::filled(const BatchStudy& study, const QString
     return QJsonDocument(content.toObject()).toJson();
 }
 
+bool RecipeTemplate::bringsSeg(const QJsonObject& target)
+{
+    return target.value(QStringLiteral("format")) == QLatin1String("sr");
+}
+
 QStringList RecipeTemplate::exportsOf(const QByteArray& filled, const QString& folder)
 {
     QStringList files;
@@ -174,8 +180,12 @@ QStringList RecipeTemplate::exportsOf(const QByteArray& filled, const QString& f
         QJsonDocument::fromJson(filled).object().value(QStringLiteral("export")).toArray();
     for (const QJsonValue& each : exports) {
         const QString file = each.toObject().value(QStringLiteral("file")).toString();
-        if (!file.isEmpty())
-            files += QDir::cleanPath(QDir(folder).absoluteFilePath(file));
+        if (file.isEmpty())
+            continue;
+        const QString path = QDir::cleanPath(QDir(folder).absoluteFilePath(file));
+        files += path;
+        if (bringsSeg(each.toObject()))
+            files += core::segBeside(path);
     }
     return files;
 }

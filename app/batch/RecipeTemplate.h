@@ -25,6 +25,10 @@ public:
     [[nodiscard]] core::Result<QByteArray> filled(
         const BatchStudy& study, const QString& folder) const;
 
+    /// Whether an export is a report, with which the SEG that it refers to is written
+    /// (core::segBeside()).
+    [[nodiscard]] static bool bringsSeg(const QJsonObject& target);
+
     /// Returns the absolute names of the files that a filled recipe exports.
     [[nodiscard]] static QStringList exportsOf(const QByteArray& filled, const QString& folder);
 

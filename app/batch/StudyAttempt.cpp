@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/batch/StudyAttempt.h"
 
+#include "app/batch/RecipeTemplate.h"
 #include "core/base/files/PrivateFolder.h"
 #include "core/base/files/StagedFile.h"
 #include "core/base/files/StagedFolder.h"
 #include "core/base/files/SystemFile.h"
 #include "core/export/common/MaskSelection.h"
+#include "core/export/common/StatisticsText.h"
 #include "core/sessionfile/SessionFile.h"
 #include "core/sessionfile/database/SessionUse.h"
 
@@ -97,6 +99,8 @@ StudyAttempt::StudyAttempt(
         if (!m_places.contains(place))
             m_places += place;
         m_targets += QDir(place).filePath(info.fileName());
+        if (RecipeTemplate::bringsSeg(target))
+            m_targets += core::segBeside(m_targets.back());
         target[fileField] = QDir(staged(place)).filePath(info.fileName());
         exports.append(target);
     }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/batch/StudyAttempt.h"
+#include "app/batch/RecipeTemplate.h"
 #include "core/sessionfile/SessionSalvage.h"
 #include "core/sessionfile/database/SessionUse.h"
 #include "tests/support/faults/FailingLog.h"
@@ -24,6 +25,7 @@ class StudyAttemptTest : public QObject {
 private Q_SLOTS:
     void init() { test::failOnUnexpectedMessages(); }
     void aSessionThatWasLeftOpenIsClosed();
+    void theSegOfAReportIsLookedAtBefore();
 };
 
 /// Its run could write everything but that it is closed; nothing lies beside it.
@@ -56,6 +58,24 @@ void StudyAttemptTest::aSessionThatWasLeftOpenIsClosed()
     attempt.concludeIn(record);
     QCOMPARE(record.value(QStringLiteral("sessionSha256")).toString().toLatin1(),
         test::fingerprint(placed));
+}
+
+/// What a report brings along takes nobody's name either, and that is known before any work.
+void StudyAttemptTest::theSegOfAReportIsLookedAtBefore()
+{
+    const QTemporaryDir folder;
+    const QByteArray recipe = R"({"edits": [], "export": [{"format": "sr", "file": "a.dcm"}]})";
+    const auto session = QStringLiteral("session.burin");
+    QVERIFY(StudyAttempt(folder.path(), session, recipe, {}).check());
+    QFile other(folder.filePath(QStringLiteral("a-seg.dcm")));
+    QVERIFY(other.open(QIODevice::WriteOnly) && other.write("mine") == 4);
+    other.close();
+    const core::Result<void> checked = StudyAttempt(folder.path(), session, recipe, {}).check();
+    QVERIFY(!checked);
+    QVERIFY2(checked.error().arguments.value(0).endsWith(QStringLiteral("a-seg.dcm")),
+        qPrintable(checked.error().arguments.value(0)));
+    QCOMPARE(app::RecipeTemplate::exportsOf(recipe, QStringLiteral("/out")),
+        (QStringList{QStringLiteral("/out/a.dcm"), QStringLiteral("/out/a-seg.dcm")}));
 }
 
 BURIN_TEST(StudyAttemptTest)
