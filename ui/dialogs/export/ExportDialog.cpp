@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/dialogs/export/ExportDialog.h"
 
+#include "core/dicom/deidentify/Deidentifier.h"
 #include "core/export/common/ImportedSegments.h"
 #include "core/export/common/StatisticsText.h"
 #include "core/session/EditSession.h"
@@ -148,8 +149,15 @@ void ExportDialog::suggestName()
         return;
     core::ExportRequest request;
     m_options->putInto(request);
+    std::vector<core::Segment> segments = m_segments->chosen();
+    // By what they are called in the file: their own names may be the patient's.
+    if (request.deidentifier) {
+        for (core::Segment& segment : segments)
+            segment.name = request.deidentifier->segmentName(
+                segment.label, segment.name, segment.code.meaning);
+    }
     m_target->setName(
-        exportName(volume->identity, m_segments->chosen(), !request.deidentifier, pointOf(*volume))
+        exportName(volume->identity, segments, !request.deidentifier, pointOf(*volume))
         + suffixOf(m_options->format()));
     m_suggested = m_target->path();
 }

@@ -157,6 +157,22 @@ private Q_SLOTS:
         QCOMPARE(offered, text("2 files"));
     }
 
+    /// In the file segments are named by their codes then, and so is the file.
+    void theNameOfADeidentifiedFileIsNobodys()
+    {
+        ReportFixture fixture;
+        fixture.apply(test::renameSegment(1, text("Mrs Doe")));
+        ui::ExportDialog dialog(fixture.workspace);
+        const auto* file = dialog.findChild<QLineEdit*>(text("exportFile"));
+        QVERIFY2(file->text().endsWith(text("Mrs Doe.dcm")), qPrintable(file->text()));
+        auto* deidentify = dialog.findChild<QAbstractButton*>(text("deidentify"));
+        deidentify->click();
+        QVERIFY2(file->text().endsWith(text("Skull.dcm")), qPrintable(file->text()));
+        QVERIFY2(!file->text().contains(text("Doe")), qPrintable(file->text()));
+        deidentify->click();
+        QVERIFY2(file->text().endsWith(text("Mrs Doe.dcm")), qPrintable(file->text()));
+    }
+
 private:
     QTemporaryDir m_settings;
 };
