@@ -21,10 +21,12 @@
 #include "app/window/OpenCommand.h"
 #include "app/window/PrivateSettings.h"
 #include "core/base/Guarded.h"
+#include "core/base/files/SystemFile.h"
 
 #include <QApplication>
 
 #include <algorithm>
+#include <cerrno>
 #include <cstdio>
 #include <cstring>
 #include <memory>
@@ -50,6 +52,21 @@ void printHelp()
     for (const Command* command : commands())
         std::printf("  burin %s %s\n      %s\n", command->name, command->usage, command->summary);
     std::printf("\nburin COMMAND --help says what each option means.\n");
+}
+
+/// What was printed may be somebody's file, of which only the end tells whether it is whole.
+/// @return the status, or that of a failure if what was printed is not
+int afterOutput(int status)
+{
+    const bool isFlushed = std::fflush(stdout) == 0;
+    const int error = errno;
+    if (isFlushed && std::ferror(stdout) == 0)
+        return status;
+    // Of what failed earlier nobody has kept the reason.
+    const QString why = isFlushed ? QString() : QStringLiteral(": ") + core::systemReason(error);
+    std::fprintf(
+        stderr, "burin: not all that it printed could be written%s\n", qUtf8Printable(why));
+    return status == 0 ? 1 : status;
 }
 
 } // namespace
@@ -97,16 +114,16 @@ int runCommandLine(int argc, char** argv)
             else
                 status = command.run(arguments);
         });
-        return ran ? status : reportFailure(ran.error());
+        return afterOutput(ran ? status : reportFailure(ran.error()));
     }
     if (std::strcmp(verb, "--version") == 0) {
         std::printf("burin %s\n", BURIN_VERSION);
-        return 0;
+        return afterOutput(0);
     }
     for (const char* word : {"--help", "-h", "help"}) {
         if (std::strcmp(verb, word) == 0) {
             printHelp();
-            return 0;
+            return afterOutput(0);
         }
     }
     std::fprintf(stderr, "burin: unknown command '%s' (burin --help)\n", verb);

@@ -2,10 +2,12 @@
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/servers/BurinProgram.h"
 
+#include <QProcess>
 #include <QRegularExpression>
 #include <QTest>
 
 #include <set>
+#include <utility>
 
 namespace commandHelpTest {
 
@@ -22,6 +24,8 @@ private Q_SLOTS:
     void anUnknownVerbIsOneLine();
     void wordsAreUnderstood_data();
     void wordsAreUnderstood();
+    void outputThatIsLostIsAFailure_data();
+    void outputThatIsLostIsAFailure();
 
 private:
     [[nodiscard]] static std::set<QString> optionsIn(const QString& text)
@@ -139,6 +143,31 @@ void CommandHelpTest::wordsAreUnderstood()
     QVERIFY2(outcome.complaint.startsWith(complaint), qPrintable(outcome.complaint));
     QVERIFY2(outcome.complaint.contains(QStringLiteral("(burin %1 --help)").arg(words.first())),
         qPrintable(outcome.complaint));
+}
+
+void CommandHelpTest::outputThatIsLostIsAFailure_data()
+{
+    QTest::addColumn<QStringList>("words");
+    QTest::newRow("edits") << QStringList{QStringLiteral("edits"), QStringLiteral("--json")};
+    QTest::newRow("version") << QStringList{QStringLiteral("--version")};
+    QTest::newRow("help") << QStringList{QStringLiteral("--help")};
+}
+
+/// As into a file on a disk that is full: nobody should take half a table for the whole.
+void CommandHelpTest::outputThatIsLostIsAFailure()
+{
+    QFETCH(QStringList, words);
+    for (const auto& [place, status] : {std::pair("/dev/full", 1), std::pair("/dev/null", 0)}) {
+        QProcess process;
+        process.setStandardOutputFile(QLatin1String(place));
+        process.start(QStringLiteral(BURIN_PROGRAM), words);
+        QVERIFY(process.waitForFinished());
+        QCOMPARE(process.exitStatus(), QProcess::NormalExit);
+        QCOMPARE(process.exitCode(), status);
+        QCOMPARE(
+            process.readAllStandardError().contains("not all that it printed could be written"),
+            status == 1);
+    }
 }
 
 BURIN_TEST(CommandHelpTest)
