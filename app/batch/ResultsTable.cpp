@@ -32,7 +32,8 @@ QMap<QString, QString> numbersOf(const QJsonObject& record, const QString& folde
     for (const QJsonValue& each : exports) {
         const QString name = each.toObject().value(QStringLiteral("file")).toString();
         QFile file(QDir(folder).absoluteFilePath(name));
-        if (!name.endsWith(QLatin1String(".csv")) || !file.open(QIODevice::ReadOnly))
+        if (!name.endsWith(QLatin1String(".csv"), Qt::CaseInsensitive)
+            || !file.open(QIODevice::ReadOnly))
             continue;
         const auto rows = readTable(QString::fromUtf8(file.readAll()), QLatin1Char(','));
         if (!rows || rows->size() < 2)

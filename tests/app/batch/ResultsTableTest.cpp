@@ -28,13 +28,15 @@ class ResultsTableTest : public QObject {
 
     [[nodiscard]] StudyTask task() const;
     /// Writes that the task was done, with statistics that have these lines.
-    void writeDone(const StudyTask& task, const QByteArray& statistics) const;
+    void writeDone(const StudyTask& task, const QByteArray& statistics,
+        const char* name = "numbers.csv") const;
     /// The table of the one task: names of its columns, with their values.
     [[nodiscard]] QMap<QString, QString> rowOf(const StudyTask& task) const;
 
 private Q_SLOTS:
     void init();
     void whatIsDoneHasItsNumbers();
+    void endingsMayBeInCapitals();
     void whatIsOfAnotherBatchHasNone_data();
     void whatIsOfAnotherBatchHasNone();
     void segmentsOfOneNameHaveColumnsOfTheirOwn();
@@ -53,7 +55,8 @@ StudyTask ResultsTableTest::task() const
         .options = {QStringLiteral("--author"), QStringLiteral("Somebody")}};
 }
 
-void ResultsTableTest::writeDone(const StudyTask& task, const QByteArray& statistics) const
+void ResultsTableTest::writeDone(
+    const StudyTask& task, const QByteArray& statistics, const char* name) const
 {
     const QJsonObject record{{QStringLiteral("state"), QStringLiteral("done")},
         {QStringLiteral("study"), task.study.path}, {QStringLiteral("series"), task.study.series},
@@ -66,15 +69,15 @@ void ResultsTableTest::writeDone(const StudyTask& task, const QByteArray& statis
         {QStringLiteral("options"), QJsonArray::fromStringList(task.options)},
         {QStringLiteral("stateHash"), QStringLiteral("abc")}, {QStringLiteral("seconds"), 1.5},
         {QStringLiteral("exports"),
-            QJsonArray{QJsonObject{{QStringLiteral("file"), QStringLiteral("numbers.csv")}}}}};
+            QJsonArray{QJsonObject{{QStringLiteral("file"), QLatin1String(name)}}}}};
     QVERIFY(QDir().mkpath(task.folder));
-    const auto write = [&task](const char* name, const QByteArray& text) {
-        QFile file(QDir(task.folder).filePath(QLatin1String(name)));
+    const auto write = [&task](const char* to, const QByteArray& text) {
+        QFile file(QDir(task.folder).filePath(QLatin1String(to)));
         return file.open(QIODevice::WriteOnly) && file.write(text) == text.size();
     };
     QVERIFY(write("record.json", QJsonDocument(record).toJson()));
-    QVERIFY(write("numbers.csv",
-        "label,name,codingScheme,code,meaning,unit,voxels,volumeMl\r\n" + statistics));
+    QVERIFY(
+        write(name, "label,name,codingScheme,code,meaning,unit,voxels,volumeMl\r\n" + statistics));
 }
 
 QMap<QString, QString> ResultsTableTest::rowOf(const StudyTask& task) const
@@ -105,6 +108,13 @@ void ResultsTableTest::whatIsDoneHasItsNumbers()
     QCOMPARE(row[QStringLiteral("stateHash")], QStringLiteral("abc"));
     QCOMPARE(row[QStringLiteral("Bone volumeMl")], QStringLiteral("0.5"));
     QCOMPARE(row[QStringLiteral("Brain volumeMl")], QStringLiteral("1.25"));
+}
+
+/// An export takes them.
+void ResultsTableTest::endingsMayBeInCapitals()
+{
+    writeDone(task(), "1,Bone,,,,HU,10,0.5\r\n", "numbers.CSV");
+    QCOMPARE(rowOf(task())[QStringLiteral("Bone volumeMl")], QStringLiteral("0.5"));
 }
 
 void ResultsTableTest::whatIsOfAnotherBatchHasNone_data()
