@@ -2,6 +2,7 @@
 #include "core/export/MeasurementsCsv.h"
 
 #include "core/base/files/StagedFile.h"
+#include "core/export/common/StatisticsText.h"
 
 #include <QFile>
 
@@ -27,7 +28,7 @@ QByteArray shortest(const std::optional<double>& value)
 
 QByteArray quoted(const QString& text)
 {
-    return '"' + text.toUtf8().replace("\"", "\"\"") + '"';
+    return '"' + noFormula(text).toUtf8().replace("\"", "\"\"") + '"';
 }
 
 /// The numbers of a line, in the order of their columns.

@@ -11,6 +11,7 @@
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
+#include <QRegularExpression>
 
 #include <algorithm>
 #include <cmath>
@@ -135,6 +136,13 @@ struct SegmentNumbers {
     Numbers numbers;
 };
 
+/// Without the apostrophe that keeps a spreadsheet from taking a text for a formula.
+QString withoutApostrophe(const QString& cell)
+{
+    static const QRegularExpression kept(QStringLiteral("^'+[-=+@]"));
+    return kept.match(cell).hasMatch() ? cell.mid(1) : cell;
+}
+
 std::vector<SegmentNumbers> saidInCsv(const QByteArray& text)
 {
     QStringList lines = QString::fromUtf8(text).split(QStringLiteral("\r\n"), Qt::SkipEmptyParts);
@@ -146,7 +154,8 @@ std::vector<SegmentNumbers> saidInCsv(const QByteArray& text)
         const QStringList cells = cellsOf(line);
         if (cells.size() != names.size())
             return {};
-        SegmentNumbers said{.label = cells[0].toInt(), .name = cells[1], .numbers = {}};
+        SegmentNumbers said{
+            .label = cells[0].toInt(), .name = withoutApostrophe(cells[1]), .numbers = {}};
         for (qsizetype i = 0; i < cells.size(); ++i) {
             bool isNumber = false;
             const double number = cells[i].toDouble(&isNumber);

@@ -25,7 +25,7 @@ QByteArray numberText(double value)
 
 QByteArray cell(const QString& text)
 {
-    QByteArray bytes = text.toUtf8();
+    QByteArray bytes = noFormula(text).toUtf8();
     if (!bytes.contains(',') && !bytes.contains('"') && !bytes.contains('\n')
         && !bytes.contains('\r'))
         return bytes;
@@ -45,6 +45,14 @@ bool isKnown(const StatisticsNumber& number, bool spacingIsKnown)
 }
 
 } // namespace
+
+QString noFormula(const QString& text)
+{
+    const auto first = std::find_if(
+        text.begin(), text.end(), [](QChar letter) { return letter != QLatin1Char('\''); });
+    const bool isTaken = first != text.end() && QStringLiteral("=+-@").contains(*first);
+    return isTaken ? QLatin1Char('\'') + text : text;
+}
 
 std::vector<StatisticsNumber> numbersOf(const SegmentStatistics& s)
 {

@@ -4,6 +4,7 @@
 #include "core/export/common/SegmentStatistics.h"
 
 #include <QByteArray>
+#include <QString>
 
 namespace core {
 
@@ -13,12 +14,17 @@ struct StatisticsNumber {
     double value = 0.0;
 };
 
+/// A text as it may stand in a table that is opened as a spreadsheet, which takes one that begins
+/// like a formula (=, +, -, @) for one: with an apostrophe in front, also if it has some already.
+[[nodiscard]] QString noFormula(const QString& text);
+
 /// All numbers, in the order of the columns. Those that tell what was changed since an import come
 /// last, and only of a segment that was imported.
 [[nodiscard]] std::vector<StatisticsNumber> numbersOf(const SegmentStatistics& statistics);
 
-/// RFC 4180, UTF-8: a line of names, then one line per segment. Where the source does not state the
-/// spacing, volumes, surfaces, diameters and sphericity are empty, and are not in JSON.
+/// RFC 4180, UTF-8: a line of names, then one line per segment; texts by noFormula(). Where the
+/// source does not state the spacing, volumes, surfaces, diameters and sphericity are empty, and
+/// are not in JSON.
 [[nodiscard]] QByteArray statisticsCsv(
     const std::vector<SegmentStatistics>& all, const Volume& volume);
 

@@ -239,6 +239,17 @@ print(rows[7]['text'], rows[8]['text'], len(rows[4]['pointsLps'].split(';')))
         QCOMPARE(lines[10], QByteArray("15.0 1 38.0"));
         QCOMPARE(lines[11], QByteArray("Here, \"there\" Fissure 3"));
     }
+
+    /// A spreadsheet would take it for one.
+    void aTextIsNoFormula()
+    {
+        const Study on;
+        Measurement measurement = on.measurements().back();
+        measurement.text = QStringLiteral("=1+1");
+        const QByteArray table =
+            measurementsCsv({measuredIn(measurement, on.volume(), on.loaded.codes)}, on.volume());
+        QVERIFY2(table.contains(",\"'=1+1\","), table.constData());
+    }
 };
 
 BURIN_TEST(ExportMeasurementsTest)

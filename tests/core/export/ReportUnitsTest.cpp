@@ -18,6 +18,8 @@
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dctk.h>
 
+#include <utility>
+
 namespace reportUnitsTest {
 
 using namespace core;
@@ -46,11 +48,12 @@ struct Study {
     {
         return folder.filePath(QLatin1String(name));
     }
-    [[nodiscard]] Result<ExportReport> written(ExportFormat format, const char* name) const
+    [[nodiscard]] Result<ExportReport> written(ExportFormat format, const char* name,
+        const QString& called = QStringLiteral("Lesion")) const
     {
         Segment segment;
         segment.label = 1;
-        segment.name = QStringLiteral("Lesion");
+        segment.name = called;
         segment.code = {.scheme = QStringLiteral("SCT"),
             .value = QStringLiteral("52988006"),
             .meaning = QStringLiteral("Lesion")};
@@ -215,6 +218,22 @@ private Q_SLOTS:
             {"volumeMl", "surfaceMm2", "sphericity", "longestDiameterMm", "acrossDiameterMm"}) {
             QVERIFY2(cells.at(names.indexOf(name)).isEmpty(), name);
             QVERIFY2(!entry.contains(QLatin1String(name)), name);
+        }
+    }
+
+    /// A spreadsheet would take them for formulas; the check knows them again.
+    void namesThatBeginLikeFormulas()
+    {
+        const Study on{test::SyntheticSeries()};
+        int count = 0;
+        for (const auto& [name, cell] :
+            {std::pair("=1+1", "'=1+1"), std::pair("-5 mm", "'-5 mm"), std::pair("'=1", "''=1"),
+                std::pair("'quoted", "'quoted"), std::pair("''", "''"), std::pair("a=b", "a=b")}) {
+            const QByteArray file = "n" + QByteArray::number(++count) + ".csv";
+            const auto table = on.written(ExportFormat::Csv, file.constData(), QLatin1String(name));
+            VERIFY_DONE(table);
+            const QList<QByteArray> lines = test::bytesOf(on.file(file.constData())).split('\n');
+            QCOMPARE(lines.at(1).split(',').at(1), QByteArray(cell));
         }
     }
 };
