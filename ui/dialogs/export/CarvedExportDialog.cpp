@@ -188,9 +188,10 @@ void CarvedExportDialog::showState()
 {
     if (running())
         return;
-    const bool named = !m_target->path().isEmpty();
     m_run->expectStart();
-    m_run->sayMissing(named ? QString() : tr("Name the target."));
+    m_run->sayMissing(m_target->path().isEmpty() ? tr("Name the target.")
+            : m_series->isChecked()              ? m_deidentify->problem()
+                                                 : QString());
 }
 
 void CarvedExportDialog::start()

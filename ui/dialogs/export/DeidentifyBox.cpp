@@ -131,6 +131,13 @@ std::shared_ptr<const core::Deidentifier> DeidentifyBox::deidentifier(
         options, patient, m_linked->isChecked() ? keptSecret() : QByteArray());
 }
 
+QString DeidentifyBox::problem() const
+{
+    const bool shiftsByNone = m_wanted->isChecked() && m_days->value() == 0
+        && m_dates->currentData().toInt() == int(core::DeidentifyOptions::Dates::Shift);
+    return shiftsByNone ? tr("Dates are shifted by whole days, not by none.") : QString();
+}
+
 void DeidentifyBox::showChoice()
 {
     m_details->setVisible(m_wanted->isChecked());

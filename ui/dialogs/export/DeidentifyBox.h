@@ -25,6 +25,8 @@ public:
     /// The chosen de-identification; null if the patient stays named.
     [[nodiscard]] std::shared_ptr<const core::Deidentifier> deidentifier(
         const core::StudyIdentity& patient) const;
+    /// What is wrong with the choice, as a sentence; empty: nothing.
+    [[nodiscard]] QString problem() const;
     /// For the export of a session: always removes the patient, and offers only what applies to a
     /// session.
     void askForSession();

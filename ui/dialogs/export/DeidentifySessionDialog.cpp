@@ -87,9 +87,8 @@ void DeidentifySessionDialog::showState()
 {
     if (running())
         return;
-    const bool named = !m_target->path().isEmpty();
     m_run->expectStart();
-    m_run->sayMissing(named ? QString() : tr("Name the file."));
+    m_run->sayMissing(m_target->path().isEmpty() ? tr("Name the file.") : m_options->problem());
 }
 
 void DeidentifySessionDialog::start()

@@ -223,6 +223,8 @@ void ExportDialog::showState()
                       .arg(uncoded[0]);
     else if (m_target->path().isEmpty())
         problem = tr("Name the file.");
+    else
+        problem = m_options->problem();
     m_run->sayMissing(problem);
 }
 

@@ -117,6 +117,11 @@ void ExportOptions::putInto(core::ExportRequest& request) const
         request.deidentifier = m_deidentify->deidentifier(volume->identity);
 }
 
+QString ExportOptions::problem() const
+{
+    return m_deidentify->problem();
+}
+
 void ExportOptions::fillFormats()
 {
     const core::Volume* volume = m_workspace.volume();

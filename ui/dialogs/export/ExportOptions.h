@@ -28,6 +28,8 @@ public:
     [[nodiscard]] const core::ExportFormatFacts& facts() const { return core::factsOf(format()); }
     /// Writes format, coordinate system, settings and de-identification into the request.
     void putInto(core::ExportRequest& request) const;
+    /// What is wrong with them, as a sentence; empty: nothing.
+    [[nodiscard]] QString problem() const;
 
 Q_SIGNALS:
     void formatChanged();

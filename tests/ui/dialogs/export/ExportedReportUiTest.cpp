@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/dialogs/export/ExportDialog.h"
 
+#include "core/dicom/deidentify/Deidentifier.h"
 #include "core/edits/kinds/segments/AddSegment.h"
 #include "tests/reference/ReferenceEngine.h"
 #include "tests/support/fixtures/ApplicationFixture.h"
@@ -21,6 +22,7 @@
 #include <QMessageBox>
 #include <QSettings>
 #include <QSignalSpy>
+#include <QSpinBox>
 #include <QTemporaryDir>
 #include <QTimer>
 #include <QtTest>
@@ -171,6 +173,27 @@ private Q_SLOTS:
         QVERIFY2(!file->text().contains(text("Doe")), qPrintable(file->text()));
         deidentify->click();
         QVERIFY2(file->text().endsWith(text("Mrs Doe.dcm")), qPrintable(file->text()));
+    }
+
+    /// The file would say that its dates were changed, and have the true ones.
+    void datesAreNotShiftedByNone()
+    {
+        const ReportFixture fixture;
+        fixture.button("deidentify").click();
+        auto* dates = fixture.dialog->findChild<QComboBox*>(text("deidentifyDates"));
+        auto* days = fixture.dialog->findChild<QSpinBox*>(text("deidentifyDays"));
+        QVERIFY(fixture.button("exportStart").isEnabled());
+        days->setValue(0);
+        QVERIFY(fixture.button("exportStart").isEnabled()); // they are removed
+        dates->setCurrentIndex(dates->findData(int(core::DeidentifyOptions::Dates::Shift)));
+        QVERIFY(!fixture.button("exportStart").isEnabled());
+        const auto* state = fixture.dialog->findChild<QLabel*>(text("exportState"));
+        QVERIFY2(state->text().contains(text("whole days")), qPrintable(state->text()));
+        days->setValue(-3);
+        QVERIFY(fixture.button("exportStart").isEnabled());
+        fixture.button("deidentify").click();
+        days->setValue(0);
+        QVERIFY(fixture.button("exportStart").isEnabled());
     }
 
 private:
