@@ -14,6 +14,7 @@
 #include <QUuid>
 
 #include <algorithm>
+#include <cstdio>
 #include <map>
 #include <optional>
 
@@ -64,13 +65,20 @@ private:
         request.space = target.space;
         request.seg = target.seg;
         request.deidentifier = deidentifier(target);
+        QStringList hidden;
         for (const core::ExportChoice& choice : core::exportChoices(document(), {})) {
             if (choice.chosen)
                 request.segments.push_back(choice.segment);
+            else if (choice.segment.voxels > 0)
+                hidden += choice.segment.name;
         }
         if (request.segments.empty())
             return core::failure(core::ErrorCode::NothingToExport, target.file,
                 QStringLiteral("no segment that is shown has a voxel"));
+        // A session goes on as the window left it, where nobody may have thought of files.
+        if (!hidden.isEmpty())
+            std::fprintf(stderr, "%s: left out, as the session hides them: %s\n",
+                qUtf8Printable(target.file), qUtf8Printable(hidden.join(QStringLiteral(", "))));
         if (const Result<void> coded = addCodes(request, target); !coded)
             return tl::unexpected(coded.error());
         if (core::factsOf(target.format).isStatistics) {

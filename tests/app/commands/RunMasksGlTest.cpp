@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/masks/MaskOnVolume.h"
 #include "core/nrrd/NrrdWriter.h"
+#include "core/sessionfile/SessionFile.h"
 #include "core/study/StudyLoader.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/fixtures/CommandFixture.h"
@@ -70,6 +71,34 @@ private Q_SLOTS:
         QVERIFY2(outcome.complaint.contains(key("coded.seg.nrrd: "))
                 && outcome.complaint.contains(key("'Nobody'")),
             qPrintable(outcome.complaint));
+    }
+
+    /// A mask that lacks one of a session's segments is not written without a word.
+    void whatIsHiddenIsLeftOutAndTold()
+    {
+        const QString made = recipe("made.json",
+            {{key("edits"),
+                toJson({test::addSegment("Bone"), test::addSegment("Brain"),
+                    test::thresholdOf(1, 900.0, 1100.0), test::thresholdOf(2, 0.0, 100.0)})}});
+        QCOMPARE(run(made, "a.burin").status, 0);
+        {
+            const auto file = SessionFile::open(path("a.burin"), SessionFile::Access::ReadWrite);
+            QVERIFY(file);
+            (*file)->setHiddenSegments({1});
+            QVERIFY((*file)->flush());
+        }
+        const Outcome outcome = burin({key("run"),
+            recipe("export.json",
+                {{key("edits"), QJsonArray()},
+                    {key("export"), QJsonArray{exportTo("nifti", "out.nii.gz")}}}),
+            key("--session"), path("a.burin"), key("--append")});
+        QVERIFY2(outcome.status == 0, qPrintable(outcome.complaint));
+        QVERIFY2(outcome.complaint.contains(
+                     key("out.nii.gz: left out, as the session hides them: Bone")),
+            qPrintable(outcome.complaint));
+        const QString written = outcome.lines.last()[key("written")].toString();
+        QVERIFY2(written.contains(key("2 Brain")) && !written.contains(key("Bone")),
+            qPrintable(written));
     }
 
     /// Names are not unique: none of those that have it is left without.
