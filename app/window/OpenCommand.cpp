@@ -77,6 +77,9 @@ QString parse(const Arguments& arguments, OpenArguments& parsed)
     if (isSession && !(parsed.series.isEmpty() && repair.isEmpty() && spacing.isEmpty()))
         return QObject::tr(
             "--series, --repair and --spacing are for studies; a session knows its own");
+    if (parsed.path.isEmpty()
+        && !(parsed.series.isEmpty() && repair.isEmpty() && spacing.isEmpty()))
+        return QObject::tr("--series, --repair and --spacing are for a study; name its path");
     core::Clause wrong;
     if (!spacing.isEmpty() && !core::spacingWord(spacing, &wrong))
         return QObject::tr("--spacing: %1").arg(wrong);

@@ -85,6 +85,11 @@ void OpenCommandUiTest::saysWhatIsWrong_data()
     row("size missing", {QStringLiteral("--size")}, 2, "--size needs a value");
     row("picture of another kind", {QStringLiteral("--screenshot"), QStringLiteral("a.jpg")}, 2,
         "--screenshot: the name of a picture of the window ends in .png");
+    row("series of nothing", {QStringLiteral("--series"), QStringLiteral("1.2.3")}, 2,
+        "--series, --repair and --spacing are for a study");
+    row("repair of the demonstration",
+        {QStringLiteral("--demo"), QStringLiteral("--repair"), QStringLiteral("tilt")}, 2,
+        "--series, --repair and --spacing are for a study");
     row("unknown option", {QStringLiteral("--shiny")}, 2, "unknown option --shiny");
     row("two paths", {QStringLiteral("a"), QStringLiteral("b")}, 2, "one path at a time: b");
 }
