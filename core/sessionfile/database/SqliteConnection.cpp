@@ -57,25 +57,9 @@ bool hardenHandle(sqlite3* handle)
     return true;
 }
 
-/// errno of the file for which bringing something to the disk failed; 0: unknown. SQLite keeps it
-/// with the file, of which there are two.
-int refusedSync(sqlite3* handle)
-{
-    int error = 0;
-    sqlite3_file* beside = nullptr;
-    if (!handle)
-        return error;
-    sqlite3_file_control(handle, "main", SQLITE_FCNTL_JOURNAL_POINTER, &beside);
-    if (beside && beside->pMethods && beside->pMethods->xFileControl)
-        beside->pMethods->xFileControl(beside, SQLITE_FCNTL_LAST_ERRNO, &error);
-    if (error == 0)
-        sqlite3_file_control(handle, "main", SQLITE_FCNTL_LAST_ERRNO, &error);
-    return error;
-}
-
 /// In the system's words if it is the system that refused something: SQLite only says "disk I/O
 /// error" if a quota is used up.
-QString reasonOf(const QSqlDatabase& database, const QSqlError& error)
+QString reasonOf(const QSqlError& error)
 {
     const int code = error.nativeErrorCode().toInt();
     const int kind = code & 0xFF;
@@ -83,9 +67,7 @@ QString reasonOf(const QSqlDatabase& database, const QSqlError& error)
     const bool isOfReading = code == SQLITE_IOERR_READ || code == SQLITE_IOERR_SHORT_READ;
     const bool isOfSystem =
         (kind == SQLITE_IOERR && !isOfReading) || kind == SQLITE_FULL || kind == SQLITE_CANTOPEN;
-    int refused = isOfSystem ? lastRefusedWrite() : 0;
-    if (code == SQLITE_IOERR_FSYNC)
-        refused = refusedSync(sqliteOf(database));
+    const int refused = isOfSystem ? lastRefusedWrite() : 0;
     return refused != 0 ? systemReason(refused) : error.databaseText();
 }
 
@@ -119,7 +101,7 @@ bool SqliteConnection::open(const QString& name, const QString& options, const Q
     forgetRefusedWrites();
     if (database.open())
         return true;
-    m_failure.reason = reasonOf(database, database.lastError());
+    m_failure.reason = reasonOf(database.lastError());
     return false;
 }
 
@@ -202,9 +184,8 @@ bool SqliteConnection::query(const QString& sql, const QVariantList& values,
     }
     // A failure while stepping through an answer ends next() like the last row does.
     if (statement.lastError().isValid()) {
-        m_failure.reason = m_explanation.isEmpty()
-            ? Clause(reasonOf(database, statement.lastError()))
-            : m_explanation;
+        m_failure.reason =
+            m_explanation.isEmpty() ? Clause(reasonOf(statement.lastError())) : m_explanation;
         m_failure.code = statement.lastError().nativeErrorCode();
         // What follows from it must not be taken for what the file says.
         if ((m_failure.code.toInt() & 0xFF) == 7) // SQLITE_NOMEM

@@ -73,6 +73,9 @@ private Q_SLOTS:
         QTest::newRow("no room on the disk") << QByteArray("open") << ENOSPC << 2;
         QTest::newRow("no room for this user") << QByteArray("open") << EDQUOT << 2;
         QTest::newRow("no room for this user's session") << QByteArray("write") << EDQUOT << 2;
+        QTest::newRow("no room, told when it is brought to the disk")
+            << QByteArray("sync") << ENOSPC << 2;
+        QTest::newRow("a defective disk") << QByteArray("sync") << EIO << 1;
         QTest::newRow("no permission") << QByteArray("open") << EACCES << 1;
     }
     void whatMayPassIsTriedAgain()
