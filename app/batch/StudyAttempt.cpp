@@ -19,7 +19,6 @@
 #include <QRegularExpression>
 
 #include <cerrno>
-#include <cstdio>
 #include <utility>
 
 namespace app {
@@ -312,20 +311,8 @@ Result<void> StudyAttempt::placeOne(
         return fits;
     if (!QFileInfo(from).isDir())
         return core::StagedFile::adopt(from, target).commit();
-    // A folder takes the place of none: the one of an earlier attempt is moved out of the way.
-    const QString old = QDir(hidden(place)).filePath(QStringLiteral("old-") + name);
-    const bool replaces = isLinkOrThere(target);
-    const auto moved = [](const QString& before, const QString& after) {
-        return ::rename(QFile::encodeName(before).constData(), QFile::encodeName(after).constData())
-            == 0;
-    };
-    if (replaces && !moved(target, old))
-        return failure(ErrorCode::FileUnwritable, target,
-            QStringLiteral("it cannot be moved away: %1").arg(core::systemReason(errno)));
-    const Result<void> placed = core::StagedFolder::adopt(from, target).commit();
-    if (!placed && replaces)
-        moved(old, target);
-    return placed;
+    // What an earlier attempt made has its name until this one has it.
+    return core::StagedFolder::adopt(from, target, isLinkOrThere(target)).commit();
 }
 
 void StudyAttempt::concludeIn(QJsonObject& record) const

@@ -24,6 +24,9 @@ namespace {
 
 using core::Result;
 
+/// In a record: what lies there was done by an earlier job, and this one has not replaced it.
+const auto keepsDoneField = QStringLiteral("keepsResults");
+
 QString now()
 {
     return QDateTime::currentDateTimeUtc().toString(Qt::ISODateWithMs);
@@ -95,6 +98,7 @@ Result<void> StudyJob::begin()
 {
     const QJsonObject earlier = StudyResults::record(m_task.folder);
     const bool wasDone = earlier.value(QStringLiteral("state")).toString() == QLatin1String("done");
+    m_keepsDone = wasDone || earlier.value(keepsDoneField).toBool();
     const int starts = earlier.value(QStringLiteral("starts")).toInt();
     // A record of an earlier version does not tell how many attempts one start made.
     m_attemptsBefore = wasDone ? 0 : earlier.value(QStringLiteral("attemptsInAll")).toInt(starts);
@@ -116,6 +120,8 @@ Result<void> StudyJob::begin()
         {QStringLiteral("starts"), starts + 1},
         {QStringLiteral("attemptsInAll"), m_attemptsBefore},
     };
+    if (m_keepsDone)
+        m_record[keepsDoneField] = true;
     if (const Result<void> removed = m_attempt.removeLeft(); !removed)
         return removed;
     m_attempt.noteIn(m_record);
@@ -231,19 +237,21 @@ void StudyJob::readOutput()
     }
 }
 
-/// Also of a run that failed: what it has finished is whole. One that crashed has closed nothing.
+/// Also of a run that failed: what it has finished is whole. But it does not replace what was done.
+/// One that crashed has closed nothing.
 void StudyJob::takeResults()
 {
     const bool crashed = m_record.contains(QStringLiteral("signal"));
+    const bool takes = !crashed && (m_succeeded || !m_keepsDone);
     Result<void> taken;
-    if (!crashed)
+    if (takes)
         taken = m_attempt.survey();
-    if (!crashed && taken) {
+    if (takes && taken) {
         // Before anything gets its name it is on record whose it is.
         m_attempt.noteIn(m_record);
         taken = writeRecord();
     }
-    if (!crashed && taken)
+    if (takes && taken)
         taken = m_attempt.place();
     if (taken) {
         m_attempt.concludeIn(m_record);
@@ -251,6 +259,10 @@ void StudyJob::takeResults()
         m_succeeded = false;
         m_failure = ui::errorText(taken.error());
     }
+    if (m_succeeded)
+        m_record.remove(keepsDoneField);
+    else if (!takes && m_keepsDone)
+        m_failure += QStringLiteral("; what was done before stays as it is");
     m_attempt.discard();
     m_record.remove(QStringLiteral("attempt"));
 }

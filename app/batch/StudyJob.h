@@ -71,6 +71,8 @@ private:
     bool m_stopped = false;
     bool m_mayBeTransient = false;
     bool m_succeeded = false;
+    /// Results of a study that was done lie there, which stay until it is done anew.
+    bool m_keepsDone = false;
     QString m_failure;
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/base/files/StagedFolder.h"
 
+#include "core/base/files/StagedError.h"
 #include "core/base/files/StagedFile.h"
 #include "core/base/files/SystemFile.h"
 
@@ -20,6 +21,15 @@
 
 namespace core {
 
+namespace {
+
+QString hiddenNameBeside(const QString& target)
+{
+    return temporaryNameBeside(QFileInfo(target).absoluteDir().filePath(QStringLiteral("folder")));
+}
+
+} // namespace
+
 Result<StagedFolder> StagedFolder::create(const QString& target)
 {
     StagedFolder staged;
@@ -32,24 +42,26 @@ Result<StagedFolder> StagedFolder::create(const QString& target)
         if (const Result<void> fits = checkFileTarget(staged.m_target, false); !fits)
             return tl::unexpected(fits.error());
     }
-    const QString path = temporaryNameBeside(info.absoluteDir().filePath(QStringLiteral("folder")));
+    const QString path = hiddenNameBeside(staged.m_target);
     if (::mkdir(QFile::encodeName(path).constData(), 0777) != 0)
         return failure(ErrorCode::FileUnwritable, target, systemReason(errno));
     staged.m_path = path;
     return staged;
 }
 
-StagedFolder StagedFolder::adopt(const QString& path, const QString& target)
+StagedFolder StagedFolder::adopt(const QString& path, const QString& target, bool replaceExisting)
 {
     StagedFolder staged;
     staged.m_target = QDir::cleanPath(QFileInfo(target).absoluteFilePath());
     staged.m_path = path;
+    staged.m_replaceExisting = replaceExisting;
     return staged;
 }
 
 StagedFolder::StagedFolder(StagedFolder&& other) noexcept
     : m_target(std::move(other.m_target))
     , m_path(std::exchange(other.m_path, QString()))
+    , m_replaceExisting(other.m_replaceExisting)
 {
 }
 
@@ -57,6 +69,7 @@ StagedFolder& StagedFolder::operator=(StagedFolder&& other) noexcept
 {
     std::swap(m_target, other.m_target);
     std::swap(m_path, other.m_path);
+    std::swap(m_replaceExisting, other.m_replaceExisting);
     return *this;
 }
 
@@ -73,17 +86,50 @@ Result<void> StagedFolder::commit()
         if (!syncToDisk(files.next()))
             return failure(ErrorCode::FileUnwritable, m_target, systemReason(errno));
     }
-    // An empty folder of that name gives way; one that has been filled meanwhile does not.
-    if (std::rename(QFile::encodeName(m_path).constData(), QFile::encodeName(m_target).constData())
-        != 0) {
-        if (errno == EEXIST || errno == ENOTEMPTY || errno == ENOTDIR)
-            return failure(ErrorCode::FileExists, m_target);
-        return failure(ErrorCode::FileUnwritable, m_target, systemReason(errno));
+    if (m_replaceExisting && QFileInfo::exists(m_target)) {
+        if (const Result<void> exchanged = exchange(); !exchanged)
+            return exchanged;
+    } else {
+        // An empty folder of that name gives way; one that has been filled meanwhile does not.
+        if (std::rename(
+                QFile::encodeName(m_path).constData(), QFile::encodeName(m_target).constData())
+            != 0) {
+            if (errno == EEXIST || errno == ENOTEMPTY || errno == ENOTDIR)
+                return failure(ErrorCode::FileExists, m_target);
+            return failure(ErrorCode::FileUnwritable, m_target, systemReason(errno));
+        }
+        m_path.clear();
     }
-    m_path.clear();
     // The folder is in place; one above it that cannot be synchronised is no error.
     syncToDisk(QFileInfo(m_target).absolutePath());
     return {};
+}
+
+/// The new folder takes the name and the old one the hidden name, at once where the file system can
+/// do that.
+Result<void> StagedFolder::exchange()
+{
+    const QByteArray from = QFile::encodeName(m_path);
+    const QByteArray to = QFile::encodeName(m_target);
+    if (::renameat2(AT_FDCWD, from.constData(), AT_FDCWD, to.constData(), RENAME_EXCHANGE) == 0)
+        return {};
+    int error = errno;
+    const QString aside = hiddenNameBeside(m_target);
+    const QByteArray old = QFile::encodeName(aside);
+    const bool isUnknown = error == EINVAL || error == ENOSYS;
+    if (isUnknown && std::rename(to.constData(), old.constData()) != 0) {
+        error = errno;
+    } else if (isUnknown) {
+        if (std::rename(from.constData(), to.constData()) == 0) {
+            m_path = aside;
+            return {};
+        }
+        error = errno;
+        if (std::rename(old.constData(), to.constData()) != 0)
+            return failure(ErrorCode::FileUnwritable, m_target,
+                leftElsewhere(systemReason(error), m_target, aside));
+    }
+    return failure(ErrorCode::FileUnwritable, m_target, systemReason(error));
 }
 
 } // namespace core

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/fixtures/CommandFixture.h"
+#include "tests/support/program/FileBytes.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/PlainEdits.h"
 #include "tests/support/scenes/SmallStudy.h"
@@ -36,6 +37,7 @@ private Q_SLOTS:
     void init();
     void anotherSeriesIsDoneOnlyByForce();
     void otherOptionsLikewise();
+    void whatWasDoneStaysUntilItIsDoneAnew();
     void resultsAmongTheStudiesAreNone();
 };
 
@@ -144,6 +146,47 @@ void BatchOtherGlTest::otherOptionsLikewise()
     QCOMPARE(back.status, 1);
     QVERIFY2(
         back.complaint.contains(key("other options (--with-images)")), qPrintable(back.complaint));
+}
+
+/// A recipe that fails leaves what another one made, however often it is tried.
+void BatchOtherGlTest::whatWasDoneStaysUntilItIsDoneAnew()
+{
+    const auto ask = [this](const QJsonArray& edits) {
+        const QJsonArray exports{
+            QJsonObject{{key("format"), key("csv")}, {key("file"), key("part.csv")}}};
+        static_cast<void>(recipe("batch.json", {{key("edits"), edits}, {key("export"), exports}}));
+    };
+    QVERIFY(batch("2.25.11").status == 0);
+    const QString session = path("out/one/") + record()[key("session")].toString();
+    const QByteArray steps = test::bytesOf(session);
+    const QByteArray numbers = test::bytesOf(path("out/one/part.csv"));
+    QVERIFY(!steps.isEmpty() && !numbers.isEmpty());
+    // It fails at its second edit.
+    QJsonArray failing = test::toJson({test::addSegment("Other")});
+    failing.append(QJsonObject{{key("edit"), key("revert")}, {key("rows"), QJsonArray{99}}});
+    ask(failing);
+    for (const QStringList& more : {QStringList{key("--force")}, QStringList()}) {
+        const Outcome failed = batch("2.25.11", more);
+        QCOMPARE(failed.status, 1);
+        QCOMPARE(record()[key("state")].toString(), key("failed"));
+        QVERIFY2(failed.complaint.contains(key("what was done before stays as it is")),
+            qPrintable(failed.complaint));
+        QVERIFY(test::bytesOf(session) == steps);
+        QCOMPARE(test::bytesOf(path("out/one/part.csv")), numbers);
+    }
+    ask(test::toJson({test::addSegment("Other"), test::paintAt(1, {{4, 4, 55}}, 5.0)}));
+    const Outcome done = batch("2.25.11");
+    QVERIFY2(done.status == 0, qPrintable(done.complaint));
+    QCOMPARE(record()[key("state")].toString(), key("done"));
+    QVERIFY(test::bytesOf(session) != steps);
+    QVERIFY(test::bytesOf(path("out/one/part.csv")) != numbers);
+    QVERIFY(!record().contains(key("keepsResults")) && !record().contains(key("made")));
+
+    // What a study that was never done has finished when it fails is there.
+    QVERIFY(QDir(path("out")).removeRecursively());
+    ask(failing);
+    QCOMPARE(batch("2.25.11").status, 1);
+    QVERIFY(QFile::exists(session));
 }
 
 void BatchOtherGlTest::resultsAmongTheStudiesAreNone()

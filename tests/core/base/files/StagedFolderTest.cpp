@@ -63,6 +63,32 @@ private Q_SLOTS:
         QCOMPARE(names(), QStringList());
     }
 
+    void whatIsReplacedKeepsItsNameUntilThen()
+    {
+        QVERIFY(QDir().mkpath(path("a")) && QDir().mkpath(path("b")));
+        write(path("a/old"));
+        write(path("b/new"));
+        {
+            auto nothing = StagedFolder::adopt(path("nowhere"), path("a"), true);
+            const auto placed = nothing.commit();
+            QVERIFY(!placed);
+            QCOMPARE(placed.error().code, ErrorCode::FileUnwritable);
+        }
+        QVERIFY(QFile::exists(path("a/old")));
+        {
+            auto staged = StagedFolder::adopt(path("b"), path("a"), true);
+            QVERIFY(staged.commit());
+            QVERIFY(QFile::exists(path("a/new")));
+        }
+        QCOMPARE(names(), QStringList{QStringLiteral("a")});
+        QCOMPARE(QDir(path("a")).entryList(QDir::Files), QStringList{QStringLiteral("new")});
+        // Where nothing is to be replaced it takes a free name, as any other.
+        QVERIFY(QDir().mkpath(path("c")));
+        write(path("c/new"));
+        QVERIFY(StagedFolder::adopt(path("c"), path("d"), true).commit());
+        QVERIFY(QFile::exists(path("d/new")));
+    }
+
     void onlyAnEmptyFolderGivesWay()
     {
         QVERIFY(QDir().mkpath(path("empty")) && QDir().mkpath(path("full")));
