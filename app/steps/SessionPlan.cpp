@@ -15,7 +15,6 @@
 #include <QStorageInfo>
 
 #include <cerrno>
-#include <cstdio>
 
 namespace app {
 
@@ -145,24 +144,18 @@ core::Result<SessionPlan> aroundDamage(const QString& file, const core::SessionC
 // Not by QFile::rename(), which copies where it must not.
 core::Result<void> renameSession(const QString& from, const QString& to)
 {
-    const auto renames = [](const QString& before, const QString& after) {
-        return std::rename(
-                   QFile::encodeName(before).constData(), QFile::encodeName(after).constData())
-            == 0;
-    };
     QStringList renamed;
     for (const char* suffix : {"-wal", "-shm", "-journal", ""}) {
         const QLatin1String part(suffix);
         if (!QFileInfo::exists(from + part))
             continue;
-        if (!QFileInfo::exists(to + part) && renames(from + part, to + part)) {
+        if (core::renameToFreeName(from + part, to + part)) {
             renamed += part;
             continue;
         }
-        const int failed = errno;
-        const int error = QFileInfo::exists(to + part) ? EEXIST : failed;
+        const int error = errno;
         for (const QString& each : renamed)
-            renames(to + each, from + each);
+            static_cast<void>(core::renameToFreeName(to + each, from + each));
         return core::failure(core::ErrorCode::FileUnwritable, from,
             QStringLiteral("it cannot be renamed to '%1': %2")
                 .arg(QFileInfo(to).fileName(), core::systemReason(error)));

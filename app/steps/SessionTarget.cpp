@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/steps/SessionTarget.h"
 
+#include "app/steps/SessionPlan.h"
 #include "core/base/files/ReadableFile.h"
 #include "core/base/files/StagedFile.h"
 #include "core/sessionfile/SessionFile.h"
@@ -8,7 +9,6 @@
 #include "core/sessionfile/database/SessionUse.h"
 
 #include <QDir>
-#include <QFile>
 #include <QFileInfo>
 
 #include <cstdio>
@@ -68,16 +68,8 @@ core::Error ofTarget(core::Error error, const QString& place, const QString& fil
 void keepUnfinished(const QString& place, const QString& file)
 {
     const QString kept = nameForUnfinished(file);
-    const auto move = [](const QString& from, const QString& to) {
-        return !QFileInfo::exists(from) || QFile::rename(from, to);
-    };
     // What could not be folded back goes with it, and stays with it.
-    const QString wal = QStringLiteral("-wal");
-    bool named = move(place + wal, kept + wal);
-    if (named && !QFile::rename(place, kept)) {
-        static_cast<void>(move(kept + wal, place + wal));
-        named = false;
-    }
+    const bool named = QFileInfo::exists(place) && renameSession(place, kept);
     std::fprintf(stderr, "%s: stays as it was; what was done is in %s\n", qUtf8Printable(file),
         qUtf8Printable(named ? kept : place));
 }

@@ -49,6 +49,7 @@ std::shared_ptr<SessionOpening> SessionOpening::make(
         ? openPlanned(engine.edits(), std::move(loaded), *opening->plan, wish.wakeUp)
         : core::EditSession::create(engine.edits(), std::move(loaded),
             {.file = wish.file, .beginWithoutFile = true, .wakeUp = wish.wakeUp});
+    opening->opened = core::FollowedFile(opening->file);
     return opening;
 }
 
@@ -58,7 +59,8 @@ SessionOpening::~SessionOpening()
         return;
     const bool madeForIt = plan ? plan->isNew : !(*session)->storage().whyNoFile();
     session->reset();
-    if (madeForIt)
+    // It may have waited for a dialog, and another program may have put another file in its place.
+    if (madeForIt && opened.isAt(file))
         core::removeSession(file);
 }
 

@@ -3,6 +3,7 @@
 
 #include "app/steps/SessionPlan.h"
 #include "core/base/Result.h"
+#include "core/base/files/FollowedFile.h"
 #include "core/session/EditSession.h"
 
 #include <QString>
@@ -48,6 +49,7 @@ struct SessionOpening {
     /// EditSession::create() and GpuEngine::renew().
     core::Result<std::unique_ptr<core::EditSession>> session = nullptr;
     QString file; ///< of the session
+    core::FollowedFile opened; ///< that file
     /// Contents of the existing file; null if there was none.
     std::shared_ptr<const core::SessionContents> contents;
     std::optional<SessionPlan> plan; ///< the plan for the existing file; none if there was none

@@ -12,9 +12,7 @@
 
 namespace core {
 
-namespace {
-
-QDateTime lastChange(const QString& path)
+QDateTime sessionChangedAt(const QString& path)
 {
     const QFileInfo file(path);
     const QFileInfo beside(path + QStringLiteral("-wal"));
@@ -22,13 +20,11 @@ QDateTime lastChange(const QString& path)
     return beside.exists() ? std::max(time, beside.lastModified()) : time;
 }
 
-} // namespace
-
 Result<SessionPreview> previewSession(const QString& path)
 {
     SessionPreview preview;
     preview.file = path;
-    preview.lastChange = lastChange(path);
+    preview.lastChange = sessionChangedAt(path);
     if (!preview.lastChange.isValid())
         return failure(ErrorCode::FileNotFound, path);
     if (isSessionInUse(path)) {

@@ -27,6 +27,9 @@ struct SessionPreview {
     QByteArray thumbnail; ///< PNG: its newest keyframe; empty if it has none
 };
 
+/// When it was written last, with what SQLite keeps beside it; invalid: it is not there.
+[[nodiscard]] QDateTime sessionChangedAt(const QString& path);
+
 /// Reads it. No row is read and no chain checked; neither the file nor its folder is changed. Any
 /// thread.
 /// Cost: a few pages of a closed file; a copy of one that is Unfinished.

@@ -226,8 +226,10 @@ void SessionOffers::discard(const core::SessionPreview& preview)
     box.exec();
     if (box.clickedButton() != lose)
         return;
-    // Another window may have gone on with it while the question stood there.
-    if (!core::isSessionInUse(preview.file))
+    // Another window may have gone on with it since it was listed: what it holds now was not asked
+    // about.
+    if (!core::isSessionInUse(preview.file)
+        && core::sessionChangedAt(preview.file) == preview.lastChange)
         core::removeSession(preview.file);
     showFolder(m_folder);
 }

@@ -74,7 +74,9 @@ std::vector<FolderCache::Entry> FolderCache::entries() const
 {
     std::vector<Entry> all;
     const QDir folder(m_folder);
-    for (const QString& name : folder.entryList(QDir::Dirs | QDir::NoDotAndDotDot)) {
+    // What a link leads to is not the cache's, and may be anybody's.
+    for (const QString& name :
+        folder.entryList(QDir::Dirs | QDir::NoSymLinks | QDir::NoDotAndDotDot)) {
         const QString path = folder.filePath(name);
         const QFileInfo used(usedFile(path));
         all.push_back({.path = path,
@@ -141,8 +143,8 @@ int FolderCache::shrinkTo(qint64 limit) const
     constexpr int patienceDays = 1;
     const QDir folder(m_folder);
     const QDateTime old = QDateTime::currentDateTimeUtc().addDays(-patienceDays);
-    for (const QFileInfo& info :
-        folder.entryInfoList({u'*' + gatheringMark}, QDir::Dirs | QDir::Hidden)) {
+    for (const QFileInfo& info : folder.entryInfoList(
+             {u'*' + gatheringMark}, QDir::Dirs | QDir::Hidden | QDir::NoSymLinks)) {
         if (limit > 0 && info.lastModified() > old)
             continue;
         QLockFile lock(info.filePath() + QStringLiteral(".lock"));

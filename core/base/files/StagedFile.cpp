@@ -109,6 +109,7 @@ StagedFile::StagedFile(StagedFile&& other) noexcept
     , m_before(std::move(other.m_before))
     , m_target(std::move(other.m_target))
     , m_astray(std::move(other.m_astray))
+    , m_made(std::move(other.m_made))
     , m_replaceExisting(other.m_replaceExisting)
     , m_overSession(other.m_overSession)
     , m_isAdopted(other.m_isAdopted)
@@ -122,6 +123,7 @@ StagedFile& StagedFile::operator=(StagedFile&& other) noexcept
     std::swap(m_before, other.m_before);
     std::swap(m_target, other.m_target);
     std::swap(m_astray, other.m_astray);
+    std::swap(m_made, other.m_made);
     std::swap(m_replaceExisting, other.m_replaceExisting);
     std::swap(m_overSession, other.m_overSession);
     std::swap(m_isAdopted, other.m_isAdopted);
@@ -152,6 +154,7 @@ Result<void> StagedFile::commit()
     if (const Result<void> still = checkFileTarget(m_target, m_replaceExisting, m_overSession);
         !still)
         return still;
+    m_made = FollowedFile(m_path);
     // Nothing may be thrown once it has its name.
     const QByteArray from = QFile::encodeName(m_path);
     const QByteArray to = QFile::encodeName(m_target);
@@ -164,7 +167,7 @@ Result<void> StagedFile::commit()
                 m_astray.isEmpty() ? Clause(why) : leftElsewhere(why, m_target, m_astray));
         }
     } else {
-        if (!takeFreeName(from, to))
+        if (!renameToFreeName(from, to))
             return errno == EEXIST
                 ? failure(ErrorCode::FileExists, m_target)
                 : failure(ErrorCode::FileUnwritable, m_target, systemReason(errno));
@@ -203,26 +206,6 @@ bool StagedFile::exchange(const QByteArray& from, const QByteArray& to)
     return true;
 }
 
-/// The new file gets the name if it is free.
-bool StagedFile::takeFreeName(const QByteArray& from, const QByteArray& to)
-{
-    if (::renameat2(AT_FDCWD, from.constData(), AT_FDCWD, to.constData(), RENAME_NOREPLACE) == 0)
-        return true;
-    // Not every file system knows the flag; a second name does not replace anything either.
-    if (errno != EINVAL && errno != ENOSYS)
-        return false;
-    if (::link(from.constData(), to.constData()) == 0) {
-        if (::unlink(from.constData()) == 0)
-            return true;
-        const int error = errno;
-        ::unlink(to.constData());
-        errno = error;
-        return false;
-    }
-    // Nor does every one know second names; there the look just before must do.
-    return errno != EEXIST && std::rename(from.constData(), to.constData()) == 0;
-}
-
 QString StagedFile::takeBack()
 {
     const QByteArray now = QFile::encodeName(m_path);
@@ -231,6 +214,11 @@ QString StagedFile::takeBack()
     const QString folder = QFileInfo(m_target).absolutePath();
     if (!std::exchange(m_committed, false))
         return {};
+    // What another program has put there meanwhile is not ours to take away.
+    if (!m_made.isAt(m_target)) {
+        m_isAdopted = true;
+        return m_path;
+    }
     QString left;
     if (!m_path.isEmpty()) {
         if (!exchange(now, target))

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/Result.h"
+#include "core/base/files/FollowedFile.h"
 
 #include <QString>
 
@@ -51,7 +52,8 @@ public:
     [[nodiscard]] bool isCommitted() const { return m_committed; }
     /// After commit(): undoes it, so that a file that was replaced has its name again and the new
     /// one a temporary name, path(). If the disk does not let that happen, the new file keeps the
-    /// target's name, unless it replaced nothing and is no adopted one: then it is removed.
+    /// target's name, unless it replaced nothing and is no adopted one: then it is removed. What
+    /// another program has put in the place of the new one stays there.
     /// @return the name under which the replaced file is then left; empty: everything is as it was
     /// before commit()
     QString takeBack();
@@ -60,13 +62,13 @@ private:
     StagedFile() = default;
 
     [[nodiscard]] bool exchange(const QByteArray& from, const QByteArray& to);
-    [[nodiscard]] static bool takeFreeName(const QByteArray& from, const QByteArray& to);
 
     QString m_path; ///< empty: nothing to remove
     QString m_before; ///< the temporary name that it had before commit()
     QString m_target;
     /// Where exchange() had to leave what had the target's name; empty: nowhere.
     QString m_astray;
+    FollowedFile m_made; ///< from commit() on: the new file
     bool m_replaceExisting = false;
     bool m_overSession = false;
     bool m_isAdopted = false; ///< there is no other copy of it

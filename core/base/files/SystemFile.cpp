@@ -7,9 +7,11 @@
 
 #include <atomic>
 #include <cerrno>
+#include <cstdio>
 #include <cstring>
 
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 namespace core {
@@ -43,6 +45,37 @@ int syncAllToDisk(const QStringList& paths)
         },
         atOnce);
     return trouble;
+}
+
+bool renameToFreeName(const QByteArray& from, const QByteArray& to)
+{
+    if (::renameat2(AT_FDCWD, from.constData(), AT_FDCWD, to.constData(), RENAME_NOREPLACE) == 0)
+        return true;
+    // Not every file system knows the flag; a second name does not replace anything either.
+    if (errno != EINVAL && errno != ENOSYS)
+        return false;
+    if (::link(from.constData(), to.constData()) == 0) {
+        if (::unlink(from.constData()) == 0)
+            return true;
+        const int error = errno;
+        ::unlink(to.constData());
+        errno = error;
+        return false;
+    }
+    if (errno == EEXIST)
+        return false;
+    // Nor does every one know second names; there it must do to look just before.
+    struct stat there { };
+    if (::lstat(to.constData(), &there) == 0) {
+        errno = EEXIST;
+        return false;
+    }
+    return std::rename(from.constData(), to.constData()) == 0;
+}
+
+bool renameToFreeName(const QString& from, const QString& to)
+{
+    return renameToFreeName(QFile::encodeName(from), QFile::encodeName(to));
 }
 
 } // namespace core

@@ -3,6 +3,7 @@
 
 #include "core/base/files/FollowedFile.h"
 #include "core/base/files/StagedFile.h"
+#include "core/base/files/SystemFile.h"
 
 #include <QDir>
 #include <QFile>
@@ -10,9 +11,7 @@
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
 #include <cstdint>
-#include <cstdio>
 #include <map>
 #include <mutex>
 #include <optional>
@@ -324,15 +323,7 @@ bool moveSessionPart(const FollowedFile& followed, const QString& to)
     const QString now = followed.path();
     if (now.isEmpty() || now == to)
         return !now.isEmpty();
-    const QByteArray from = QFile::encodeName(now);
-    const QByteArray target = QFile::encodeName(to);
-    if (::renameat2(AT_FDCWD, from.constData(), AT_FDCWD, target.constData(), RENAME_NOREPLACE)
-        == 0)
-        return true;
-    // Not every file system knows the flag; there it must do to look just before whether the name
-    // is free.
-    return (errno == EINVAL || errno == ENOSYS) && !QFileInfo::exists(to)
-        && std::rename(from.constData(), target.constData()) == 0;
+    return renameToFreeName(now, to);
 }
 
 bool removeSession(const QString& path)

@@ -6,6 +6,7 @@
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/SmallStudy.h"
 
+#include <QDir>
 #include <QFile>
 #include <QTest>
 
@@ -42,6 +43,7 @@ private Q_SLOTS:
     void aReplayComesToTheSame();
     void endsWithTheReason();
     void aSessionGoesOn();
+    void aSessionWithImagesIsBegunAnew();
 
 private:
     [[nodiscard]] test::Surroundings losing(int nth, int every = 0, bool byStatus = false) const;
@@ -241,6 +243,32 @@ void LostContextGlTest::aSessionGoesOn()
         losing(count / 2));
     QVERIFY2(replaced.status == 0, qPrintable(replaced.complaint));
     QCOMPARE(history("s.burin")[key("commands")].toArray().size(), 1);
+}
+
+/// Its file is there before the volume is on the graphics processor.
+void LostContextGlTest::aSessionWithImagesIsBegunAnew()
+{
+    const QString words = recipe("once.json", {{key("edits"), test::toJson({test::drillAt(1)})}});
+    const auto carriedOut = [&](const test::Surroundings& around) {
+        return test::burin({key("run"), words, key("--study"), study(), key("--session"),
+                               path("i.burin"), key("--with-images")},
+            around);
+    };
+    const Outcome calm = carriedOut(losing(0));
+    QVERIFY2(calm.status == 0, qPrintable(calm.complaint));
+    const QString hash = lastHash("i.burin");
+    const int count = looks();
+    constexpr int parts = 8;
+    for (int part = 0; part < parts; ++part) {
+        QVERIFY(QFile::remove(path("i.burin")));
+        const int first = 1 + part * count / parts;
+        const Outcome outcome = carriedOut(losing(first));
+        QVERIFY2(outcome.status == 0, qPrintable(outcome.complaint));
+        QVERIFY(looks() < first || lost() == 1);
+        QCOMPARE(lastHash("i.burin"), hash);
+        QCOMPARE(QDir(path("")).entryList({key("*burin*")}, QDir::Files | QDir::Hidden),
+            QStringList{key("i.burin")});
+    }
 }
 
 BURIN_TEST(LostContextGlTest)

@@ -25,6 +25,7 @@ private Q_SLOTS:
     void init() { test::failOnUnexpectedMessages(); }
     void pathsTellNobody();
     void longestUnusedGoesFirst();
+    void whatLinksLeadToStays();
     void openOnesStay();
     void deadHoldersDoNotCount();
     void brokenDownloadsGoWithAll();
@@ -94,6 +95,24 @@ void DownloadCacheTest::longestUnusedGoesFirst()
     QCOMPARE(cache.clear(), 1);
     QCOMPARE(cache.bytes(), 0);
     QVERIFY(QDir(folder.path()).isEmpty());
+}
+
+/// A large copy that somebody has moved to another disk, with a link in its place.
+void DownloadCacheTest::whatLinksLeadToStays()
+{
+    const QTemporaryDir folder;
+    const QTemporaryDir other;
+    const core::DownloadCache cache(folder.path());
+    const QString moved = add(cache, "1", 5);
+    const QString there = other.filePath(QStringLiteral("study"));
+    QVERIFY(QDir().rename(moved, there));
+    QVERIFY(QFile::link(there, moved));
+    const QString gathering = folder.filePath(QStringLiteral(".study.burin-download"));
+    QVERIFY(QFile::link(there, gathering));
+    QVERIFY(!add(cache, "2", 3).isEmpty());
+    QCOMPARE(cache.clear(), 1);
+    QCOMPARE(QFileInfo(there + QStringLiteral("/1.dcm")).size(), entryBytes);
+    QVERIFY(QFileInfo(moved).isSymLink() && QFileInfo(gathering).isSymLink());
 }
 
 void DownloadCacheTest::openOnesStay()

@@ -257,6 +257,34 @@ private Q_SLOTS:
             QDir(m_folder->path()).entryList(QDir::Files), QStringList{QStringLiteral("1.burin")});
     }
 
+    /// Another window has gone on with it, and closed it, since it was listed.
+    void whatWentOnMeanwhileIsNotDiscarded()
+    {
+        write("One", 3, 2);
+        ui::SessionOffers offers;
+        QSignalSpy changed(&offers, &ui::SessionOffers::changed);
+        offers.showFolder(m_folder->path());
+        QVERIFY(changed.wait(patience));
+        QFile session(path(QStringLiteral("0.burin")));
+        QVERIFY(session.open(QIODevice::ReadWrite));
+        QVERIFY(
+            session.setFileTime(QDateTime::currentDateTime(), QFileDevice::FileModificationTime));
+        session.close();
+        QString question;
+        answer("Discard", question);
+        buttons(offers, "Discard …").at(0)->click();
+        // It is listed as it is now.
+        QVERIFY(changed.wait(patience));
+        QVERIFY(!question.isEmpty());
+        QCOMPARE(offers.count(), 1);
+        QVERIFY(session.exists());
+        answer("Discard", question);
+        buttons(offers, "Discard …").at(0)->click();
+        QVERIFY(changed.wait(patience));
+        QCOMPARE(offers.count(), 0);
+        QVERIFY(!session.exists());
+    }
+
     void manyUnfoldOnRequest()
     {
         for (int i = 0; i < ui::SessionOffers::shownAtFirst + 2; ++i)

@@ -2,6 +2,7 @@
 #include "core/base/files/StagedFile.h"
 #include "core/base/files/FileInUse.h"
 #include "core/base/files/ReadableFile.h"
+#include "core/base/files/SystemFile.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/program/TestProgram.h"
 
@@ -10,6 +11,8 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <cerrno>
+#include <cstdio>
 #include <optional>
 
 #include <sys/stat.h>
@@ -103,6 +106,49 @@ private Q_SLOTS:
             staged->takeBack();
         }
         QCOMPARE(names(), QStringList{QStringLiteral("a.txt")});
+    }
+
+    /// Another program put something in the place of the new file before it is taken back.
+    void whatTookItsPlaceStays()
+    {
+        write("a.txt", "old");
+        QString left;
+        {
+            auto staged = StagedFile::create(path("a.txt"), true);
+            fill(*staged, "new");
+            QVERIFY(staged->commit());
+            write("theirs.txt", "theirs");
+            QVERIFY(std::rename(qPrintable(path("theirs.txt")), qPrintable(path("a.txt"))) == 0);
+            left = staged->takeBack();
+        }
+        QCOMPARE(read(path("a.txt")), QByteArray("theirs"));
+        // What was replaced is told of, and stays where it is.
+        QCOMPARE(read(left), QByteArray("old"));
+        QVERIFY(QFile::remove(left));
+        {
+            auto staged = StagedFile::create(path("b.txt"), false);
+            fill(*staged, "new");
+            QVERIFY(staged->commit());
+            write("theirs.txt", "theirs");
+            QVERIFY(std::rename(qPrintable(path("theirs.txt")), qPrintable(path("b.txt"))) == 0);
+            QCOMPARE(staged->takeBack(), QString());
+        }
+        QCOMPARE(read(path("b.txt")), QByteArray("theirs"));
+        QCOMPARE(names(), (QStringList{QStringLiteral("a.txt"), QStringLiteral("b.txt")}));
+    }
+
+    void onlyAFreeNameIsTaken()
+    {
+        write("a.txt", "a");
+        write("b.txt", "b");
+        const auto refused = [this](const char* from, const char* to) {
+            return renameToFreeName(path(from), path(to)) ? 0 : errno;
+        };
+        QCOMPARE(refused("a.txt", "b.txt"), EEXIST);
+        QVERIFY(renameToFreeName(path("a.txt"), path("c.txt")));
+        QCOMPARE(read(path("b.txt")), QByteArray("b"));
+        QCOMPARE(read(path("c.txt")), QByteArray("a"));
+        QCOMPARE(refused("a.txt", "d.txt"), ENOENT);
     }
 
     /// There is no other copy of it.
