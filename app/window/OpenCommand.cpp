@@ -8,6 +8,7 @@
 #include "app/window/Application.h"
 #include "app/window/GuardedApplication.h"
 #include "core/base/MemoryReserve.h"
+#include "core/export/ScreenshotExport.h"
 #include "core/repair/SeriesRepair.h"
 #include "core/sessionfile/SessionFile.h"
 #include "core/study/StudyLoader.h"
@@ -206,6 +207,10 @@ int runOpen(const Arguments& arguments)
     if (!parsed.path.isEmpty() && !QFileInfo::exists(parsed.path)) {
         return complain(ui::errorText({core::ErrorCode::FileNotFound, {parsed.path}}), 1);
     }
+    if (!parsed.screenshot.isEmpty()) {
+        if (const auto fits = core::checkPictureTarget(parsed.screenshot); !fits)
+            return complain(ui::errorText(fits.error()), 1);
+    }
     auto application = Application::create();
     if (!application) {
         const QString why = ui::errorText(application.error());
@@ -265,7 +270,7 @@ const Command openCommand{.name = "open",
         std::vector<Option>{{"demo", nullptr, "opens the demonstration study"},
             {"study", "PATH", "where the study of a session is, if not where the session says"},
             {"screenshot", "FILE.png",
-                "saves a picture of the window once it is fully refined, in place of a file of "
+                "saves a picture of the window once it is fully refined, in place of a picture of "
                 "that name, and exits; .dcm makes it a Secondary Capture of the study"},
             {"size", "WxH", "the size of the window in pixels"}}
         + seriesOptions() + spacingOption() + traceOption(),

@@ -5,6 +5,10 @@
 #include "core/export/common/CheckSources.h"
 #include "core/export/common/MaskSelection.h"
 
+#include <QByteArrayView>
+#include <QFile>
+#include <QFileInfo>
+
 #include <algorithm>
 
 namespace core {
@@ -82,6 +86,26 @@ Result<ExportReport> exportScreenshot(
     if (auto done = staged->commit(); !done)
         return tl::unexpected(done.error());
     return report;
+}
+
+Result<void> checkPictureTarget(const QString& file)
+{
+    constexpr QByteArrayView pngSignature("\x89PNG\r\n\x1a\n");
+    if (const Result<void> target = checkFileTarget(file, true); !target)
+        return target;
+    if (QFileInfo(file).size() == 0)
+        return {};
+    if (file.endsWith(QLatin1String(".dcm"), Qt::CaseInsensitive)) {
+        if (!readSecondaryCapture(file))
+            return failure(ErrorCode::FileUnwritable, file,
+                Clause::saying("it is no Secondary Capture, and nothing else is replaced by one"));
+        return {};
+    }
+    QFile there(file);
+    if (!there.open(QIODevice::ReadOnly) || there.read(pngSignature.size()) != pngSignature)
+        return failure(ErrorCode::FileUnwritable, file,
+            Clause::saying("it is no PNG picture, and nothing else is replaced by one"));
+    return {};
 }
 
 } // namespace core

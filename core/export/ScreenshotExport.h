@@ -21,4 +21,9 @@ struct ScreenshotRequest {
 [[nodiscard]] Result<ExportReport> exportScreenshot(
     const Volume& volume, const ScreenshotRequest& request, const Progress& progress);
 
+/// Checks that a picture may take the place of what has that name: of nothing, or of another
+/// picture of its kind (.dcm: a Secondary Capture; else PNG). To be asked before anything is open:
+/// it reads the file. Errors: those of checkFileTarget(); FileUnwritable (it is something else).
+[[nodiscard]] Result<void> checkPictureTarget(const QString& file);
+
 } // namespace core

@@ -28,6 +28,7 @@ private Q_SLOTS:
     void saysWhatThereIsInsteadOfOpenGl();
     void screenshotOfTheStartPage();
     void screenshotOfTheDemonstration();
+    void aScreenshotReplacesNothingButPictures();
 
 private:
     static void tellsWhatTookHowLong(const QString& trace);
@@ -176,6 +177,26 @@ void OpenCommandUiTest::screenshotOfTheStartPage()
         QStringLiteral("1024x640")});
     QVERIFY2(outcome.status == 0, qPrintable(outcome.output));
     QCOMPARE(QImage(file).size(), QSize(1024, 640));
+}
+
+void OpenCommandUiTest::aScreenshotReplacesNothingButPictures()
+{
+    const QString picture = m_folder.filePath(QStringLiteral("again.png"));
+    for (int time = 0; time < 2; ++time) {
+        const Outcome outcome = burin({QStringLiteral("--screenshot"), picture});
+        QVERIFY2(outcome.status == 0, qPrintable(outcome.output));
+    }
+    const QString session = m_folder.filePath(QStringLiteral("mine.burin"));
+    const QByteArray content = "somebody's work";
+    QFile file(session);
+    QVERIFY(file.open(QIODevice::WriteOnly) && file.write(content) == content.size());
+    file.close();
+    const Outcome refused = burin({QStringLiteral("--screenshot"), session});
+    QCOMPARE(refused.status, 1);
+    QVERIFY2(refused.output.contains(session)
+            && refused.output.contains(QLatin1String("it is no PNG picture")),
+        qPrintable(refused.output));
+    QCOMPARE(test::bytesOf(session), content);
 }
 
 void OpenCommandUiTest::screenshotOfTheDemonstration()

@@ -5,6 +5,7 @@
 #include "tests/support/series/SmallSeries.h"
 #include "tests/support/servers/Python.h"
 
+#include <QDir>
 #include <QFile>
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -23,6 +24,7 @@ private Q_SLOTS:
     void othersSeeThePicture();
     void noPatientNoPicture();
     void existingFileIsRefused();
+    void onlyPicturesAreReplaced();
 };
 
 namespace {
@@ -90,6 +92,32 @@ void ScreenshotExportTest::existingFileIsRefused()
     const auto again = on.taken();
     QVERIFY(!again);
     QCOMPARE(again.error().code, core::ErrorCode::FileExists);
+}
+
+void ScreenshotExportTest::onlyPicturesAreReplaced()
+{
+    const Shown on;
+    QVERIFY(on.taken());
+    const auto file = [&on](const char* name, const QByteArray& content) {
+        const QString path = on.folder.filePath(QString::fromLatin1(name));
+        QFile written(path);
+        if (!written.open(QIODevice::WriteOnly) || written.write(content) != content.size())
+            qFatal("cannot write %s", name);
+        return path;
+    };
+    const QByteArray png("\x89PNG\r\n\x1a\n and more");
+    for (const QString& good : {on.folder.filePath(QStringLiteral("free.png")),
+             on.folder.filePath(QStringLiteral("free.dcm")), on.file, file("a.png", png),
+             file("empty.png", {}), file("empty.DCM", {})})
+        QVERIFY2(core::checkPictureTarget(good), qPrintable(good));
+    for (const QString& bad :
+        {file("text.png", "text"), file("a.burin", "SQLite format 3"), file("b.dcm", png), slice,
+            on.folder.path(), on.folder.filePath(QStringLiteral("no/such/folder.png"))}) {
+        const auto fits = core::checkPictureTarget(bad);
+        QVERIFY2(!fits, qPrintable(bad));
+        QCOMPARE(fits.error().code, core::ErrorCode::FileUnwritable);
+        QCOMPARE(fits.error().arguments.value(0), bad);
+    }
 }
 
 BURIN_TEST(ScreenshotExportTest)
