@@ -110,6 +110,9 @@ void ScreenshotExportTest::onlyPicturesAreReplaced()
              on.folder.filePath(QStringLiteral("free.dcm")), on.file, file("a.png", png),
              file("empty.png", {}), file("empty.DCM", {})})
         QVERIFY2(core::checkPictureTarget(good), qPrintable(good));
+    const QDir images(on.folder.filePath(QStringLiteral("images")));
+    const QString slice = images.filePath(images.entryList(QDir::Files).value(0));
+    QVERIFY(QFile::exists(slice));
     for (const QString& bad :
         {file("text.png", "text"), file("a.burin", "SQLite format 3"), file("b.dcm", png), slice,
             on.folder.path(), on.folder.filePath(QStringLiteral("no/such/folder.png"))}) {
