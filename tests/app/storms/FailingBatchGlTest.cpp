@@ -47,7 +47,8 @@ QString nameOf(int error)
 /// says which file and why, and the others are done; nothing is left over; and the same batch, once
 /// more, comes to what an undisturbed one comes to.
 ///
-/// BURIN_SEED draws others; BURIN_LONG: every call in turn.
+/// BURIN_SEED draws others; BURIN_LONG: every call in turn, with each of the four errors once, and
+/// with one of them from then on.
 class FailingBatchGlTest : public QObject {
     Q_OBJECT
 
@@ -367,8 +368,9 @@ void FailingBatchGlTest::studies_data()
         for (std::size_t program = 0; program < programs.size(); ++program) {
             const int calls = m_scenes[scene].calls[program];
             for (int call = 1; test::longRun() && call <= calls; ++call) {
-                const std::size_t turn = std::size_t(call) % errors.size();
-                add(scene, program, call, errors[turn], call % 3 == 0);
+                for (const int error : errors)
+                    add(scene, program, call, error, false);
+                add(scene, program, call, errors[std::size_t(call) % errors.size()], true);
             }
             for (int i = 0; !test::longRun() && i < 3; ++i)
                 add(scene, program, test::randomInt(random, 1, calls),

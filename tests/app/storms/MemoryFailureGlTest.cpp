@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/edits/kinds/growth/ShrinkSteps.h"
+#include "core/pacs/retrieve/DownloadFolder.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/fixtures/CommandFixture.h"
 #include "tests/support/program/FileBytes.h"
@@ -104,6 +105,8 @@ private Q_SLOTS:
     void fewHandles_data();
     void fewHandles();
     void slicesAreNotAllOpenAtOnce();
+    void aReportAndItsMask_data();
+    void aReportAndItsMask();
 
 private:
     /// Whose allocations are counted, and refused.
@@ -117,7 +120,11 @@ private:
     [[nodiscard]] Outcome carryOut(const test::Surroundings& around) const;
     [[nodiscard]] long countOf(long least, Whose whose);
     void checkWhole(const Outcome& outcome, bool replayed);
+    /// A session on a series, with its report, in a folder that no row empties.
+    void prepareReport();
+    [[nodiscard]] Outcome reportAnew(const test::Surroundings& around) const;
 
+    QTemporaryDir m_reported;
     QString m_airy;
     QJsonArray m_steps;
     QStringList m_promised; ///< of an undisturbed run
@@ -377,6 +384,97 @@ void MemoryFailureGlTest::slicesAreNotAllOpenAtOnce()
             key("--study"), path("ct"), key("--session"), path("s.burin")},
         around);
     QVERIFY2(outcome.status == 0, qPrintable(outcome.complaint));
+}
+
+namespace {
+
+/// A report, and the masks that it refers to.
+const QStringList reportFiles{QStringLiteral("x.dcm"), QStringLiteral("x-seg.dcm")};
+
+} // namespace
+
+void MemoryFailureGlTest::prepareReport()
+{
+    if (QFile::exists(m_reported.filePath(reportFiles.last())))
+        return;
+    const test::SyntheticSeries series;
+    QVERIFY(!test::writeSeries(series, m_reported.filePath(key("ct"))).isEmpty());
+    QJsonArray steps = test::toJson({test::paintAt(1, {{4, 4, 55}}, 3.0)});
+    steps.prepend(QJsonObject{{key("edit"), key("addSegment")}, {key("name"), key("Liver")},
+        {key("color"), key("#336699")},
+        {key("code"), QJsonArray{key("SCT"), key("10200004"), key("Liver")}}});
+    const QJsonObject report{
+        {key("format"), key("sr")}, {key("file"), m_reported.filePath(reportFiles.first())}};
+    makeFolder();
+    const Outcome made = test::burin(
+        {key("run"), recipe("r.json", {{key("edits"), steps}, {key("export"), QJsonArray{report}}}),
+            key("--study"), m_reported.filePath(key("ct")), key("--session"),
+            m_reported.filePath(key("s.burin"))});
+    QVERIFY2(made.status == 0, qPrintable(made.complaint));
+}
+
+/// Over the one that is there.
+Outcome MemoryFailureGlTest::reportAnew(const test::Surroundings& around) const
+{
+    return test::burin({key("replay"), m_reported.filePath(key("s.burin")), key("--export"),
+                           path("x.dcm"), key("--format"), key("sr"), key("--force")},
+        around);
+}
+
+void MemoryFailureGlTest::aReportAndItsMask_data()
+{
+    QTest::addColumn<qlonglong>("which");
+    QTest::addColumn<qlonglong>("least");
+    prepareReport();
+    if (QTest::currentTestFailed())
+        return;
+    for (const long least : {large, 1L}) {
+        const Whose whose = least == large ? Whose::Ours : Whose::Anybodys;
+        makeFolder();
+        const Outcome counted = reportAnew(refusing(0, least, whose));
+        QVERIFY2(counted.status == 0, qPrintable(counted.complaint));
+        const long count = test::bytesOf(path("count.txt")).trimmed().toLong();
+        QVERIFY(count > 0);
+        // The report comes last, and there are most rows.
+        const long rows = std::min(count, test::longRun() ? 150L : 7L);
+        for (long i = 0; i < rows; ++i) {
+            const qlonglong which = count - count * i * i / (rows * rows);
+            QTest::addRow("%ld: %lld of %ld, from %ld bytes on", i, which, count, least)
+                << which << qlonglong(least);
+        }
+    }
+}
+
+/// Both are those of before, or both are the new ones.
+void MemoryFailureGlTest::aReportAndItsMask()
+{
+    QFETCH(qlonglong, which);
+    QFETCH(qlonglong, least);
+    QList<QByteArray> before;
+    for (const QString& name : reportFiles) {
+        QVERIFY(QFile::copy(m_reported.filePath(name), path(qPrintable(name))));
+        before += test::bytesOf(path(qPrintable(name)));
+    }
+    const bool isOurs = least == large;
+    const Outcome outcome =
+        reportAnew(refusing(long(which), long(least), isOurs ? Whose::Ours : Whose::Anybodys));
+    QVERIFY2(outcome.status != test::Outcome::hung, qPrintable(outcome.complaint));
+    QVERIFY2(!isOurs || outcome.status == 0 || saysMemory(outcome), qPrintable(outcome.complaint));
+    QVERIFY(outcome.status == 0 || !outcome.complaint.isEmpty());
+    int fresh = 0;
+    for (qsizetype i = 0; i < reportFiles.size(); ++i) {
+        const QString file = path(qPrintable(reportFiles[i]));
+        const bool isFresh = test::bytesOf(file) != before[i];
+        fresh += isFresh ? 1 : 0;
+        QVERIFY2(!isFresh || core::soundObject(file), qPrintable(reportFiles[i]));
+    }
+    if (outcome.status != 0 && outcome.status != 1)
+        return; // it ended at once
+    QCOMPARE(fresh, outcome.status == 0 ? int(reportFiles.size()) : 0);
+    QStringList left = QDir(path("")).entryList(QDir::Files | QDir::Hidden);
+    for (const QString& known : reportFiles + QStringList{key("count.txt")})
+        left.removeAll(known);
+    QVERIFY2(left.isEmpty(), qPrintable(left.join(u' ')));
 }
 
 BURIN_TEST(MemoryFailureGlTest)
