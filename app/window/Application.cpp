@@ -8,6 +8,7 @@
 #include "core/base/Guarded.h"
 #include "core/repair/SeriesRepair.h"
 #include "core/session/SessionStorage.h"
+#include "core/sessionfile/SessionPreview.h"
 #include "core/sessionfile/SessionSalvage.h"
 #include "core/sessionfile/database/SessionUse.h"
 #include "gpu/engine/GpuEngine.h"
@@ -27,6 +28,7 @@
 #include <QTimer>
 
 #include <chrono>
+#include <cstdint>
 #include <thread>
 #include <utility>
 
@@ -304,10 +306,20 @@ void Application::forgetUnusedSession()
 {
     if (m_workspace->session() || m_sessionFile.isEmpty())
         return;
-    // Another program may have put another file in its place.
-    if (m_rowsAtFirst && m_made.isAt(m_sessionFile))
+    if (holdsNothingNew())
         QFile::remove(m_sessionFile);
     m_sessionFile.clear();
+}
+
+bool Application::holdsNothingNew() const
+{
+    // Another program may have put another file in its place.
+    if (!m_rowsAtFirst || !m_made.isAt(m_sessionFile))
+        return false;
+    // A step that was under way when it was closed was carried out then, and nobody was told.
+    const core::Result<core::SessionPreview> left = core::previewSession(m_sessionFile);
+    return left && left->condition == core::SessionPreview::Condition::Closed
+        && left->steps <= std::int64_t(*m_rowsAtFirst);
 }
 
 void Application::followSaved(const QString& before, const QString& now)

@@ -73,6 +73,8 @@ private:
         const core::Error& error, const QString& file, const QString& path, const QString& series);
     /// Removes the file of a session that was opened and closed without an edit.
     void forgetUnusedSession();
+    /// Of the file of a session that was closed, and was made for it.
+    [[nodiscard]] bool holdsNothingNew() const;
     void followSaved(const QString& before, const QString& now);
     void wake(); ///< any thread
     void poll();
