@@ -10,8 +10,10 @@
 #include "tests/support/scenes/TestVolumes.h"
 #include "tests/support/series/SyntheticSeries.h"
 
+#include <QDateTime>
 #include <QDir>
 #include <QDirIterator>
+#include <QElapsedTimer>
 #include <QFile>
 #include <QFileInfo>
 #include <QJsonDocument>
@@ -45,7 +47,8 @@ QString nameOf(int error)
 /// opens a file for writing, writes, synchronises or renames fails, once or from then on, or writes
 /// a part only. Afterwards each result is the old one or the new one, whole; a study that failed
 /// says which file and why, and the others are done; nothing is left over; and the same batch, once
-/// more, comes to what an undisturbed one comes to.
+/// more, comes to what an undisturbed one comes to. Likewise a batch that is killed at any instant,
+/// but that what it had begun lies there under hidden names.
 ///
 /// BURIN_SEED draws others; BURIN_LONG: every call in turn, with each of the four errors once, and
 /// with one of them from then on.
@@ -57,6 +60,13 @@ class FailingBatchGlTest : public QObject {
         bool anew = false; ///< --force, over the results of another recipe
         QMap<QString, QByteArray> made; ///< the results of an undisturbed one, by path
         std::array<int, 2> calls{}; ///< of it, by program
+        int milliseconds = 0;
+    };
+    /// What a killed batch may leave besides.
+    enum class Hidden {
+        None,
+        Files, ///< that it was writing; nobody knows whose they are
+        All, ///< and the folders of its attempts, which the next one removes
     };
 
     test::WatchedHome m_home;
@@ -65,6 +75,7 @@ class FailingBatchGlTest : public QObject {
     std::vector<Scene> m_scenes;
     int m_faults = 0;
     int m_told = 0;
+    int m_kills = 0; ///< that came in time
 
     [[nodiscard]] QString folder() const { return m_home.path(QStringLiteral("out")); }
     [[nodiscard]] QString text(const char* name, const QByteArray& content) const;
@@ -77,14 +88,17 @@ class FailingBatchGlTest : public QObject {
     [[nodiscard]] static bool isAsMade(const QString& path, const Scene& scene, bool mayBeBegun);
     [[nodiscard]] QStringList wrongs(
         const Scene& scene, const Outcome& outcome, int error, bool lasting) const;
+    [[nodiscard]] QStringList wrongsOfFiles(const Scene& scene, bool done, Hidden allowed) const;
     [[nodiscard]] QStringList wrongsOfRecord(const QString& record, const Scene& scene) const;
-    [[nodiscard]] QStringList wrongsOfTheNext(const Scene& scene) const;
+    [[nodiscard]] QStringList wrongsOfTheNext(const Scene& scene, Hidden allowed) const;
 
 private Q_SLOTS:
     void initTestCase();
     void studies_data();
     void studies();
-    void cleanupTestCase() { qInfo("%d faults, %d of them made a batch fail", m_faults, m_told); }
+    void kills_data();
+    void kills();
+    void cleanupTestCase();
 };
 
 QString FailingBatchGlTest::text(const char* name, const QByteArray& content) const
@@ -199,7 +213,10 @@ void FailingBatchGlTest::initTestCase()
     m_scenes = {{.name = "new"}, {.name = "--force", .anew = true}};
     for (Scene& scene : m_scenes) {
         restore(scene);
+        QElapsedTimer clock;
+        clock.start();
         const Outcome done = m_home.burin(words(scene));
+        scene.milliseconds = int(clock.elapsed());
         QVERIFY2(done.status == 0, qPrintable(done.complaint));
         const QMap<QString, QByteArray> all = everything();
         for (auto file = all.begin(); file != all.end(); ++file)
@@ -301,11 +318,24 @@ QStringList FailingBatchGlTest::wrongs(
         && !(outcome.complaint.contains(key("results.csv"))
             && outcome.complaint.contains(nameOf(error))))
         wrong += QStringLiteral("nobody says what failed");
+    return wrong + wrongsOfFiles(scene, outcome.status == 0, Hidden::None);
+}
+
+QStringList FailingBatchGlTest::wrongsOfFiles(const Scene& scene, bool done, Hidden allowed) const
+{
+    QStringList wrong;
+    const auto isAllowed = [allowed](const QString& name) {
+        const bool isFile = QFileInfo(name).fileName().startsWith(QLatin1String(".burin-"));
+        return allowed != Hidden::None && name.contains(key(".burin-"))
+            && (isFile || allowed == Hidden::All);
+    };
     const QMap<QString, QByteArray> all = everything();
     for (auto file = all.begin(); file != all.end(); ++file) {
         const QString name = QDir(folder()).relativeFilePath(file.key());
         const bool isOld =
             scene.anew && m_old.value(file.key()) == file.value() && m_old.contains(file.key());
+        if (isAllowed(name))
+            continue;
         if (!scene.made.contains(file.key())) {
             wrong += name + QStringLiteral(" is left over");
         } else if (name.endsWith(QLatin1String("/record.json"))) {
@@ -314,22 +344,22 @@ QStringList FailingBatchGlTest::wrongs(
             // Of every study a line, whatever became of it.
             if (file.value().count("\r\n") != 3)
                 wrong += QStringLiteral("the table is not whole");
-        } else if (!isOld && !isAsMade(file.key(), scene, outcome.status != 0)) {
+        } else if (!isOld && !isAsMade(file.key(), scene, !done)) {
             wrong += name + QStringLiteral(" is neither the old one nor the new one: ")
                 + QString::fromUtf8(contentOf(file.key())).left(300);
         }
-        if (outcome.status == 0 && isOld && !name.endsWith(QLatin1String("lock")))
+        if (done && isOld && !name.endsWith(QLatin1String("lock")))
             wrong += name + QStringLiteral(" is as it was, and the command was content");
     }
     for (auto file = scene.made.begin(); file != scene.made.end(); ++file) {
-        const bool isMissed = scene.anew || outcome.status == 0;
+        const bool isMissed = scene.anew || done;
         if (isMissed && !all.contains(file.key()))
             wrong += file.key() + QStringLiteral(" is gone");
     }
     return wrong;
 }
 
-QStringList FailingBatchGlTest::wrongsOfTheNext(const Scene& scene) const
+QStringList FailingBatchGlTest::wrongsOfTheNext(const Scene& scene, Hidden allowed) const
 {
     const Outcome next = m_home.burin(words(scene));
     if (next.status != 0)
@@ -341,8 +371,9 @@ QStringList FailingBatchGlTest::wrongsOfTheNext(const Scene& scene) const
         if (!tells && contentOf(file.key()) != file.value())
             wrong += QStringLiteral("after the next one: ") + file.key();
     }
-    wrong += wrongs(scene, next, EIO, false);
-    return wrong;
+    return wrong
+        + (allowed == Hidden::None ? wrongs(scene, next, EIO, false)
+                                   : wrongsOfFiles(scene, true, allowed));
 }
 
 void FailingBatchGlTest::studies_data()
@@ -405,13 +436,52 @@ void FailingBatchGlTest::studies()
     // Each study has a run of its own, in which the same call fails.
     const bool ofBoth = lasting || programs[std::size_t(program)] == QByteArray("run");
     QStringList wrong = wrongs(struck, outcome, error, ofBoth);
-    wrong += wrongsOfTheNext(struck);
+    wrong += wrongsOfTheNext(struck, Hidden::None);
     QVERIFY2(wrong.isEmpty(),
         qPrintable(QStringLiteral("\n  wrong: %1\n  failed: %2\n  status: %3\n  said: %4")
                        .arg(wrong.join(QStringLiteral("\n         ")),
                            failed.mid(0, 3).join(QStringLiteral("\n          ")))
                        .arg(outcome.status)
                        .arg(outcome.complaint)));
+}
+
+void FailingBatchGlTest::kills_data()
+{
+    QTest::addColumn<int>("scene");
+    QTest::addColumn<int>("afterMs");
+    const int usual = test::longRun() ? 60 : 4;
+    const int kills = qEnvironmentVariableIsSet("BURIN_KILLS")
+        ? qEnvironmentVariableIntValue("BURIN_KILLS")
+        : usual;
+    const std::uint32_t seed = qEnvironmentVariableIsSet("BURIN_SEED")
+        ? qEnvironmentVariable("BURIN_SEED").toUInt()
+        : std::uint32_t(QDateTime::currentMSecsSinceEpoch());
+    qInfo("BURIN_SEED=%u", seed);
+    test::Random random(seed);
+    for (int i = 0; i < kills; ++i) {
+        const std::size_t scene = std::size_t(i) % m_scenes.size();
+        const int after = test::randomInt(random, 0, m_scenes[scene].milliseconds);
+        QTest::addRow("%d: %s after %d ms", i, m_scenes[scene].name, after) << int(scene) << after;
+    }
+}
+
+void FailingBatchGlTest::kills()
+{
+    QFETCH(int, scene);
+    QFETCH(int, afterMs);
+    const Scene& struck = m_scenes[std::size_t(scene)];
+    restore(struck);
+    const Outcome outcome = test::burinKilled(words(struck), m_home.environment(), afterMs);
+    m_kills += outcome.status < 0 ? 1 : 0;
+    // The run of a study ends by itself then; the next batch waits for that.
+    QStringList wrong = wrongsOfFiles(struck, outcome.status == 0, Hidden::All);
+    wrong += wrongsOfTheNext(struck, Hidden::Files);
+    QVERIFY2(wrong.isEmpty(), qPrintable(wrong.join(u'\n') + u'\n' + outcome.complaint));
+}
+
+void FailingBatchGlTest::cleanupTestCase()
+{
+    qInfo("%d faults, %d of them made a batch fail; %d kills", m_faults, m_told, m_kills);
 }
 
 BURIN_TEST(FailingBatchGlTest)
