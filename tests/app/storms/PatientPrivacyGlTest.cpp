@@ -109,6 +109,38 @@ private Q_SLOTS:
         QVERIFY2(verified.status == 0, qPrintable(verified.complaint));
     }
 
+    /// A session that holds the study's images, and with them who the patient is: of that nothing
+    /// is in its copy for others.
+    void imagesAreLeftOutOfACopyForOthers()
+    {
+        const QTemporaryDir studies;
+        const QTemporaryDir out;
+        const QString study = studies.filePath(QStringLiteral("one"));
+        test::writeSeries(test::markedSeries(), study);
+        QJsonObject content = patientPrivacyGlTest::recipe(out);
+        content.remove(key("export"));
+        const Outcome made = burin({key("run"), CommandFixture::recipe("r.json", content),
+            key("--study"), study, key("--session"), path("i.burin"), key("--with-images")});
+        QVERIFY2(made.status == 0, qPrintable(made.complaint));
+        const auto count = [this](const char* session, const char* what) {
+            return test::text(path(session), QLatin1String(what)).toInt();
+        };
+        constexpr const char* pieces = "SELECT COUNT(*) FROM pixels";
+        constexpr const char* headers = "SELECT COUNT(headers) + COUNT(images) FROM source";
+        QVERIFY(count("i.burin", pieces) > 0 && count("i.burin", headers) == 2);
+        const Outcome taken =
+            burin({key("history"), path("i.burin"), key("--deidentified"), path("d.burin")});
+        QVERIFY2(taken.status == 0, qPrintable(taken.complaint));
+        QCOMPARE(count("d.burin", pieces), 0);
+        QCOMPARE(count("d.burin", headers), 0);
+        // Pages that are free among them.
+        QVERIFY2(test::markersIn(path("d.burin")).isEmpty(),
+            test::markersIn(path("d.burin")).join(' ').constData());
+        const Outcome verified =
+            burin({key("replay"), path("d.burin"), key("--verify"), key("--study"), study});
+        QVERIFY2(verified.status == 0, qPrintable(verified.complaint));
+    }
+
     /// A state of the history, exported later.
     void replayTakesThePatientOut()
     {
