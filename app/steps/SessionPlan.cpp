@@ -4,6 +4,7 @@
 #include "app/steps/SessionFiles.h"
 #include "core/base/files/SystemFile.h"
 #include "core/sessionfile/SessionFile.h"
+#include "core/sessionfile/SessionPlaces.h"
 #include "core/sessionfile/SessionSalvage.h"
 #include "core/sessionfile/database/SessionUse.h"
 #include "core/sessionfile/records/SessionContents.h"
@@ -42,7 +43,7 @@ QString freeNameIn(const QString& folder, const QString& name)
         const QString number = count == 1 ? QString() : QStringLiteral(" %1").arg(count);
         path = QDir(folder).filePath(QStringLiteral("%1 (recovered%2).burin").arg(name, number));
         ++count;
-    } while (QFileInfo::exists(path));
+    } while (core::isSessionNameTaken(path));
     return path;
 }
 
@@ -144,6 +145,14 @@ core::Result<SessionPlan> aroundDamage(const QString& file, const core::SessionC
 // Not by QFile::rename(), which copies where it must not.
 core::Result<void> renameSession(const QString& from, const QString& to)
 {
+    const auto refused = [&from, &to](int error) {
+        return core::failure(core::ErrorCode::FileUnwritable, from,
+            QStringLiteral("it cannot be renamed to '%1': %2")
+                .arg(QFileInfo(to).fileName(), core::systemReason(error)));
+    };
+    // What lies beside that name would come to belong to the session.
+    if (core::isSessionNameTaken(to))
+        return refused(EEXIST);
     QStringList renamed;
     for (const char* suffix : {"-wal", "-shm", "-journal", ""}) {
         const QLatin1String part(suffix);
@@ -156,9 +165,7 @@ core::Result<void> renameSession(const QString& from, const QString& to)
         const int error = errno;
         for (const QString& each : renamed)
             static_cast<void>(core::renameToFreeName(to + each, from + each));
-        return core::failure(core::ErrorCode::FileUnwritable, from,
-            QStringLiteral("it cannot be renamed to '%1': %2")
-                .arg(QFileInfo(to).fileName(), core::systemReason(error)));
+        return refused(error);
     }
     return {};
 }

@@ -5,6 +5,7 @@
 #include "core/base/files/ReadableFile.h"
 #include "core/base/files/StagedFile.h"
 #include "core/sessionfile/SessionFile.h"
+#include "core/sessionfile/SessionPlaces.h"
 #include "core/sessionfile/SessionSalvage.h"
 #include "core/sessionfile/database/SessionUse.h"
 
@@ -30,7 +31,7 @@ QString nameForUnfinished(const QString& file)
         path = info.absoluteDir().filePath(
             QStringLiteral("%1 (unfinished%2).burin").arg(info.completeBaseName(), number));
         ++count;
-    } while (QFileInfo::exists(path));
+    } while (core::isSessionNameTaken(path));
     return path;
 }
 

@@ -5,6 +5,7 @@
 #include "core/base/files/StagedFile.h"
 #include "core/edits/EditNames.h"
 #include "core/sessionfile/SessionFile.h"
+#include "core/sessionfile/SessionPlaces.h"
 #include "core/sessionfile/SessionSalvage.h"
 
 #include <QFile>
@@ -187,6 +188,9 @@ Result<DeidentifiedSession> deidentifySession(
         SessionFile::open(file, SessionFile::Access::SoundPart);
     if (!from)
         return tl::unexpected(from.error());
+    // What belongs to another session there would come to belong to this one, with all it tells.
+    if (const Result<void> place = checkSessionPlace(target, replaceExisting); !place)
+        return tl::unexpected(place.error());
     Result<StagedFile> staged = StagedFile::create(target, replaceExisting);
     if (!staged)
         return tl::unexpected(staged.error());
@@ -228,6 +232,9 @@ Result<DeidentifiedSession> deidentifySession(
     if (holdsAny(staged->path(), words))
         return failure(
             ErrorCode::ExportMismatch, target, Clause::saying("it still tells who the patient is"));
+    // Somebody may have opened what lies there meanwhile.
+    if (const Result<void> place = checkSessionPlace(target, replaceExisting); !place)
+        return tl::unexpected(place.error());
     if (const Result<void> done = staged->commit(); !done)
         return tl::unexpected(done.error());
     return DeidentifiedSession{

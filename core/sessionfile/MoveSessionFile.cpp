@@ -44,12 +44,8 @@ Result<void> SessionFile::rename(const QString& target)
 /// On the writer's thread.
 Result<void> SessionFile::renameTo(const QString& target)
 {
-    if (const Result<void> fits = checkReplacedSession(target); !fits)
+    if (const Result<void> fits = checkSessionPlace(target, true); !fits)
         return fits;
-    if (const QString stray = strayPartOf(target); !stray.isEmpty())
-        return failure(ErrorCode::FileUnwritable, target,
-            Clause::saying(
-                "'%1' lies beside it, which belongs to another session; move it away", stray));
     if (const Result<void> closed = closeAsOneFile(); !closed)
         return closed;
     StagedFile staged = StagedFile::adopt(m_path, target);

@@ -11,14 +11,23 @@
 
 namespace core {
 
-Result<void> makeEmptySession(const QString& path)
+Result<void> checkSessionPlace(const QString& path, bool replaceExisting)
 {
-    if (const Result<void> free = checkFileTarget(path, false); !free)
-        return tl::unexpected(free.error());
+    if (const Result<void> target = checkFileTarget(path, replaceExisting); !target)
+        return target;
+    if (const Result<void> replaced = checkReplacedSession(path); !replaced)
+        return replaced;
     if (const QString stray = strayPartOf(path); !stray.isEmpty())
         return failure(ErrorCode::FileUnwritable, path,
             Clause::saying(
                 "'%1' lies beside it, which belongs to another session; move it away", stray));
+    return {};
+}
+
+Result<void> makeEmptySession(const QString& path)
+{
+    if (const Result<void> free = checkSessionPlace(path, false); !free)
+        return free;
     QFile empty(path);
     if (!empty.open(QIODevice::WriteOnly | QIODevice::NewOnly,
             QFileDevice::ReadOwner | QFileDevice::WriteOwner))
@@ -26,16 +35,18 @@ Result<void> makeEmptySession(const QString& path)
     return {};
 }
 
+bool isSessionNameTaken(const QString& path)
+{
+    const QFileInfo there(path);
+    return there.exists() || there.isSymLink() || !strayPartOf(path).isEmpty();
+}
+
 QString freeSessionName(const QString& path)
 {
     const QFileInfo info(path);
     const QString ending = info.suffix().isEmpty() ? QString() : QLatin1Char('.') + info.suffix();
     QString free = path;
-    const auto isTaken = [](const QString& name) {
-        const QFileInfo there(name);
-        return there.exists() || there.isSymLink() || !strayPartOf(name).isEmpty();
-    };
-    for (int count = 2; isTaken(free); ++count)
+    for (int count = 2; isSessionNameTaken(free); ++count)
         free = info.absoluteDir().filePath(
             info.completeBaseName() + QStringLiteral(" (%1)").arg(count) + ending);
     return free;

@@ -8,12 +8,19 @@
 
 namespace core {
 
+/// Checks that a session may get a name: a free one or, with @p replaceExisting, that of a closed
+/// session; beside it nothing may lie that SQLite would take for a part of it. Errors: FileExists,
+/// FileUnwritable.
+[[nodiscard]] Result<void> checkSessionPlace(const QString& path, bool replaceExisting);
+
 /// Creates an empty file for a new session, readable only by its owner. Errors: FileExists,
 /// FileUnwritable.
 [[nodiscard]] Result<void> makeEmptySession(const QString& path);
 
-/// The path itself if no file lies there or beside it that SQLite would take for a part of a
-/// session, else one with a number, "case (2).burin".
+/// Whether a file lies there, or beside it one that SQLite would take for a part of a session.
+[[nodiscard]] bool isSessionNameTaken(const QString& path);
+
+/// The path itself if it is not taken, else one with a number, "case (2).burin".
 [[nodiscard]] QString freeSessionName(const QString& path);
 
 /// Checks that a file exists and can be opened with this access, whatever it contains. Errors:

@@ -4,6 +4,7 @@
 #include "core/base/files/StagedError.h"
 #include "core/base/files/StagedFile.h"
 #include "core/sessionfile/SessionFile.h"
+#include "core/sessionfile/SessionPlaces.h"
 #include "core/sessionfile/records/SessionImages.h"
 
 #include <algorithm>
@@ -90,6 +91,8 @@ Result<void> salvageSession(
         SessionFile::open(damaged, SessionFile::Access::SoundPart);
     if (!from)
         return tl::unexpected(from.error());
+    if (const Result<void> place = checkSessionPlace(target, false); !place)
+        return place;
     Result<StagedFile> staged = StagedFile::create(target, false);
     if (!staged)
         return tl::unexpected(staged.error());

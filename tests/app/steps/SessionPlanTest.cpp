@@ -168,17 +168,34 @@ private Q_SLOTS:
             QFile file(path(name));
             return file.open(QIODevice::WriteOnly) && file.write("any") == 3;
         };
-        for (const char* name : {"a.burin-wal", "a.burin-shm", "b.burin-journal", "c.burin-wal"})
+        for (const char* name : {"a.burin-wal", "a.burin-shm", "c.burin-wal", "d.burin-journal"})
             QVERIFY(write(name));
         QVERIFY(app::renameSession(path("a.burin"), path("b.burin")));
-        const QStringList renamed{QStringLiteral("b.burin"), QStringLiteral("b.burin-journal"),
-            QStringLiteral("b.burin-shm"), QStringLiteral("b.burin-wal"),
-            QStringLiteral("c.burin-wal")};
+        const QStringList renamed{QStringLiteral("b.burin"), QStringLiteral("b.burin-shm"),
+            QStringLiteral("b.burin-wal"), QStringLiteral("c.burin-wal"),
+            QStringLiteral("d.burin-journal")};
         QCOMPARE(files(), renamed);
-        const Result<void> refused = app::renameSession(path("b.burin"), path("c.burin"));
-        QVERIFY(!refused);
-        QCOMPARE(refused.error().code, ErrorCode::FileUnwritable);
-        QCOMPARE(files(), renamed);
+        // Nor does it come to lie beside what belongs to another one.
+        for (const char* name : {"c.burin", "d.burin"}) {
+            const Result<void> refused = app::renameSession(path("b.burin"), path(name));
+            QVERIFY2(!refused, name);
+            QCOMPARE(refused.error().code, ErrorCode::FileUnwritable);
+            QCOMPARE(files(), renamed);
+        }
+    }
+
+    /// What goes on of a damaged session does not take over what another one has left.
+    void aNameWithSomethingBesideItIsNotTaken()
+    {
+        QVERIFY(
+            test::runSql(path("a.burin"), QStringLiteral("UPDATE row SET name='X' WHERE id=5")));
+        QFile stray(path("a (recovered).burin-wal"));
+        QVERIFY(stray.open(QIODevice::WriteOnly) && stray.write("somebody's") == 10);
+        stray.close();
+        const Result<app::SessionPlan> plan = planFor(path("a.burin"));
+        QVERIFY(plan);
+        QCOMPARE(plan->file, path("a (recovered 2).burin"));
+        QCOMPARE(stray.size(), qint64(10));
     }
 };
 

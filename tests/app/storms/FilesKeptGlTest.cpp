@@ -95,9 +95,21 @@ private Q_SLOTS:
         QFile stray(path("new.burin-wal"));
         QVERIFY(stray.open(QIODevice::WriteOnly) && stray.write("somebody's") == 10);
         stray.close();
-        const Outcome outcome = runOn(study(), recipe("r.json", edits()), path("new.burin"), false);
-        QCOMPARE(outcome.status, 1);
-        QVERIFY2(outcome.complaint.contains(key("new.burin-wal")), qPrintable(outcome.complaint));
+        const QString words = recipe("r.json", edits());
+        for (const QStringList& more : {QStringList(), QStringList{key("--with-images")}}) {
+            const Outcome outcome = run(words, "new.burin", more);
+            QCOMPARE(outcome.status, 1);
+            QVERIFY2(
+                outcome.complaint.contains(key("new.burin-wal")), qPrintable(outcome.complaint));
+            QCOMPARE(read(path("new.burin-wal")), QByteArray("somebody's"));
+            QVERIFY(!QFile::exists(path("new.burin")));
+        }
+        // Nor does a copy for others come to lie beside it.
+        QCOMPARE(run(words, "a.burin").status, 0);
+        const Outcome copied = test::burin({key("history"), path("a.burin"), key("--deidentified"),
+            path("new.burin"), key("--force")});
+        QCOMPARE(copied.status, 1);
+        QVERIFY2(copied.complaint.contains(key("new.burin-wal")), qPrintable(copied.complaint));
         QCOMPARE(read(path("new.burin-wal")), QByteArray("somebody's"));
         QVERIFY(!QFile::exists(path("new.burin")));
     }

@@ -208,6 +208,50 @@ private Q_SLOTS:
         QVERIFY(done.error().arguments.value(1).contains(QStringLiteral("step 1")));
     }
 
+    /// Only a closed session is replaced. What another one has beside its name would be taken for
+    /// the new one's, with all that it tells.
+    void nothingElseIsReplaced()
+    {
+        QTemporaryDir folder;
+        const QString from = folder.filePath(QStringLiteral("from.burin"));
+        const QString to = folder.filePath(QStringLiteral("to.burin"));
+        const QString beside = to + QStringLiteral("-wal");
+        QVERIFY(!makeMarked(from, QStringLiteral("Leber")).isEmpty());
+        const auto write = [](const QString& path) {
+            QFile file(path);
+            return file.open(QIODevice::WriteOnly) && file.write("somebody's") == 10;
+        };
+        const auto isRefused = [&] {
+            const auto done = deidentifySession(from, to, true, Deidentifier({}, patient()));
+            return !done && done.error().code == ErrorCode::FileUnwritable
+                && done.error().arguments.value(0) == to;
+        };
+        QVERIFY(write(to) && isRefused());
+        QCOMPARE(QFile(to).size(), qint64(10));
+        QVERIFY(QFile::remove(to) && write(beside) && isRefused());
+        QVERIFY(!QFile::exists(to));
+        QCOMPARE(QFile(beside).size(), qint64(10));
+        QVERIFY(QFile::remove(beside));
+
+        // One that is open, and as its program leaves it that is killed.
+        const QString open = folder.filePath(QStringLiteral("open.burin"));
+        {
+            reference::ReferenceEngine engine;
+            const auto session = *EditSession::create(engine, test::smallStudy(), {.file = to});
+            QVERIFY(session->apply(test::drillAt(-6)) && session->settle());
+            QVERIFY(isRefused());
+            QVERIFY(QFile::exists(beside));
+            QVERIFY(QFile::copy(to, open) && QFile::copy(beside, open + QStringLiteral("-wal")));
+        }
+        // It was closed.
+        QVERIFY(deidentifySession(from, to, true, Deidentifier({}, patient())));
+        QVERIFY(QFile::remove(to) && QFile::rename(open, to)
+            && QFile::rename(open + QStringLiteral("-wal"), beside));
+        const QByteArray before = test::fingerprint(to) + test::fingerprint(beside);
+        QVERIFY(isRefused());
+        QCOMPARE(test::fingerprint(to) + test::fingerprint(beside), before);
+    }
+
     void existingFileIsRefused()
     {
         QTemporaryDir folder;
