@@ -11,6 +11,9 @@ namespace app {
 
 namespace {
 
+/// The columns that every table had.
+constexpr const char* firstColumns = "name,study,state,";
+
 /// A spreadsheet takes a text that begins like a formula for one.
 QByteArray cell(QString text)
 {
@@ -82,7 +85,7 @@ QByteArray resultsTable(const std::vector<StudyTask>& tasks)
             columns[number.key()] = true;
         lines.push_back(std::move(line));
     }
-    QByteArray text = "name,study,state,stateHash,seconds,attempts,failure";
+    QByteArray text = QByteArray(firstColumns) + "stateHash,seconds,attempts,failure";
     for (auto column = columns.constBegin(); column != columns.constEnd(); ++column)
         text += ',' + cell(column.key());
     text += "\r\n";
@@ -106,6 +109,11 @@ QByteArray resultsTable(const std::vector<StudyTask>& tasks)
         text += "\r\n";
     }
     return text;
+}
+
+bool isResultsTable(const QByteArray& text)
+{
+    return text.startsWith(firstColumns);
 }
 
 } // namespace app

@@ -15,4 +15,7 @@ namespace app {
 /// the reason as failure, and no numbers.
 [[nodiscard]] QByteArray resultsTable(const std::vector<StudyTask>& tasks);
 
+/// Whether a file, of which this is the beginning, can be such a table.
+[[nodiscard]] bool isResultsTable(const QByteArray& text);
+
 } // namespace app

@@ -8,11 +8,14 @@
 #include "app/steps/Arguments.h"
 #include "app/steps/JsonLine.h"
 #include "core/base/files/FileInUse.h"
+#include "core/base/files/StagedFile.h"
 #include "ui/base/ErrorText.h"
 
 #include <QCoreApplication>
 #include <QDir>
 #include <QEventLoop>
+#include <QFile>
+#include <QFileInfo>
 #include <QHash>
 #include <QThread>
 
@@ -183,12 +186,30 @@ private:
     bool m_all = true;
 };
 
+/// Checks that the table takes the place of nothing but an earlier one.
+Result<void> checkTable(const Arguments& arguments)
+{
+    constexpr qsizetype enough = 100;
+    QFile file(QDir(arguments.value("into")).filePath(QStringLiteral("results.csv")));
+    const QFileInfo info(file.fileName());
+    if (!info.exists() && !info.isSymLink())
+        return {};
+    if (const Result<void> target = core::checkFileTarget(file.fileName(), true); !target)
+        return target;
+    if (!file.open(QIODevice::ReadOnly) || !isResultsTable(file.read(enough)))
+        return core::failure(ErrorCode::FileUnwritable, file.fileName(),
+            QStringLiteral("it is no table of a batch; move it away, or name another folder"));
+    return {};
+}
+
 int writeTable(const std::vector<StudyTask>& tasks, const Arguments& arguments)
 {
     const QString into = arguments.value("into");
     if (!QDir().mkpath(into))
         return reportFailure(
             {ErrorCode::FileUnwritable, {into, QStringLiteral("the folder cannot be made")}});
+    if (const Result<void> fits = checkTable(arguments); !fits)
+        return reportFailure(fits.error());
     const Result<void> written = StudyResults::write(into, "results.csv", resultsTable(tasks));
     return written ? 0 : reportFailure(written.error());
 }
@@ -213,6 +234,7 @@ int runBatch(const Arguments& arguments)
         return reportUsageError(
             "batch", QStringLiteral("--retries must be a number from 0 to 1000"));
     const core::FileInUse recipe(arguments.rest(), core::FileInUse::As::Recipe);
+    const core::FileInUse list({arguments.value("studies")}, core::FileInUse::As::List);
     Result<std::vector<StudyTask>> tasks = tasksOf(arguments, *retries);
     if (!tasks)
         return reportFailure(tasks.error());
@@ -234,6 +256,8 @@ int runBatch(const Arguments& arguments)
             return reportFailure({ErrorCode::FileUnreadable,
                 {arguments.value("studies"),
                     QStringLiteral("it has no study named '%1'").arg(arguments.value("only"))}});
+    } else if (const Result<void> fits = checkTable(arguments); !fits) {
+        return reportFailure(fits.error());
     }
     CommandTermination termination;
     // Nothing needs closing here: children close what is theirs, and are waited for.

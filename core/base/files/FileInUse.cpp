@@ -104,6 +104,8 @@ Clause FileInUse::text(As what)
         return Clause::saying("it is the recipe");
     case As::Mask:
         return Clause::saying("it is a mask that is read");
+    case As::List:
+        return Clause::saying("it is the list of studies");
     }
     return {};
 }

@@ -37,7 +37,7 @@ private:
 /// session. StagedFile and SessionFile refuse to overwrite them. Any thread.
 class FileInUse {
 public:
-    enum class As { Study, Session, Recipe, Mask };
+    enum class As { Study, Session, Recipe, Mask, List };
 
     FileInUse() = default; ///< of no file
     /// Paths that lead nowhere are ignored. Cost: one file system call per path.

@@ -39,6 +39,7 @@ private Q_SLOTS:
     void otherOptionsLikewise();
     void whatWasDoneStaysUntilItIsDoneAnew();
     void resultsAmongTheStudiesAreNone();
+    void theTableReplacesNothingElse();
 };
 
 void BatchOtherGlTest::write(const QString& file, const QByteArray& text)
@@ -210,6 +211,31 @@ void BatchOtherGlTest::resultsAmongTheStudiesAreNone()
         for (const QJsonObject& line : outcome.lines)
             QCOMPARE(line[key("state")].toString(), key(expected));
     }
+}
+
+/// Neither what somebody has called so, nor the list of studies itself.
+void BatchOtherGlTest::theTableReplacesNothingElse()
+{
+    const QString table = path("out/results.csv");
+    const auto isRefused = [&](const QString& list, const QByteArray& why) {
+        const QByteArray before = test::bytesOf(table);
+        const Outcome outcome = burin(
+            {key("batch"), path("batch.json"), key("--studies"), list, key("--into"), path("out")});
+        return outcome.status == 1 && outcome.complaint.contains(table)
+            && outcome.complaint.contains(QString::fromLatin1(why)) && outcome.lines.isEmpty()
+            && !QFile::exists(path("out/one")) && test::bytesOf(table) == before;
+    };
+    QVERIFY(QDir().mkpath(path("out")));
+    write(path("studies.csv"), "study,name,series\n" + m_series.path().toUtf8() + ",one,2.25.11\n");
+    write(table, "patient,volume\n1,2\n");
+    QVERIFY(isRefused(path("studies.csv"), "it is no table of a batch"));
+    // One that was made of the table of another batch.
+    write(table, "name,study,state,series\none," + m_series.path().toUtf8() + ",x,2.25.11\n");
+    QVERIFY(isRefused(table, "it is the list of studies"));
+    QVERIFY(QFile::remove(table));
+    QCOMPARE(state(batch("2.25.11")), key("done"));
+    QVERIFY(test::bytesOf(table).startsWith("name,study,state,"));
+    QCOMPARE(state(batch("2.25.11")), key("was done"));
 }
 
 BURIN_TEST(BatchOtherGlTest)
