@@ -2,17 +2,20 @@
 #include "app/steps/SessionTarget.h"
 
 #include "app/steps/SessionPlan.h"
+#include "core/base/files/FollowedFile.h"
 #include "core/base/files/ReadableFile.h"
 #include "core/base/files/StagedFile.h"
 #include "core/sessionfile/SessionFile.h"
 #include "core/sessionfile/SessionPlaces.h"
 #include "core/sessionfile/SessionSalvage.h"
 #include "core/sessionfile/database/SessionUse.h"
+#include "core/sessionfile/records/SessionImages.h"
 
 #include <QDir>
 #include <QFileInfo>
 
 #include <cstdio>
+#include <utility>
 
 namespace app {
 
@@ -49,6 +52,26 @@ Result<void> checkSessionTarget(const QString& file, bool force, bool append)
     if (core::isSessionUnfinished(file) && core::isSessionFile(file) && !core::isSessionInUse(file))
         static_cast<void>(core::SessionFile::open(file, core::SessionAccess::ReadWrite));
     return core::checkReplacedSession(file);
+}
+
+Result<std::unique_ptr<core::EditSession>> beginSession(
+    core::EditEngine& engine, core::LoadedVolume loaded, const QString& file, bool withImages)
+{
+    if (!withImages)
+        return core::EditSession::create(engine, std::move(loaded), {.file = file});
+    if (const Result<void> place = core::checkSessionPlace(file, false); !place)
+        return tl::unexpected(place.error());
+    Result<core::StagedFile> staged = core::stageImages(file, false, loaded);
+    if (!staged)
+        return tl::unexpected(staged.error());
+    const core::FollowedFile made(staged->path());
+    if (const Result<void> placed = staged->commit(); !placed)
+        return tl::unexpected(placed.error());
+    auto session = core::EditSession::open(engine, std::move(loaded), file);
+    // Another program may have put another file in its place.
+    if (!session && made.isAt(file))
+        core::removeSession(file);
+    return session;
 }
 
 QString whyNotOneFile(const QString& file)

@@ -2,8 +2,11 @@
 #pragma once
 
 #include "core/base/Result.h"
+#include "core/session/EditSession.h"
 
 #include <QString>
+
+#include <memory>
 
 namespace app {
 
@@ -14,6 +17,11 @@ namespace app {
 /// the files of the study are known. A session that was left open is closed first, as opening it
 /// would. Errors: FileNotFound (nothing to append to), FileExists, FileUnwritable.
 [[nodiscard]] core::Result<void> checkSessionTarget(const QString& file, bool force, bool append);
+
+/// Begins a session in a new file, which holds the study's images if that is wanted. If it cannot
+/// be begun there is none. Errors: those of EditSession::create() and core::stageImages().
+[[nodiscard]] core::Result<std::unique_ptr<core::EditSession>> beginSession(
+    core::EditEngine& engine, core::LoadedVolume loaded, const QString& file, bool withImages);
 
 /// Why a closed session does not consist of a single file, in words; empty if it does.
 [[nodiscard]] QString whyNotOneFile(const QString& file);

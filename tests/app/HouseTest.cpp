@@ -181,7 +181,6 @@ bool mayWriteFiles(const QString& file)
         // Sessions, which SQLite writes: new ones, those set aside, copies beside them.
         QStringLiteral("core/sessionfile/SessionPlaces.cpp"),
         QStringLiteral("core/sessionfile/database/SessionUse.cpp"),
-        QStringLiteral("app/steps/SessionPlan.cpp"), QStringLiteral("app/steps/SessionTarget.cpp"),
         QStringLiteral("app/window/Application.cpp"),
         // What arrives or is unpacked, into a folder that this process made for it.
         QStringLiteral("core/archive/ArchiveReader.cpp"),
