@@ -86,6 +86,8 @@ Result<void> StagedFolder::commit()
         if (!syncToDisk(files.next()))
             return failure(ErrorCode::FileUnwritable, m_target, systemReason(errno));
     }
+    // Their names, too, before they take the place of others. Some network mounts cannot.
+    syncToDisk(m_path);
     if (m_replaceExisting && QFileInfo::exists(m_target)) {
         if (const Result<void> exchanged = exchange(); !exchanged)
             return exchanged;
