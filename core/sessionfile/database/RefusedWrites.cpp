@@ -148,7 +148,7 @@ bool noteAll()
 void noteRefusedWrites()
 {
     // Before the first file is opened: SQLite reads the calls without a lock.
-    [[maybe_unused]] static const bool noted = noteAll();
+    [[maybe_unused]] static const bool areNoted = noteAll();
 }
 
 void forgetRefusedWrites()
