@@ -19,7 +19,6 @@
 #include "core/sessionfile/SessionSalvage.h"
 #include "core/sessionfile/SessionStudy.h"
 #include "core/sessionfile/database/SessionUse.h"
-#include "core/sessionfile/records/SessionImages.h"
 #include "core/study/SourceFiles.h"
 #include "core/study/StudyLoader.h"
 #include "gpu/engine/GpuEngine.h"
@@ -85,20 +84,6 @@ Result<Continued> goOn(core::EditEngine& engine, core::LoadedVolume loaded,
             return tl::unexpected(session.error());
     }
     return core::failure(core::ErrorCode::SessionDamaged, file);
-}
-
-/// A new session.
-Result<std::unique_ptr<core::EditSession>> beginSession(
-    core::EditEngine& engine, core::LoadedVolume loaded, const QString& file, bool withImages)
-{
-    if (!withImages)
-        return core::EditSession::create(engine, std::move(loaded), {.file = file});
-    Result<core::StagedFile> staged = core::stageImages(file, false, loaded);
-    if (!staged)
-        return tl::unexpected(staged.error());
-    if (const Result<void> placed = staged->commit(); !placed)
-        return tl::unexpected(placed.error());
-    return core::EditSession::open(engine, std::move(loaded), file);
 }
 
 /// The session may not be there yet, so nobody else knows its name.
@@ -250,8 +235,6 @@ Result<SteadySession::Session> RecipeRun::openFirst(gpu::GpuEngine& engine)
         m_loaded = load();
         if (!m_loaded)
             return tl::unexpected(m_loaded.error());
-        if (!m_goesOn)
-            core::removeSession(m_place);
     }
     engine.setVolumeGeometry(m_loaded->volume.geometry, m_loaded->volume.encoding);
     if (!m_goesOn)
@@ -343,7 +326,7 @@ int RecipeRun::giveUp(const core::Error& why, std::size_t rowsBefore)
             core::removeSession(m_place);
     } else if (m_replaces) {
         keepUnfinished(m_place, m_file);
-    } else if (!m_plan.damaged.isEmpty() && !promised) {
+    } else if (!m_plan.damaged.isEmpty() && !promised && m_made.isAt(m_plan.file)) {
         if (const Result<void> withdrawn = withdraw(m_plan, m_file); !withdrawn)
             reportFailure(withdrawn.error());
     }
