@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/tasks/growth/GhostWalls.h"
 
+#include "core/edits/kinds/criteria/GrowCriteria.h"
 #include "core/edits/kinds/growth/BarrierStroke.h"
-#include "core/edits/kinds/growth/GrowCriteria.h"
 #include "core/edits/kinds/growth/GrowSteps.h"
 #include "core/edits/kinds/layers/ChangeLayer.h"
 #include "core/session/EditSession.h"
