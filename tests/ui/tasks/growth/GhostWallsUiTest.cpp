@@ -29,6 +29,7 @@ namespace smallHead = test::smallHead;
 namespace {
 
 constexpr std::int64_t asManyAsVoxels = 64000;
+constexpr int patience = 60000; ///< milliseconds, on a busy machine
 
 /// The small head with a segment and its ghost, in an interval that holds all within the bone.
 class Foreseen : public test::WorkspaceFixture {
@@ -50,11 +51,13 @@ public:
     /// The voxels of the ghost when it has followed.
     [[nodiscard]] std::int64_t voxels()
     {
-        const bool came = QTest::qWaitFor([this] {
-            settle();
-            ghost.follow(true);
-            return workspace.seeds().isUpToDate() && ghost.voxels() && ghost.upToDate();
-        });
+        const bool came = QTest::qWaitFor(
+            [this] {
+                settle();
+                ghost.follow(true);
+                return workspace.seeds().isUpToDate() && ghost.voxels() && ghost.upToDate();
+            },
+            patience);
         if (!came)
             qFatal("no ghost came");
         return *ghost.voxels();
