@@ -4,6 +4,7 @@
 #include "core/session/EditSession.h"
 #include "core/session/past/LabelReader.h"
 #include "core/session/questions/VoxelQuestions.h"
+#include "ui/workspace/PendingSeeds.h"
 #include "ui/workspace/Workspace.h"
 
 #include <QPointer>
@@ -129,8 +130,11 @@ std::optional<GhostWalls::Read> GhostWalls::of(const Needs& needs, const core::C
     if (!needs.layers.empty() && !take(m_coverage, needs.layers, read.coverage))
         return std::nullopt;
     if (needs.barriers != 0) {
-        if (!m_barriers || m_barriers->plane != needs.plane || m_barriers->row != needs.barriers) {
-            readBarriers(needs.plane, needs.barriers);
+        // Bricks are read as they are now, also for who asks for barriers that were drawn over.
+        const core::RowId row =
+            m_workspace.seeds().past().of(*m_workspace.session(), needs.plane).barriers;
+        if (!m_barriers || m_barriers->plane != needs.plane || m_barriers->row != row) {
+            readBarriers(needs.plane, row);
             return std::nullopt;
         }
         m_changed = {}; // seeds and growths leave barriers as they are

@@ -34,7 +34,7 @@ public:
         std::uint8_t plane = 0; ///< the label plane of the growth
         bool labels = false;
         std::vector<std::uint8_t> layers{}; ///< sculpt layers that close what they carve
-        core::RowId barriers = 0; ///< core::lastBarrierRow()
+        core::RowId barriers = 0; ///< core::lastBarrierRow(); 0: they are not needed
         bool operator==(const Needs&) const = default;
     };
     /// By cell.
@@ -49,8 +49,10 @@ public:
 
     explicit GhostWalls(Workspace& workspace, QObject* parent = nullptr);
 
-    /// What is needed; none: it is being read, and read() or refused() will tell when to ask again.
+    /// What is needed, as it is at the history's present position; none: it is being read, and
+    /// read() or refused() will tell when to ask again.
     /// @param grid always the same, until forget()
+    /// @pre a session is open
     [[nodiscard]] std::optional<Read> of(const Needs& needs, const core::CoarseGrid& grid);
     /// Nobody waits for what is being read.
     void stop();
@@ -72,7 +74,7 @@ private:
     };
     struct Barriers {
         std::uint8_t plane = 0;
-        core::RowId row = 0; ///< of the Needs
+        core::RowId row = 0; ///< core::lastBarrierRow() when they were read
         std::shared_ptr<const Bricks> bricks; ///< ascending
         std::shared_ptr<const core::CoarseBarriers> cells;
     };

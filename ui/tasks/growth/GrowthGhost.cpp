@@ -337,8 +337,10 @@ void GrowthGhost::readMeans()
 {
     if (m_askedMeans)
         return; // its answer asks for the latest
-    m_askedMeans = m_wanted->means;
     const core::EditSession& session = *m_workspace.session();
+    if (m_wanted->means->position != session.history().position())
+        return; // the strokes are others by now: follow() will be called for them
+    m_askedMeans = m_wanted->means;
     m_workspace.session()->questions().seedSums(m_askedMeans->plane, m_askedMeans->interval,
         core::seedStrokes(session.history(), session.document(), m_askedMeans->plane),
         [ghost = QPointer<GrowthGhost>(this)](
