@@ -198,12 +198,15 @@ void SliceView::zoomBy(double factor, const QPointF& at)
     Q_EMIT placeChanged();
 }
 
-void SliceView::clicked(const QPointF& at)
+bool SliceView::clicked(const QPointF& at)
 {
+    if (!m_awaitsBox && workspace().activeTool())
+        return false;
     if (m_awaitsBox)
         Q_EMIT boxAbandoned();
-    else if (!workspace().activeTool())
+    else
         workspace().setCrosshairLps(context().toLps(at));
+    return true;
 }
 
 void SliceView::menuAsked(const QPointF& at)

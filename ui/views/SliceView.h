@@ -102,7 +102,7 @@ protected:
     void dragged(Gesture gesture, const QPointF& from, const QPointF& to) override;
     void dragEnded(Gesture gesture) override;
     void dragAbandoned() override;
-    void clicked(const QPointF& at) override;
+    bool clicked(const QPointF& at) override;
     void menuAsked(const QPointF& at) override;
     void activateSegmentAt(const QPointF& at) override;
     void hovered(const PointerSample& sample) override;

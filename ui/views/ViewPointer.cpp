@@ -146,9 +146,8 @@ void ViewPointer::released(const PointerReading& reading)
     } else if (!click) {
         m_view.dragEnded(gesture);
     } else if (reading.button == Qt::LeftButton) {
-        m_view.clicked(reading.sample.position);
-        // Nothing of what was meant has happened.
-        if (m_tool && !m_navigateKey && !m_tool->worksIn(m_view.context()))
+        const bool isDone = m_view.clicked(reading.sample.position);
+        if (!isDone && m_tool && !m_navigateKey && !m_tool->worksIn(m_view.context()))
             m_workspace.say(whyToolRests(*m_tool, m_view.context()));
     } else if (reading.button == Qt::RightButton) {
         m_view.menuAsked(reading.sample.position);

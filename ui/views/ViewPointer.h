@@ -33,7 +33,8 @@ public:
     /// A drag that does something only at its end was given up.
     virtual void dragAbandoned() { }
     /// A left click without a drag and without a tool.
-    virtual void clicked(const QPointF&) { }
+    /// @return whether it has done something
+    virtual bool clicked(const QPointF&) { return false; }
     /// A right click without a drag.
     virtual void menuAsked(const QPointF&) { }
     virtual void doubleClicked() = 0;

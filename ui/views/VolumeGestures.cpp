@@ -71,10 +71,12 @@ void VolumeView::changeWindow(const QPointF& moved)
     workspace().setVolumeDisplay(display);
 }
 
-void VolumeView::clicked(const QPointF& at)
+bool VolumeView::clicked(const QPointF& at)
 {
-    if (const auto side = cube(m_camera).sideAt(at))
+    const auto side = cube(m_camera).sideAt(at);
+    if (side)
         lookFrom(*side);
+    return side.has_value();
 }
 
 void VolumeView::hovered(const PointerSample& sample)

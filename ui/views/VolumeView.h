@@ -53,7 +53,7 @@ protected:
     [[nodiscard]] Gesture gestureFor(
         Qt::MouseButton button, const PointerSample& sample, bool toolWorksHere) const override;
     void dragged(Gesture gesture, const QPointF& from, const QPointF& to) override;
-    void clicked(const QPointF& at) override;
+    bool clicked(const QPointF& at) override;
     void menuAsked(const QPointF& at) override;
     void activateSegmentAt(const QPointF& at) override;
     void hovered(const PointerSample& sample) override;

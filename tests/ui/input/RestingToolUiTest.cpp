@@ -18,16 +18,21 @@ namespace restingToolUiTest {
 class RestingToolUiTest : public QObject {
     Q_OBJECT
 
-    /// What is said after a click, or a drag, into a view's middle; empty: nothing.
-    static QString saidAfter(test::WindowFixture& fixture, ui::ImageView& view, bool drags = false)
+    /// What is said after a click, or a drag, into a view; empty: nothing.
+    static QString saidAt(
+        test::WindowFixture& fixture, ui::ImageView& view, const QPointF& at, bool drags = false)
     {
         QSignalSpy said(&fixture.workspace, &ui::Workspace::said);
-        const QPointF at = QPointF(view.width(), view.height()) / 2.0;
         fixture.mouse(view, QEvent::MouseButtonPress, at);
         if (drags)
             fixture.mouse(view, QEvent::MouseMove, at + QPointF(30.0, 0.0));
         fixture.mouse(view, QEvent::MouseButtonRelease, at + QPointF(drags ? 30.0 : 0.0, 0.0));
         return said.isEmpty() ? QString() : said.last()[0].toString();
+    }
+    /// The same in its middle.
+    static QString saidAfter(test::WindowFixture& fixture, ui::ImageView& view, bool drags = false)
+    {
+        return saidAt(fixture, view, QPointF(view.width(), view.height()) / 2.0, drags);
     }
     static void show(test::WindowFixture& fixture, gpu::Context context)
     {
@@ -58,6 +63,21 @@ private Q_SLOTS:
         QVERIFY(saidAfter(fixture, view) != rests);
         QCOMPARE(saidAfter(fixture, fixture.window.views().axial()),
             QStringLiteral("Drill works in the 3D view"));
+    }
+
+    /// The cube of the orientation works with any tool.
+    void whatWorksAllTheSameIsNotCommentedOn()
+    {
+        test::WindowFixture fixture(test::plainCt(test::headFirstSupine()));
+        ui::DrillTool drill(fixture.workspace);
+        fixture.workspace.setActiveTool(&drill);
+        ui::VolumeView& view = fixture.window.views().volume();
+        show(fixture, gpu::Context::Hidden);
+        view.turn(30.0, 20.0);
+        const gpu::Scene before = view.context().scene;
+        QCOMPARE(
+            saidAt(fixture, view, QPointF(view.width() - 54.0, view.height() - 58.0)), QString());
+        QVERIFY(view.context().scene != before);
     }
 
     void aToolOfSlicesNeedsOne()
