@@ -27,7 +27,7 @@ TransferFunctionEditor::TransferFunctionEditor(QWidget* parent)
     setAccessibleName(tr("Colour and opacity over values"));
     setFixedHeight(84);
     setToolTip(tr("Drag points · double click adds one, or chooses a point's colour · Delete "
-                  "removes · wheel zooms"));
+                  "removes · Ctrl+wheel zooms"));
 }
 
 void TransferFunctionEditor::setUnit(const QString& unit)

@@ -22,7 +22,7 @@ HistogramRangePlot::HistogramRangePlot(QWidget* parent)
     : HistogramPlot(parent)
 {
     setAccessibleName(tr("Interval on the histogram"));
-    setToolTip(tr("Drag the handles or the stretch between them; the wheel zooms, a double click "
+    setToolTip(tr("Drag the handles or the stretch between them; Ctrl+wheel zooms, a double click "
                   "shows all values"));
 }
 

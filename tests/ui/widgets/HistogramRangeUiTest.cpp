@@ -201,8 +201,8 @@ private Q_SLOTS:
         HistogramRangePlot& plot = *range.plot();
         const QPointF at(plot.xOf(500.0), 10.0);
         const double before = plot.valueAt(at.x());
-        QWheelEvent wheel(
-            at, plot.mapToGlobal(at), {}, {0, 480}, Qt::NoButton, {}, Qt::NoScrollPhase, false);
+        QWheelEvent wheel(at, plot.mapToGlobal(at), {}, {0, 480}, Qt::NoButton, Qt::ControlModifier,
+            Qt::NoScrollPhase, false);
         QApplication::sendEvent(&plot, &wheel);
         QVERIFY(std::abs(plot.valueAt(at.x()) - before) < 1e-6);
         QVERIFY(plot.valueAt(101) - plot.valueAt(100) < 6.0);
