@@ -54,6 +54,8 @@ public:
         , m_walls(walls)
         , m_rule(rule)
         , m_hasRivals(hasRivals)
+        , m_own(codesWithin(rule, rule.among))
+        , m_rivals(hasRivals ? codesWithin(rule, rule.rivalsAmong) : std::vector<std::uint8_t>())
         , m_passage(rule.passage, m_grid)
         , m_marks(m_layer * (std::size_t(m_cells.z) + 2), Closed)
         , m_waiting(hasRivals ? std::size_t(greatestSide()) + 1 : 1)
@@ -190,12 +192,7 @@ private:
     }
     [[nodiscard]] bool isWithin(int code, Of of) const
     {
-        if (code < m_rule.lowCode || code > m_rule.highCode)
-            return false;
-        const auto& among = of == Of::Own ? m_rule.among : m_rule.rivalsAmong;
-        return !among || std::any_of(among->begin(), among->end(), [code](const auto& interval) {
-            return interval.low <= code && code <= interval.high;
-        });
+        return (of == Of::Own ? m_own : m_rivals)[std::size_t(code)] != 0;
     }
     [[nodiscard]] bool isClosed(std::size_t number, Of of = Of::Own) const
     {
@@ -461,6 +458,8 @@ private:
     const CoarseWalls& m_walls;
     const CoarseRule& m_rule;
     bool m_hasRivals;
+    std::vector<std::uint8_t> m_own; ///< by code: 1 where the growth may take it
+    std::vector<std::uint8_t> m_rivals; ///< the same for who grows with it
     CoarsePassage m_passage;
     std::vector<std::uint8_t> m_centres; ///< by cell: around which a ball has room
     std::array<Step, seedWord::directions> m_steps;

@@ -3,37 +3,16 @@
 
 #include "core/base/Progress.h"
 #include "core/base/Result.h"
-#include "core/growth/Passage.h"
-#include "core/growth/SeedStatistics.h"
 #include "core/growth/coarse/CoarseBarriers.h"
 #include "core/growth/coarse/CoarseGrid.h"
 #include "core/growth/coarse/CoarseReach.h"
+#include "core/growth/coarse/CoarseRule.h"
 
-#include <bitset>
 #include <cstdint>
-#include <limits>
-#include <optional>
 #include <span>
 #include <vector>
 
 namespace core {
-
-/// What a coarse flood asks of voxels: the part of a GrowBurst that a cell can answer.
-struct CoarseRule {
-    int lowCode = 0;
-    int highCode = -1;
-    glm::ivec3 boxFrom{0}; ///< voxels, both included
-    glm::ivec3 boxTo{std::numeric_limits<int>::max()};
-    int connectivity = 6; ///< 6, 18 or 26
-    /// Codes must lie in one of these too, as around the seeds of a stroke; none: no such
-    /// condition.
-    std::optional<std::vector<CodeInterval>> among{};
-    std::optional<std::vector<CodeInterval>> rivalsAmong{}; ///< the same for segments that grow too
-    std::bitset<256> closed{}; ///< labels that it does not enter
-    std::bitset<256> closedToRivals{}; ///< and those that segments that grow with it do not
-    Passage passage{}; ///< left out where cells are too large to tell it (CoarsePassage.h)
-    bool operator==(const CoarseRule&) const = default;
-};
 
 /// What bounds a flood beside codes and box. By cell are the voxels that represent them.
 struct CoarseWalls {

@@ -140,10 +140,10 @@ std::optional<GrowthGhost::Wanted> GrowthGhost::present() const
         .rgb = segment->rgb,
         .seeds = m_workspace.seeds().scene(),
         .rule = {}};
-    const auto isItsOwn = [&wanted](const gpu::SceneSeed& seed) {
-        return int(seed.label) == wanted.label;
-    };
-    if (std::none_of(wanted.seeds->begin(), wanted.seeds->end(), isItsOwn))
+    std::bitset<256> seeded; // labels
+    for (const gpu::SceneSeed& seed : *wanted.seeds)
+        seeded.set(seed.label);
+    if (!seeded.test(std::size_t(wanted.label)))
         return std::nullopt;
 
     // Who grows before it in an interval of its own is not foreseen.
@@ -171,12 +171,12 @@ std::optional<GrowthGhost::Wanted> GrowthGhost::present() const
     rule.closed = rule.closedToRivals = ~burst->overwritable | past.grown;
     rule.closed.reset(0).reset(std::size_t(wanted.label));
     rule.closedToRivals.reset(0);
-    for (const gpu::SceneSeed& seed : *wanted.seeds) {
-        const core::Segment* other = document.segment(seed.label);
-        if (other && other->plane == wanted.plane && int(seed.label) != wanted.label
-            && !burst->lockedLabels.test(seed.label)) {
-            wanted.rivals.set(seed.label);
-            rule.closedToRivals.reset(seed.label);
+    for (const core::Segment& other : document.segments) {
+        const auto label = std::size_t(other.label);
+        if (seeded.test(label) && other.plane == wanted.plane && other.label != segment->label
+            && !burst->lockedLabels.test(label)) {
+            wanted.rivals.set(label);
+            rule.closedToRivals.reset(label);
         }
     }
     rule.closed |= range.closed;

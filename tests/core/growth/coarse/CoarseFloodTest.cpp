@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -313,6 +314,37 @@ private Q_SLOTS:
         // On the border: its cell's middle lies outside the ball, or not.
         for (int x = 26; x < 29; ++x)
             QVERIFY(from({{x, 20, 20}}).voxels > 2000);
+    }
+
+    /// As around the seeds of strokes: of the growth, and of who grows with it.
+    void codesLieInOneOfTheRanges()
+    {
+        Codes codes = test::constantVolume({30, 1, 1}, 50);
+        for (int x = 10; x < 30; ++x)
+            codes.at({x, 0, 0}) = x < 20 ? 60 : 70;
+        CoarseRule rule{.lowCode = 40, .highCode = 80};
+        std::vector<CoarseSeed> seeds{seedAt(codes, {0, 0, 0})};
+        const auto voxels = [&] {
+            return coarseFlood(sampled(codes, 30), {}, seeds, rule).value().voxels;
+        };
+        QCOMPARE(voxels(), std::int64_t(30));
+        rule.among = {{.low = 45, .high = 55}, {.low = 60, .high = 60}};
+        QCOMPARE(voxels(), std::int64_t(20));
+        rule.among->pop_back();
+        QCOMPARE(voxels(), std::int64_t(10));
+        rule.among->clear();
+        QCOMPARE(voxels(), std::int64_t(0));
+        rule.among.reset();
+        seeds.push_back(seedAt(codes, {29, 0, 0}));
+        seeds.back().of = CoarseSeed::Of::RivalAfter;
+        rule.rivalsAmong = {{.low = 70, .high = 75}};
+        QCOMPARE(voxels(), std::int64_t(20));
+        rule.rivalsAmong->front() = {.low = 71, .high = 75};
+        QCOMPARE(voxels(), std::int64_t(30));
+        const std::vector<std::uint8_t> within =
+            codesWithin(rule, std::vector<CodeInterval>{{.low = -5, .high = 41}, {78, 70000}});
+        QCOMPARE(within.size(), std::size_t(65536));
+        QCOMPARE(std::count(within.begin(), within.end(), std::uint8_t(1)), std::ptrdiff_t(5));
     }
 
     void canBeCancelled()
