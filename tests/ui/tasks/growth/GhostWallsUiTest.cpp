@@ -140,6 +140,31 @@ private Q_SLOTS:
         QVERIFY(fixture.foresees(allInside()));
     }
 
+    /// Also if the ghost of before is drawn anew, because labels have changed, after one is redone.
+    void barriersAreThoseOfThePresent()
+    {
+        Foreseen fixture(asManyAsVoxels);
+        QVERIFY(ui::addSegment(fixture.workspace));
+        fixture.workspace.setActiveSegment(1);
+        fixture.apply(test::paintAt(2, {{-9.0, 0.0, 0.0}}, 2.0));
+        fixture.apply(test::WorkspaceFixture::middleSeed(1));
+        fixture.apply(sheetAt(3.0));
+        fixture.apply(sheetAt(-4.0));
+        const std::int64_t between = fixture.grown();
+        QVERIFY(fixture.session().undo());
+        QVERIFY(fixture.voxels() > between);
+        QVERIFY(fixture.session().redo());
+        fixture.settle();
+        fixture.apply(test::paintAt(2, {{-9.0, 3.0, 0.0}}, 2.0)); // not between them
+        QVERIFY(QTest::qWaitFor(
+            [&fixture] {
+                fixture.settle();
+                return fixture.ghost.upToDate();
+            },
+            patience));
+        QVERIFY(fixture.foresees(between));
+    }
+
     /// One that was there before the seeds, when only these were undone and sketched again.
     void seedsLeaveBarriersAsTheyAre()
     {
