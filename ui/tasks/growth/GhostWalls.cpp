@@ -74,8 +74,10 @@ GhostWalls::GhostWalls(Workspace& workspace, QObject* parent)
             if (change.what != What::Growth || change.box.empty())
                 return;
             m_changed = m_changed.united(change.box);
-            if (std::exchange(m_looking, nullptr))
-                Q_EMIT lost();
+            if (!std::exchange(m_looking, nullptr))
+                return;
+            noteReading();
+            Q_EMIT lost();
         });
 }
 
@@ -87,6 +89,7 @@ void GhostWalls::lose(Planes& planes)
     planes.cells.reset();
     if (isRead)
         m_reader.reset();
+    noteReading();
     Q_EMIT lost();
 }
 
@@ -94,6 +97,16 @@ void GhostWalls::stop()
 {
     m_reader.reset();
     m_looking.reset();
+    noteReading();
+}
+
+/// What is previewed in passing would be read along, so it waits.
+void GhostWalls::noteReading()
+{
+    if (!m_reader && !m_looking)
+        m_reading.reset();
+    else if (!m_reading)
+        m_reading = m_workspace.session()->questions().beginReading();
 }
 
 void GhostWalls::forget()
@@ -159,6 +172,7 @@ void GhostWalls::readNextPlane()
 {
     m_reader = std::make_shared<core::LabelReader>(m_grid.volumeSize, m_left.back(), m_into->field);
     m_left.pop_back();
+    noteReading();
     readPlaneOn();
 }
 
@@ -196,6 +210,7 @@ void GhostWalls::takePlane(const core::Result<Cells>& cells)
     m_greatest = *cells;
     if (!m_left.empty())
         return readNextPlane();
+    noteReading();
     m_into->cells = std::exchange(m_greatest, nullptr);
     Q_EMIT read();
 }
@@ -210,6 +225,7 @@ void GhostWalls::readBarriers(std::uint8_t plane, core::RowId row)
     const core::VoxelBox box =
         m_barriers ? m_changed : core::VoxelBox{glm::ivec3(0), m_grid.volumeSize};
     m_looking = std::make_shared<Looking>(Looking{.plane = plane, .row = row});
+    noteReading();
     for (const std::uint32_t brick : bricksIn(grid, box))
         m_looking->keys.push_back({core::Field::SeedWords, plane, brick});
     if (m_looking->keys.empty())
@@ -280,6 +296,7 @@ void GhostWalls::finishBarriers()
         if (!found)
             return refuse();
         m_looking.reset();
+        noteReading();
         m_barriers = *found;
         m_changed = {};
         Q_EMIT read();

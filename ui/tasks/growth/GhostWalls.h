@@ -98,6 +98,7 @@ private:
     void takeBarriers(const core::Result<std::vector<core::BrickImage>>& bricks);
     void finishBarriers();
     void refuse();
+    void noteReading();
 
     Workspace& m_workspace;
     core::CoarseGrid m_grid;
@@ -111,6 +112,8 @@ private:
     std::optional<Barriers> m_barriers; ///< those that were read last
     core::VoxelBox m_changed; ///< where seed words have changed since
     std::shared_ptr<Looking> m_looking; ///< null: no barriers are being read
+    /// VoxelQuestions::beginReading(); null: neither of both is being read.
+    std::shared_ptr<const void> m_reading;
 
     core::Background m_work; ///< last: it uses all of the above
 };

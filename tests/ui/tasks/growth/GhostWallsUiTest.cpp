@@ -6,6 +6,7 @@
 #include "core/edits/kinds/growth/GrowSteps.h"
 #include "core/edits/kinds/layers/ChangeLayer.h"
 #include "core/session/EditSession.h"
+#include "core/session/questions/VoxelQuestions.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/fixtures/WorkspaceFixture.h"
 #include "tests/support/program/TestProgram.h"
@@ -180,6 +181,28 @@ private Q_SLOTS:
         QVERIFY(fixture.foresees(both));
         fixture.apply(test::revertRows({fixture.session().history().position()}));
         QVERIFY(fixture.foresees(cut));
+    }
+
+    /// What is previewed in passing waits for it: it would be read along.
+    void othersKnowThatItReads()
+    {
+        Foreseen fixture(asManyAsVoxels);
+        QVERIFY(ui::addSegment(fixture.workspace));
+        fixture.workspace.setActiveSegment(1);
+        fixture.apply(test::paintAt(2, {{-9.0, 0.0, 0.0}}, 2.0));
+        fixture.apply(sheetAt(3.0));
+        fixture.apply(test::WorkspaceFixture::middleSeed(1));
+        const core::VoxelQuestions& questions = fixture.session().questions();
+        QVERIFY(!questions.isBeingRead());
+        QVERIFY(QTest::qWaitFor(
+            [&] {
+                fixture.settle();
+                fixture.ghost.follow(true);
+                return questions.isBeingRead();
+            },
+            patience));
+        QVERIFY(fixture.voxels() > 0);
+        QVERIFY(!questions.isBeingRead());
     }
 
     void whatIsCarvedBoundsTheGhost_data() { addCells(); }
