@@ -37,6 +37,8 @@ namespace smallHead = test::smallHead;
 
 namespace {
 
+constexpr int patience = 60000; ///< milliseconds, on a busy machine
+
 using Voxels = std::vector<bool>;
 
 /// What slices draw of a ghost of the small head.
@@ -94,10 +96,12 @@ public:
 
     template <class Condition> [[nodiscard]] bool waitFor(Condition condition)
     {
-        return QTest::qWaitFor([&] {
-            settle();
-            return condition();
-        });
+        return QTest::qWaitFor(
+            [&] {
+                settle();
+                return condition();
+            },
+            patience);
     }
     /// In the ventricle; waits for the ghost.
     void sketch()
