@@ -75,7 +75,12 @@ StagedFolder& StagedFolder::operator=(StagedFolder&& other) noexcept
 
 StagedFolder::~StagedFolder()
 {
-    if (!m_path.isEmpty())
+    if (m_path.isEmpty())
+        return;
+    // It may have replaced a file. Of a link, what it leads to is not ours.
+    if (const QFileInfo info(m_path); info.isSymLink() || !info.isDir())
+        QFile::remove(m_path);
+    else
         QDir(m_path).removeRecursively();
 }
 
@@ -88,7 +93,10 @@ Result<void> StagedFolder::commit()
     }
     // Their names, too, before they take the place of others. Some network mounts cannot.
     syncToDisk(m_path);
-    if (m_replaceExisting && QFileInfo::exists(m_target)) {
+    const QFileInfo there(m_target);
+    if (there.isSymLink())
+        return failure(ErrorCode::FileExists, m_target);
+    if (m_replaceExisting && there.exists()) {
         if (const Result<void> exchanged = exchange(); !exchanged)
             return exchanged;
     } else {

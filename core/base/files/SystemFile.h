@@ -17,9 +17,10 @@ bool syncToDisk(const QString& path);
 /// waits for whatever all others write. @return 0, or the errno of one that failed
 [[nodiscard]] int syncAllToDisk(const QStringList& paths);
 
-/// Gives a file, or a folder, a name that is free; what has it is never replaced. It throws
-/// nothing. @return whether it has it; errno has the reason if not (EEXIST: it is taken)
+/// Gives a file, or a folder, a name that is free; what has that name is never replaced. Throws
+/// nothing. @return whether it has the name; errno has the reason if not (EEXIST: it is taken)
 [[nodiscard]] bool renameToFreeName(const QByteArray& from, const QByteArray& to);
+/// The same for names as Qt has them, which are encoded first.
 [[nodiscard]] bool renameToFreeName(const QString& from, const QString& to);
 
 } // namespace core

@@ -5,6 +5,7 @@
 
 #include <QDir>
 #include <QFile>
+#include <QFileInfo>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -87,6 +88,42 @@ private Q_SLOTS:
         write(path("c/new"));
         QVERIFY(StagedFolder::adopt(path("c"), path("d"), true).commit());
         QVERIFY(QFile::exists(path("d/new")));
+    }
+
+    /// Whatever came there meanwhile: a link is no folder, and what it leads to is somebody's.
+    void aLinkIsNotReplaced()
+    {
+        QVERIFY(QDir().mkpath(path("theirs")) && QDir().mkpath(path("new")));
+        write(path("theirs/file"));
+        write(path("new/file"));
+        QVERIFY(QFile::link(path("theirs"), path("link")));
+        {
+            auto staged = StagedFolder::adopt(path("new"), path("link"), true);
+            const auto placed = staged.commit();
+            QVERIFY(!placed);
+            QCOMPARE(placed.error().code, ErrorCode::FileExists);
+        }
+        QVERIFY(QFileInfo(path("link")).isSymLink());
+        QVERIFY(QFile::exists(path("theirs/file")));
+        QVERIFY(!QFile::exists(path("new")));
+        // Nor where a link has taken the place of the new folder.
+        {
+            const auto staged = StagedFolder::adopt(path("link"), path("other"));
+        }
+        QVERIFY(QFile::exists(path("theirs/file")));
+    }
+
+    void aFileThatIsReplacedIsGone()
+    {
+        QVERIFY(QDir().mkpath(path("new")));
+        write(path("new/file"));
+        write(path("old"));
+        {
+            auto staged = StagedFolder::adopt(path("new"), path("old"), true);
+            QVERIFY(staged.commit());
+        }
+        QVERIFY(QFile::exists(path("old/file")));
+        QCOMPARE(names(), QStringList{QStringLiteral("old")});
     }
 
     void onlyAnEmptyFolderGivesWay()
