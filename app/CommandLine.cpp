@@ -33,6 +33,9 @@
 #include <span>
 #include <vector>
 
+#include <poll.h>
+#include <unistd.h>
+
 namespace app {
 
 namespace {
@@ -54,13 +57,20 @@ void printHelp()
     std::printf("\nburin COMMAND --help says what each option means.\n");
 }
 
+/// Whether whoever reads the output has closed it, as `head` does when it has had enough.
+bool isOutputClosed()
+{
+    pollfd output{.fd = STDOUT_FILENO, .events = 0, .revents = 0};
+    return ::poll(&output, 1, 0) == 1 && (output.revents & (POLLERR | POLLHUP)) != 0;
+}
+
 /// What was printed may be somebody's file, of which only the end tells whether it is whole.
 /// @return the status, or that of a failure if what was printed is not
 int afterOutput(int status)
 {
     const bool isFlushed = std::fflush(stdout) == 0;
     const int error = errno;
-    if (isFlushed && std::ferror(stdout) == 0)
+    if ((isFlushed && std::ferror(stdout) == 0) || isOutputClosed())
         return status;
     // Of what failed earlier nobody has kept the reason.
     const QString why = isFlushed ? QString() : QStringLiteral(": ") + core::systemReason(error);

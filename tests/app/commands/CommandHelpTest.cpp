@@ -6,8 +6,12 @@
 #include <QRegularExpression>
 #include <QTest>
 
+#include <csignal>
 #include <set>
 #include <utility>
+
+#include <fcntl.h>
+#include <unistd.h>
 
 namespace commandHelpTest {
 
@@ -26,6 +30,7 @@ private Q_SLOTS:
     void wordsAreUnderstood();
     void outputThatIsLostIsAFailure_data();
     void outputThatIsLostIsAFailure();
+    void whoClosesThePipeHasHadEnough();
 
 private:
     [[nodiscard]] static std::set<QString> optionsIn(const QString& text)
@@ -168,6 +173,27 @@ void CommandHelpTest::outputThatIsLostIsAFailure()
             process.readAllStandardError().contains("not all that it printed could be written"),
             status == 1);
     }
+}
+
+/// As `head` does, under a program that ignores the signal which ends others then.
+void CommandHelpTest::whoClosesThePipeHasHadEnough()
+{
+    int ends[2] = {};
+    QVERIFY(::pipe2(ends, O_CLOEXEC) == 0);
+    ::close(ends[0]);
+    QProcess process;
+    process.setChildProcessModifier([output = ends[1]] {
+        std::signal(SIGPIPE, SIG_IGN);
+        ::dup2(output, STDOUT_FILENO);
+    });
+    process.start(
+        QStringLiteral(BURIN_PROGRAM), {QStringLiteral("edits"), QStringLiteral("--json")});
+    const bool isOver = process.waitForFinished();
+    ::close(ends[1]);
+    QVERIFY(isOver);
+    QCOMPARE(process.exitStatus(), QProcess::NormalExit);
+    QCOMPARE(process.exitCode(), 0);
+    QCOMPARE(process.readAllStandardError(), QByteArray());
 }
 
 BURIN_TEST(CommandHelpTest)
