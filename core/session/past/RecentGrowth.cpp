@@ -147,7 +147,8 @@ std::bitset<256> grownIn(const History& history, std::uint8_t plane)
             continue;
         }
         for (const int label : *criteria->segments) {
-            if (seeded.test(std::size_t(label)))
+            // A file may name any number.
+            if (std::size_t(label) < seeded.size() && seeded.test(std::size_t(label)))
                 grown.set(std::size_t(label));
         }
     }
