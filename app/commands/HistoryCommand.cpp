@@ -263,7 +263,9 @@ const Command historyCommand{.name = "history",
         {"deidentified", "OUT.burin", "writes a copy without who the patient is, for others"},
         {"dates", "remove|keep|DAYS",
             "what happens to dates in that copy; DAYS moves them by this number of days"},
-        {"force", nullptr, "replaces a file that exists already"}},
+        {"force", nullptr,
+            "replaces a file that exists already; a copy for others replaces nothing but a closed "
+            "session"}},
     .run = runHistory,
     .fontsFor = "--report"};
 
