@@ -445,7 +445,8 @@ void MemoryFailureGlTest::aReportAndItsMask_data()
     }
 }
 
-/// Both are those of before, or both are the new ones.
+/// Both are those of before, or both are the new ones; that also where memory is refused once they
+/// are in place, so that the program fails at what comes after.
 void MemoryFailureGlTest::aReportAndItsMask()
 {
     QFETCH(qlonglong, which);
@@ -470,7 +471,7 @@ void MemoryFailureGlTest::aReportAndItsMask()
     }
     if (outcome.status != 0 && outcome.status != 1)
         return; // it ended at once
-    QCOMPARE(fresh, outcome.status == 0 ? int(reportFiles.size()) : 0);
+    QVERIFY(fresh == int(reportFiles.size()) || (fresh == 0 && outcome.status != 0));
     QStringList left = QDir(path("")).entryList(QDir::Files | QDir::Hidden);
     for (const QString& known : reportFiles + QStringList{key("count.txt")})
         left.removeAll(known);

@@ -278,6 +278,7 @@ private Q_SLOTS:
         QVERIFY(!question.isEmpty());
         QCOMPARE(offers.count(), 1);
         QVERIFY(session.exists());
+        QTRY_COMPARE(buttons(offers, "Discard …").size(), 1); // its layout shows it
         answer("Discard", question);
         buttons(offers, "Discard …").at(0)->click();
         QVERIFY(changed.wait(patience));
