@@ -7,7 +7,7 @@
 #   packaging/asan.sh REGEX       those whose names match
 #
 # What is not run here:
-# - MemoryFailureGlTest, RefusedNewGlTest and those that count what work costs (WorkOf…GlTest): they
+# - LibraryMemoryTest, MemoryFailureGlTest, RefusedNewGlTest and those that count what work costs (WorkOf…GlTest): they
 #   put an allocation of their own in the place of the sanitizer's;
 # - single functions in which a process may have only little memory, or throws behind the fence that
 #   lets it read no file: those tests say so themselves;
@@ -35,7 +35,7 @@ UBSAN_OPTIONS+=":suppressions=$burinRoot/packaging/asan.supp"
 say "testing"
 status=0
 ctest --test-dir "$burinBuild" --label-regex '^quick$' \
-    --exclude-regex '^(MemoryFailureGlTest|RefusedNewGlTest|WorkOf.*GlTest)$' ${1:+--tests-regex "$1"} \
+    --exclude-regex '^(LibraryMemoryTest|MemoryFailureGlTest|RefusedNewGlTest|WorkOf.*GlTest)$' ${1:+--tests-regex "$1"} \
     --output-on-failure --no-tests=error --parallel $(($(buildJobs) + 1)) \
     --output-junit "$burinBuild/tests.xml" 2>&1 | tee "$burinBuild/tests.log" || status=$?
 exit $status

@@ -13,6 +13,22 @@
 
 namespace core {
 
+namespace {
+
+bool isDictionaryLoaded()
+{
+    try {
+        return dcmDataDict.isDictionaryLoaded();
+    } catch (...) {
+        // It is loaded under its lock, which DCMTK does not release where memory is refused:
+        // whoever asked for it next would wait for ever.
+        dcmDataDict.wrunlock();
+        throw;
+    }
+}
+
+} // namespace
+
 void readyDcmtk()
 {
     static std::once_flag once;
@@ -20,7 +36,7 @@ void readyDcmtk()
         // The environment could replace the dictionary and with it the meaning of every element.
         unsetenv("DCMDICTPATH");
         OFLog::configure(OFLogger::OFF_LOG_LEVEL);
-        if (!dcmDataDict.isDictionaryLoaded())
+        if (!isDictionaryLoaded())
             qCCritical(log, "DCMTK's data dictionary is missing; implicit VR files cannot be read");
         DJDecoderRegistration::registerCodecs();
         DJLSDecoderRegistration::registerCodecs();
