@@ -7,8 +7,8 @@
 #   packaging/asan.sh REGEX       those whose names match
 #
 # What is not run here:
-# - LibraryMemoryTest, MemoryFailureGlTest, RefusedNewGlTest and those that count what work costs (WorkOf…GlTest): they
-#   put an allocation of their own in the place of the sanitizer's;
+# - LibraryMemoryTest, MemoryFailureGlTest, RefusedNewGlTest and those that count what work costs
+#   (WorkOf…GlTest): they put an allocation of their own in the place of the sanitizer's;
 # - single functions in which a process may have only little memory, or throws behind the fence that
 #   lets it read no file: those tests say so themselves;
 # - a search for memory that nobody freed: drivers and Qt keep theirs (DrivenWindowUiTest counts).
