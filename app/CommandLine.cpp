@@ -18,6 +18,7 @@
 #include "app/steps/Arguments.h"
 #include "app/window/DisplayNeeded.h"
 #include "app/window/GuardedApplication.h"
+#include "app/window/HandlesNeeded.h"
 #include "app/window/OpenCommand.h"
 #include "app/window/PrivateSettings.h"
 #include "core/base/Guarded.h"
@@ -101,6 +102,12 @@ int runCommandLine(int argc, char** argv)
                 [](const char* word) { return std::strcmp(word, "--help") == 0; });
         if (needsFonts)
             qputenv("QT_QPA_PLATFORM", "offscreen");
+        if (needsWindow) {
+            if (const QString why = whyNoWindowForHandles(); !why.isEmpty()) {
+                std::fprintf(stderr, "burin: %s\n", qUtf8Printable(why));
+                return EXIT_FAILURE;
+            }
+        }
         int status = 0;
         const core::Result<void> ran = core::guarded([&] {
             if (needsWindow) {

@@ -43,10 +43,10 @@ private Q_SLOTS:
         QTest::addColumn<int>("megabytes");
         QTest::addColumn<int>("handles");
         QList<int> limits{450, 900};
-        QList<int> handles{16, 40};
+        QList<int> handles{16, 64};
         if (test::longRun()) {
             limits = {200, 300, 400, 500, 600, 700, 800, 900, 1000, 1200, 1500, 2000, 2500};
-            handles = {8, 12, 16, 20, 24, 28, 32, 36, 40, 48, 64};
+            handles = {8, 12, 13, 14, 16, 20, 24, 32, 48, 63, 64, 70, 80, 128};
         }
         for (const int each : limits)
             QTest::addRow("%d MB", each) << each << 0;
@@ -70,7 +70,12 @@ private Q_SLOTS:
         QVERIFY2(outcome.status != Outcome::hung, qPrintable(outcome.complaint));
         QVERIFY(outcome.status == 0 || !outcome.complaint.isEmpty());
         QVERIFY(QFile::exists(path("p.png")) == (outcome.status == 0));
-        QVERIFY(outcome.status != 0 || QImage(path("p.png")).size() == QSize(900, 600));
+        // The window is as small as it can be, where it cannot be as small as that.
+        QVERIFY(outcome.status != 0 || QImage(path("p.png")).width() >= 900);
+        if (handles > 0) {
+            QCOMPARE(outcome.status, handles < 64 ? 1 : 0);
+            QVERIFY(handles >= 64 || outcome.complaint.contains(key("64 file handles")));
+        }
         // What a program that ended at once has left open is recovered.
         QCOMPARE(hashes("a.burin"), m_hashes);
         const Outcome verified = test::burin({key("replay"), path("a.burin"), key("--verify")});
