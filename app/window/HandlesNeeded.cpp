@@ -11,7 +11,7 @@ namespace app {
 
 namespace {
 
-constexpr rlim_t fewest = 64; // a window and a session have about 30 open
+constexpr rlim_t fewest = 64; // a window with a study and its session has 20 open
 constexpr rlim_t usual = 1024; // FD_SETSIZE
 
 } // namespace

@@ -24,11 +24,12 @@ QString whyToolRests(const Tool& tool, const ViewContext& view)
         return tr("%1 works in the 3D view").arg(tool.longName());
     ViewContext withVolume = view;
     auto& scene = std::get<gpu::VolumeScene>(withVolume.scene);
+    const bool isCutAway = scene.context == gpu::Context::CutAway;
     scene.context = gpu::Context::Opaque;
     if (!tool.worksIn(withVolume))
         return tr("%1 works in the slices").arg(tool.longName());
-    return tr("%1 works on the volume, which steps back here: choose Volume or both at the bottom "
-              "left of the view")
+    return (isCutAway ? tr("%1 works on the whole volume: switch off cut away in the view")
+                      : tr("%1 works on the volume: choose Volume or both in the view"))
         .arg(tool.longName());
 }
 
