@@ -50,11 +50,12 @@ glm::dvec3 BoundaryForce::forceMm(const SurfacePoint& point) const
 glm::dvec3 BoundaryForce::wayOut(const glm::dvec3& positionLps, const glm::dvec3& normalLps) const
 {
     // As it falls per mm: a rise along the axes of the index, by how these change with the place.
-    const glm::dvec3 fall = -(m_indexPerMm * m_occupancy.rise(m_toIndex(positionLps)));
+    const glm::dvec3 index = m_toIndex(positionLps);
+    const glm::dvec3 fall = -(m_indexPerMm * m_occupancy.rise(index));
     const double steep = glm::length(fall);
     const double along = glm::dot(fall, normalLps);
     const double sure = leastCosine * steep;
-    const bool isThrough = along <= -sure && m_occupancy.at(m_toIndex(positionLps)) >= level;
+    const bool isThrough = along <= -sure && m_occupancy.at(index) >= level;
     if (steep * m_widthMm < leastFall || along >= sure || isThrough)
         return normalLps;
     return fall / steep;
@@ -68,11 +69,12 @@ std::optional<double> BoundaryForce::alongNormalMm(
     const double fastest = std::max({perMm.x, perMm.y, perMm.z});
     if (!(fastest > 0.0))
         return std::nullopt;
-    const double here = m_occupancy.at(from) - level;
+    SmoothOccupancy::Walk walk(m_occupancy);
+    const double here = walk.at(from) - level;
     const double side = here >= 0.0 ? 1.0 : -1.0;
     const double stepMm = side * stepVoxels / fastest;
     const auto offAt = [&](double mm) {
-        return m_occupancy.at(m_toIndex(positionLps + mm * normalLps)) - level;
+        return walk.at(m_toIndex(positionLps + mm * normalLps)) - level;
     };
     double nearMm = 0.0;
     double nearOff = here;

@@ -39,12 +39,12 @@ double neighbourDistanceMm(const SimplexMesh& mesh, VertexId id)
     return sum / 3.0;
 }
 
-double meanDistanceMm(const SimplexMesh& mesh, std::span<const VertexId> vertices)
+double meanOf(const std::vector<double>& numbers)
 {
     double sum = 0.0;
-    for (const VertexId id : vertices)
-        sum += neighbourDistanceMm(mesh, id);
-    return vertices.empty() ? 0.0 : sum / double(vertices.size());
+    for (const double number : numbers)
+        sum += number;
+    return numbers.empty() ? 0.0 : sum / double(numbers.size());
 }
 
 } // namespace
@@ -123,7 +123,10 @@ DeformationStep Deformation::step(
     forgetInactive();
     measureCurvatures(mesh);
     m_pulls.resize(m_active.size());
-    const double strideMm = m_settings.stride * meanDistanceMm(mesh, m_active);
+    m_distances.resize(m_active.size());
+    forEach(m_active.size(), m_settings.shares,
+        [&](std::size_t i) { m_distances[i] = neighbourDistanceMm(mesh, m_active[i]); });
+    const double strideMm = m_settings.stride * meanOf(m_distances);
     forEach(m_active.size(), m_settings.shares, [&](std::size_t i) {
         const VertexId id = m_active[i];
         const SurfacePoint point{.vertex = id,
@@ -131,7 +134,7 @@ DeformationStep Deformation::step(
             .normalLps = evenNormal(mesh, id),
             .mark = mesh.mark(id),
             .curvaturePerMm = m_curvatures[id],
-            .distanceMm = neighbourDistanceMm(mesh, id)};
+            .distanceMm = m_distances[i]};
         glm::dvec3 external(0.0);
         for (const ExternalForce* force : forces)
             external += force->forceMm(point);
@@ -225,8 +228,8 @@ void Deformation::measureCurvatures(const SimplexMesh& mesh)
                 * (m_curvatures[id] + m_curvatures[near[0]] + m_curvatures[near[1]]
                     + m_curvatures[near[2]]);
         });
-        for (std::size_t i = 0; i < ends[std::size_t(round)]; ++i)
-            m_curvatures[m_measured[i]] = m_evened[m_measured[i]];
+        // What lies farther out was not evened and is not read any more.
+        m_curvatures.swap(m_evened);
     }
 }
 

@@ -88,6 +88,7 @@ private:
     std::vector<glm::dvec3> m_normals; ///< by vertex
     std::vector<double> m_curvatures; ///< by vertex
     std::vector<double> m_evened; ///< by vertex
+    std::vector<double> m_distances; ///< mm to the neighbours, by index in m_active
     std::vector<Pull> m_pulls; ///< by index in m_active
 };
 

@@ -59,11 +59,11 @@ SmoothOccupancy::SmoothOccupancy(const BoxMask& mask)
         for (std::size_t i = 0; i < layer; ++i) {
             const glm::ivec3 first =
                 m_first + edge * glm::ivec3(int(i) % m_bricksAlong.x, int(i) / m_bricksAlong.x, bz);
-            Cube cube{.edge = edge + 2 * reach};
+            Cube cube{.edge = stored + 2 * reach};
             std::int32_t count = 0;
-            for (int z = -reach; z < edge + reach; ++z) {
-                for (int y = -reach; y < edge + reach; ++y) {
-                    for (int x = -reach; x < edge + reach; ++x) {
+            for (int z = -reach; z < stored + reach; ++z) {
+                for (int y = -reach; y < stored + reach; ++y) {
+                    for (int x = -reach; x < stored + reach; ++x) {
                         cube.values.push_back(mask.contains(first + glm::ivec3(x, y, z)) ? 1 : 0);
                         count += cube.values.back();
                     }
@@ -78,9 +78,9 @@ SmoothOccupancy::SmoothOccupancy(const BoxMask& mask)
             const Cube twice = once.smoothed();
             Brick& brick = made[std::size_t(bz)].emplace_back();
             for (int v = 0; v < voxelsPerBrick; ++v) {
-                const int x = v % edge;
-                const int y = v / edge % edge;
-                const int z = v / edge / edge;
+                const int x = v % stored;
+                const int y = v / stored % stored;
+                const int z = v / stored / stored;
                 const std::int32_t value = 128 * once.values[once.place(x + 1, y + 1, z + 1)]
                     - twice.values[twice.place(x, y, z)];
                 const bool isInside = cube.values[cube.place(x + reach, y + reach, z + reach)] == 1;
@@ -102,38 +102,70 @@ SmoothOccupancy::SmoothOccupancy(const BoxMask& mask)
 
 double SmoothOccupancy::valueAt(const glm::ivec3& voxel) const
 {
-    const glm::ivec3 at = voxel - m_first;
-    const glm::ivec3 brick = at / edge;
-    if (glm::any(glm::lessThan(at, glm::ivec3(0)))
+    const glm::ivec3 brick = voxel / edge;
+    if (glm::any(glm::lessThan(voxel, glm::ivec3(0)))
         || glm::any(glm::greaterThanEqual(brick, m_bricksAlong)))
         return 0.0;
-    const std::int32_t entry =
-        m_table[std::size_t((brick.z * m_bricksAlong.y + brick.y) * m_bricksAlong.x + brick.x)];
+    const std::int32_t entry = entryOf(brick.x, brick.y, brick.z);
     if (entry < 0)
         return entry == Inside ? double(one) : 0.0;
-    const glm::ivec3 in = at - edge * brick;
-    return m_bricks[std::size_t(entry)][std::size_t((in.z * edge + in.y) * edge + in.x)];
+    const glm::ivec3 in = voxel - edge * brick;
+    return m_bricks[std::size_t(entry)][std::size_t((in.z * stored + in.y) * stored + in.x)];
 }
 
-SmoothOccupancy::Cell SmoothOccupancy::cellAt(const glm::dvec3& index) const
+SmoothOccupancy::Place SmoothOccupancy::placeOf(const glm::dvec3& index) const
 {
     constexpr double farthest = 1e9;
-    const glm::dvec3 held = glm::clamp(index, -farthest, farthest);
-    const glm::dvec3 low = glm::floor(held);
-    const glm::ivec3 voxel(low);
-    Cell cell{.share = held - low};
-    for (int i = 0; i < 8; ++i)
-        cell.corners[std::size_t(i)] =
-            valueAt(voxel + glm::ivec3(i & 1, (i >> 1) & 1, (i >> 2) & 1));
-    return cell;
+    Place place;
+    for (int axis = 0; axis < 3; ++axis) {
+        const double held = std::clamp(index[axis], -farthest, farthest);
+        // Rounds towards 0, thus up where it is negative.
+        int low = int(held);
+        low -= double(low) > held ? 1 : 0;
+        place.first[axis] = low - m_first[axis];
+        place.share[axis] = held - double(low);
+    }
+    return place;
 }
 
-double SmoothOccupancy::at(const glm::dvec3& index) const
+SmoothOccupancy::Corners SmoothOccupancy::cornersAt(const glm::ivec3& first) const
 {
-    const auto [corners, share] = cellAt(index);
+    // A negative number is a large one without its sign.
+    const auto isBefore = [](int number, int bricks) {
+        return unsigned(number) < unsigned(edge * bricks);
+    };
+    Corners corners;
+    if (!isBefore(first.x, m_bricksAlong.x) || !isBefore(first.y, m_bricksAlong.y)
+        || !isBefore(first.z, m_bricksAlong.z)) {
+        for (int i = 0; i < 8; ++i)
+            corners[std::size_t(i)] =
+                valueAt(first + glm::ivec3(i & 1, (i >> 1) & 1, (i >> 2) & 1));
+        return corners;
+    }
+    const std::int32_t entry = entryOf(first.x / edge, first.y / edge, first.z / edge);
+    if (entry < 0) {
+        corners.fill(entry == Inside ? double(one) : 0.0);
+        return corners;
+    }
+    constexpr int row = stored;
+    constexpr int layer = stored * stored;
+    const std::int16_t* const corner = m_bricks[std::size_t(entry)].data() + first.z % edge * layer
+        + first.y % edge * row + first.x % edge;
+    return {double(corner[0]), double(corner[1]), double(corner[row]), double(corner[row + 1]),
+        double(corner[layer]), double(corner[layer + 1]), double(corner[layer + row]),
+        double(corner[layer + row + 1])};
+}
+
+double SmoothOccupancy::Walk::at(const glm::dvec3& index)
+{
+    const auto [first, share] = m_field.placeOf(index);
+    if (first != m_first) {
+        m_corners = m_field.cornersAt(first);
+        m_first = first;
+    }
     double sum = 0.0;
     for (std::size_t i = 0; i < 4; ++i) {
-        const double along = (1.0 - share.x) * corners[2 * i] + share.x * corners[2 * i + 1];
+        const double along = (1.0 - share.x) * m_corners[2 * i] + share.x * m_corners[2 * i + 1];
         sum += (i % 2 == 0 ? 1.0 - share.y : share.y) * (i < 2 ? 1.0 - share.z : share.z) * along;
     }
     return sum / double(one);
@@ -141,7 +173,8 @@ double SmoothOccupancy::at(const glm::dvec3& index) const
 
 glm::dvec3 SmoothOccupancy::rise(const glm::dvec3& index) const
 {
-    const auto [corners, share] = cellAt(index);
+    const auto [first, share] = placeOf(index);
+    const Corners corners = cornersAt(first);
     glm::dvec3 sum(0.0);
     for (int axis = 0; axis < 3; ++axis) {
         const int next = (axis + 1) % 3;
