@@ -104,9 +104,8 @@ Program& RaycastPass::seldomProgram(const VolumeScene& scene, const Seldom& with
 
 std::size_t RaycastPass::variantOf(const VolumeScene& scene, RayBlocks::Kind kind)
 {
-    // MIP and X-ray gain nothing by leaving segments out.
-    const bool flat = scene.mode == RenderMode::Mip || scene.mode == RenderMode::Xray;
-    if (flat && kind == RayBlocks::Kind::Carved)
+    // An X-ray gains nothing by leaving segments out.
+    if (scene.mode == RenderMode::Xray && kind == RayBlocks::Kind::Carved)
         kind = RayBlocks::Kind::Sculpted;
     return variants * std::size_t(scene.mode) + 2 * std::size_t(kind) + (scene.clip.any() ? 1 : 0);
 }

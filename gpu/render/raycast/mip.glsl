@@ -18,7 +18,7 @@ vec3 shownGreatest(float greatest)
     return grey * 255.0 < 0.5 ? vec3(grey) : shownGrey(grey);
 }
 
-#if SCULPTED
+#if SEGMENTS || PIECES
 float greatestOf(ivec3 cell)
 {
 #ifdef EVERY_SAMPLE
@@ -130,6 +130,9 @@ const float maximumSide = 4.0;
 vec3 seenAlong(Ray ray)
 {
     const Samples samples = samplesOf(ray, maximumSide);
+#if SCULPTED
+    const Samples blocks = samplesOf(ray, cellSide);
+#endif
     const vec3 perCells = 1.0 / vec3(textureSize(maximumCells, 0));
     float n = 1.0;
     float greatest = max(black, -1.0);
@@ -158,12 +161,32 @@ vec3 seenAlong(Ray ray)
             const float leave = leaves(samples, cell, max(distance, 1.0) - 1.0);
             n = max(n, floor(leave)) + 1.0;
         }
-        const float end = wanted ? min(max(leaves(samples, cell, 0.0), n + 0.5), last) : n;
+        float end = wanted ? min(max(leaves(samples, cell, 0.0), n + 0.5), last) : n;
+#if SCULPTED
+        // What the greatest values know nothing of: that all is carved away here.
+        const vec3 around = floor(cell * (maximumSide / cellSide));
+        const float gone = float(skipAt(around).x);
+        const float leave = leaves(blocks, around, max(gone, 1.0) - 1.0);
+        n = wanted && gone > 0.0 ? max(n, floor(leave)) + 1.0 : n;
+        end = gone > 0.0 ? n : end;
+        // Whether a place is carved away is asked where its value would count, not at each sample.
+        float value = 0.0;
+        bool greater = false;
+        do {
+            value = texture(intensity, samples.origin + samples.step * n).r;
+            greater = n < end && value > greatest;
+            n += greater || n >= end ? 0.0 : 1.0;
+        } while (n < end && !greater);
+        const bool kept = texture(radiation, samples.origin + samples.step * n).r < 0.5;
+        greatest = greater && kept ? value : greatest;
+        n += greater ? 1.0 : 0.0;
+#else
         do {
             const float value = texture(intensity, samples.origin + samples.step * n).r;
             greatest = n < end ? max(greatest, value) : greatest;
             n += 1.0;
         } while (n < end);
+#endif
         last = greatest < saturated ? last : 0.0;
     } while (n < last);
     const vec3 picture = shownGreatest(greatest);
