@@ -18,7 +18,10 @@ void FrameTargets::resize(const glm::ivec2& newSize)
 }
 
 Resolve::Resolve(const ShaderLibrary& library)
-    : m_program(library, {.label = "resolve", .fragmentPath = "frame/resolve.frag"})
+    : m_whole(library,
+        {.label = "resolve", .fragmentPath = "frame/resolve.frag", .defines = {{"ENLARGED", 0}}})
+    , m_coarse(library,
+          {.label = "resolve", .fragmentPath = "frame/resolve.frag", .defines = {{"ENLARGED", 1}}})
 {
 }
 
@@ -29,10 +32,12 @@ void Resolve::draw(const FrameTargets& targets, int pictures, const glm::ivec2& 
     glDisable(GL_SCISSOR_TEST);
     targets.pictureFrame.bind();
     targets.sum.bindUnit(0);
-    m_program.set("scale", 1.0f / float(pictures))
-        .set("drawnPerFrame", glm::vec2(drawn) / glm::vec2(targets.size))
-        .set("drawn", glm::vec2(drawn));
-    m_program.use();
+    Program& program = drawn == targets.size ? m_whole : m_coarse;
+    program.set("scale", 1.0f / float(pictures));
+    if (drawn != targets.size)
+        program.set("drawnPerFrame", glm::vec2(drawn) / glm::vec2(targets.size))
+            .set("drawn", glm::vec2(drawn));
+    program.use();
     noVertices.drawFullScreenTriangle();
 }
 

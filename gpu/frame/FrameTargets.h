@@ -35,7 +35,8 @@ public:
         const VertexArray& noVertices);
 
 private:
-    Program m_program;
+    Program m_whole; ///< of pictures in which each pixel was drawn
+    Program m_coarse;
 };
 
 } // namespace gpu
