@@ -26,8 +26,6 @@ void bindPlanes(const Planes& planes, const std::array<GLuint, core::mostLabelPl
 
 PickKernel::PickKernel(const ShaderLibrary& library)
     : m_library(library)
-    , m_pick(library,
-          ComputeProgramOptions{.label = "pick", .path = "kernels/labels/pick.comp", .defines = {}})
     , m_probe(library,
           ComputeProgramOptions{
               .label = "probe", .path = "kernels/labels/probe.comp", .defines = {}})
@@ -39,14 +37,18 @@ Program& PickKernel::programFor(const core::PickVoxels& command, const VoxelFiel
     const Planes planes = fields.labelPlanes();
     const bool further = std::any_of(
         planes.begin() + 1, planes.end(), [](const Texture3D* plane) { return plane != nullptr; });
-    if (command.seenBy != core::SeenBy::Segment || !further)
-        return m_pick;
-    if (!m_pickInPlanes)
-        m_pickInPlanes = Program(m_library,
+    const bool inPlanes = command.seenBy == core::SeenBy::Segment && further;
+    Program& program = inPlanes ? m_pickInPlanes : m_pick.at(std::size_t(command.seenBy));
+    if (!program) {
+        ShaderDefines defines{{"SEEN_BY", int(command.seenBy)}};
+        if (inPlanes)
+            defines.emplace_back("FURTHER_PLANES", 1);
+        program = Program(m_library,
             ComputeProgramOptions{.label = "pick",
                 .path = "kernels/labels/pick.comp",
-                .defines = {{"FURTHER_PLANES", 1}}});
-    return m_pickInPlanes;
+                .defines = std::move(defines)});
+    }
+    return program;
 }
 
 std::vector<std::optional<glm::ivec3>> PickKernel::pick(
@@ -75,7 +77,6 @@ std::vector<std::optional<glm::ivec3>> PickKernel::pick(
     Program& program = programFor(command, fields);
     program.set("volumeSize", fields.grid().volumeSize)
         .set("rayCount", unsigned(rays.size()))
-        .set("seenBy", int(command.seenBy))
         .set("thresholdCode", command.thresholdCode)
         .set("segments", command.segments);
     program.dispatch({groupsFor(rays.size()), 1, 1});

@@ -5,6 +5,7 @@
 #include "core/growth/ProbedVoxel.h"
 #include "gpu/fields/VoxelFields.h"
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -23,13 +24,13 @@ public:
         VoxelFields& fields, const core::ProbeVoxels& command);
 
 private:
-    /// A pick of segments looks into all label planes; while there is one, it has no program of its
-    /// own.
+    /// By what is seen, compiled when it is first needed: a software driver works through what is
+    /// in the program, wanted or not. A pick of segments looks into all label planes.
     [[nodiscard]] Program& programFor(const core::PickVoxels& command, const VoxelFields& fields);
 
     const ShaderLibrary& m_library;
-    Program m_pick;
-    Program m_pickInPlanes; ///< compiled when it is first needed
+    std::array<Program, 4> m_pick; ///< by SeenBy
+    Program m_pickInPlanes;
     Program m_probe;
 };
 

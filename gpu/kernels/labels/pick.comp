@@ -1,5 +1,5 @@
 // Casts rays into what is seen (core/engine/VoxelReads.h, PickVoxels). One invocation a ray.
-// FURTHER_PLANES: there are label planes beside plane 0.
+// SEEN_BY: core::SeenBy. FURTHER_PLANES: there are label planes beside plane 0.
 
 layout(local_size_x = 64) in;
 
@@ -21,7 +21,6 @@ layout(binding = 2, std430) readonly buffer Opacities { uint opacityOfCode[256];
 
 uniform ivec3 volumeSize;
 uniform uint rayCount;
-uniform int seenBy; // core::SeenBy
 uniform int thresholdCode;
 uniform uint segments[8]; // one bit per label
 
@@ -37,6 +36,32 @@ uint radiationAt(ivec3 voxel)
 
 #include "kernels/cut/interpolate.glsl"
 
+// A sample of the ray, index16.
+ivec3 sampleOf(Ray ray, int n)
+{
+    return ray.origin.xyz + n * ray.perSample.xyz;
+}
+
+ivec4 hitAt(ivec3 p)
+{
+    return ivec4((p + (1 << 15)) >> 16, 1);
+}
+
+#if SEEN_BY == 0
+ivec4 hitOf(Ray ray)
+{
+    int n = 0;
+    bool seen = false;
+    while (n < ray.origin.w && !seen) {
+        while (n < ray.origin.w && !dense(sampleOf(ray, n), thresholdCode))
+            ++n;
+        // Whether a place is carved away costs as much as its value, and is asked at few.
+        seen = n < ray.origin.w && !carved(sampleOf(ray, n));
+        n += seen ? 0 : 1;
+    }
+    return seen ? hitAt(sampleOf(ray, n)) : ivec4(0);
+}
+#elif SEEN_BY == 3
 bool ofSegment(uint label)
 {
     return (segments[label >> 5] >> (label & 31u) & 1u) != 0u;
@@ -53,41 +78,44 @@ bool ofSegments(ivec3 voxel)
     return found;
 }
 
-void main()
+ivec4 hitOf(Ray ray)
 {
-    uint i = gl_GlobalInvocationID.x;
-    if (i >= rayCount)
-        return;
-    Ray ray = rays[i];
-    hits[i] = ivec4(0);
+    for (int n = 0; n < ray.origin.w; ++n) {
+        const ivec4 hit = hitAt(sampleOf(ray, n));
+        if (insideVolume(sampleOf(ray, n)) && ofSegments(hit.xyz))
+            return hit;
+    }
+    return ivec4(0);
+}
+#else
+ivec4 hitOf(Ray ray)
+{
+    ivec4 hit = ivec4(0);
     uint transparency = 65535u;
     uint brightest = 0u;
-    bool found = false;
     for (int n = 0; n < ray.origin.w; ++n) {
-        ivec3 p = ray.origin.xyz + n * ray.perSample.xyz;
-        if (!insideVolume(p))
+        const ivec3 p = sampleOf(ray, n);
+        if (!insideVolume(p) || carved(p))
             continue;
-        bool seen = false;
-        if (seenBy == 0) {
-            seen = material(p, thresholdCode);
-        } else if (seenBy == 3) {
-            seen = ofSegments((p + (1 << 15)) >> 16);
-        } else {
-            uint code = interpolatedCode(p);
-            if (carved(p))
-                continue;
-            if (seenBy == 1) {
-                transparency = transparency * (65535u - opacityOfCode[code >> 24]) / 65535u;
-                seen = transparency <= 32767u;
-            } else if (!found || code > brightest) {
-                found = true;
-                brightest = code;
-                hits[i] = ivec4((p + (1 << 15)) >> 16, 1);
-            }
+        const uint code = interpolatedCode(p);
+#if SEEN_BY == 1
+        transparency = transparency * (65535u - opacityOfCode[code >> 24]) / 65535u;
+        if (transparency <= 32767u)
+            return hitAt(p);
+#else
+        if (hit.w == 0 || code > brightest) {
+            brightest = code;
+            hit = hitAt(p);
         }
-        if (seen) {
-            hits[i] = ivec4((p + (1 << 15)) >> 16, 1);
-            return;
-        }
+#endif
     }
+    return hit;
+}
+#endif
+
+void main()
+{
+    const uint i = gl_GlobalInvocationID.x;
+    if (i < rayCount)
+        hits[i] = hitOf(rays[i]);
 }
