@@ -25,14 +25,18 @@ uint blurAt(uint slot, ivec3 local)
     return blurred[slot * 5832u + uint(at.x + 18 * (at.y + 18 * at.z))];
 }
 
-uint greatestAround(uint slot, ivec3 origin, ivec3 local)
+// The greatest blurred value at a voxel and around it, within the volume. A software driver carries
+// out all that is behind a condition, but of a loop no more than its first round: hence `wanted`.
+uint greatestAround(uint slot, ivec3 origin, ivec3 local, bool wanted)
 {
+    const ivec3 low = -origin;
+    const ivec3 high = volumeSize - 1 - origin;
+    const int last = wanted ? 1 : -2;
     uint greatest = 0u;
-    for (int z = -1; z <= 1; ++z)
-        for (int y = -1; y <= 1; ++y)
-            for (int x = -1; x <= 1; ++x)
-                if (inside(origin + local + ivec3(x, y, z), volumeSize))
-                    greatest = max(greatest, blurAt(slot, local + ivec3(x, y, z)));
+    for (int z = -1; z <= last; ++z)
+        for (int y = -1; y <= last; ++y)
+            for (int x = -1; x <= last; ++x)
+                greatest = max(greatest, blurAt(slot, clamp(local + ivec3(x, y, z), low, high)));
     return greatest;
 }
 
@@ -47,26 +51,17 @@ void main()
         ivec3 local = region.low + voxelOf(i, box);
         if (!inside(origin + local, volumeSize))
             continue;
-        uint value;
-        if (summary != 3u) {
+        const ivec3 at = local + 4;
+        const bool member = field[slot * 13824u + uint(at.x + 24 * (at.y + 24 * at.z))] >= 128u;
+        const uint blur = blurAt(slot, local);
+        uint value = member ? max(blur, 128u) : min(blur, 127u);
+        // If the voxel itself is deep inside, the greatest value around is at least as great.
+        const bool mayBeThin = summary == 3u && member && value < thinBelow;
+        const uint greatest = greatestAround(slot, origin, local, mayBeThin);
+        if (mayBeThin && greatest < thinBelow)
+            value = max(value, 128u + thinLift * (thinBelow - greatest) / thinBelow);
+        if (summary != 3u)
             value = summary == 1u ? 255u : 0u;
-        } else {
-            ivec3 at = local + 4;
-            bool member = field[slot * 13824u + uint(at.x + 24 * (at.y + 24 * at.z))] >= 128u;
-            value = blurAt(slot, local);
-            if (!member) {
-                value = min(value, 127u);
-            } else {
-                value = max(value, 128u);
-                // If the voxel itself is deep inside, the greatest value around is at least as
-                // great.
-                if (value < thinBelow) {
-                    uint greatest = greatestAround(slot, origin, local);
-                    if (greatest < thinBelow)
-                        value = max(value, 128u + thinLift * (thinBelow - greatest) / thinBelow);
-                }
-            }
-        }
         imageStore(radiation, origin + local + targetShift, uvec4(value));
     }
 }
