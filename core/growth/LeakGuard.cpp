@@ -37,12 +37,6 @@ std::uint32_t* LeakGuard::ids(std::uint32_t brick)
     return page.get();
 }
 
-glm::ivec3 LeakGuard::placeOf(Voxel voxel) const
-{
-    return m_grid.brickPosition(int(voxel >> 12)) * BrickGrid::side
-        + glm::ivec3(int(voxel & 15u), int(voxel >> 4 & 15u), int(voxel >> 8 & 15u));
-}
-
 LeakGuard::Front* LeakGuard::touched(std::uint32_t id)
 {
     const bool known = id >= m_firstOfLast && id - m_firstOfLast < m_last.size();
@@ -55,28 +49,27 @@ LeakGuard::Front LeakGuard::flood(Voxel start, std::uint32_t id)
     front.least = start;
     const Front* trunk = nullptr;
     std::vector<Voxel> open{start};
-    ids(start >> 12)[start & 4095u] = id;
+    ids(start.brick)[start.offset] = id;
     std::int64_t area = 0;
     while (!open.empty()) {
         const Voxel voxel = open.back();
         open.pop_back();
         ++front.voxels;
         front.least = std::min(front.least, voxel);
-        const glm::ivec3 place = placeOf(voxel);
+        const glm::ivec3 place = voxel.place(m_grid);
         std::array<std::uint32_t, 4> axes{}; // by how many of them a neighbour is away
         for (const std::array<int, 3>& offset : seedWord::offsets) {
             const glm::ivec3 next = place + glm::ivec3(offset[0], offset[1], offset[2]);
             if (glm::any(glm::lessThan(next, glm::ivec3(0)))
                 || glm::any(glm::greaterThanEqual(next, m_grid.volumeSize)))
                 continue;
-            const auto brick = std::uint32_t(m_grid.brickOf(next));
-            if (!m_ids[brick])
+            const Voxel there = Voxel::of(m_grid, next);
+            if (!m_ids[there.brick])
                 continue;
-            const auto at = std::uint32_t(BrickGrid::offsetInBrick(next));
-            std::uint32_t& nextId = m_ids[brick][at];
+            std::uint32_t& nextId = m_ids[there.brick][there.offset];
             if (nextId == fresh) {
                 nextId = id;
-                open.push_back(brick << 12 | at);
+                open.push_back(there);
             } else if (const Front* before = touched(nextId)) {
                 const std::uint32_t along = axesOf(offset);
                 axes[std::size_t(std::popcount(along))] |= along;
@@ -99,11 +92,11 @@ LeakGuard::Front LeakGuard::flood(Voxel start, std::uint32_t id)
 std::optional<LeakAlarm> LeakGuard::look(std::uint32_t generation, std::span<const Voxel> voxels)
 {
     for (const Voxel voxel : voxels)
-        ids(voxel >> 12)[voxel & 4095u] = fresh;
+        ids(voxel.brick)[voxel.offset] = fresh;
     std::vector<Front> fronts;
     const std::uint32_t firstId = m_firstOfLast + std::uint32_t(m_last.size());
     for (const Voxel start : voxels) {
-        if (ids(start >> 12)[start & 4095u] == fresh)
+        if (ids(start.brick)[start.offset] == fresh)
             fronts.push_back(flood(start, firstId + std::uint32_t(fronts.size())));
     }
     m_last = std::move(fronts);
@@ -123,7 +116,7 @@ std::optional<LeakAlarm> LeakGuard::look(std::uint32_t generation, std::span<con
         .narrow = generation - std::uint32_t(narrowPlace(*worst)),
         .voxels = worst->voxels,
         .areaUm2 = m_rule.measure ? worst->own.size : 0,
-        .voxel = placeOf(worst->least)};
+        .voxel = worst->least.place(m_grid)};
 }
 
 void LeakGuard::follow(Front& front, const Front* trunk) const

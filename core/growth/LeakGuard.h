@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/brick/BrickGrid.h"
+#include "core/brick/BrickVoxel.h"
 #include "core/growth/GrowthCommands.h"
 
 #include <memory>
@@ -46,8 +46,7 @@ public:
 
     static constexpr int mostBack = 1000; ///< fronts
 
-    /// A voxel: brick << 12 | offset in the brick.
-    using Voxel = std::uint32_t;
+    using Voxel = BrickVoxel;
     /// To be called for every generation of the burst, in order. Cost ∝ the number of voxels.
     [[nodiscard]] std::optional<LeakAlarm> look(
         std::uint32_t generation, std::span<const Voxel> voxels);
@@ -59,7 +58,7 @@ private:
         std::int64_t thickness = 0;
     };
     struct Front {
-        Voxel least = 0;
+        Voxel least;
         std::int64_t voxels = 0;
         Past own;
         std::vector<Past> trunk; ///< nearest first, as far back as narrow places are searched for
@@ -75,7 +74,6 @@ private:
     // Rule 5 for a place of the trunk (0: s(1)).
     [[nodiscard]] static bool wasWider(const Front& front, std::size_t at);
     [[nodiscard]] bool wasAsNarrow(const Front& front, std::size_t at) const;
-    [[nodiscard]] glm::ivec3 placeOf(Voxel voxel) const;
 
     BrickGrid m_grid;
     GuardRule m_rule;

@@ -228,11 +228,12 @@ unsigned sidesReached(const VoxelBits& bits)
     return sides;
 }
 
-void appendVoxels(const VoxelBits& bits, std::uint32_t brick, std::vector<std::uint32_t>& voxels)
+void appendVoxels(const VoxelBits& bits, std::uint32_t brick, std::vector<BrickVoxel>& voxels)
 {
     for (std::uint32_t row = 0; row < bits.size(); ++row) {
         for (unsigned left = bits[row]; left != 0; left &= left - 1)
-            voxels.push_back(brick << 12 | row << 4 | std::uint32_t(std::countr_zero(left)));
+            voxels.push_back(
+                {.brick = brick, .offset = row << 4 | std::uint32_t(std::countr_zero(left))});
     }
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/brick/BrickGrid.h"
+#include "core/brick/BrickVoxel.h"
 
 #include <array>
 #include <cstdint>
@@ -88,7 +88,7 @@ void writeClaims(const ClaimRule& rule, const BrickClaims& claims, const GrownVo
 /// bit 2 · axis + 1 for the upper one.
 [[nodiscard]] unsigned sidesReached(const VoxelBits& bits);
 
-/// Appends voxels of a brick to a list, by offset, each as brick << 12 | offset (LeakGuard::Voxel).
-void appendVoxels(const VoxelBits& bits, std::uint32_t brick, std::vector<std::uint32_t>& voxels);
+/// Appends voxels of a brick to a list, by offset.
+void appendVoxels(const VoxelBits& bits, std::uint32_t brick, std::vector<BrickVoxel>& voxels);
 
 } // namespace core

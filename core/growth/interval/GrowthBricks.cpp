@@ -151,9 +151,10 @@ std::vector<GrowthChange> GrowthBricks::changes() const
     std::vector<GrowthChange> changes;
     changes.reserve(m_kept.size() + m_log.size());
     const auto add = [this, &changes](Voxel voxel) {
-        changes.push_back({.voxel = m_words.brickOf(voxel) << 12 | (voxel & 4095u),
+        changes.push_back({.brick = m_words.brickOf(voxel),
             .word = m_words[voxel],
-            .labels = m_labels[voxel] | std::uint32_t(m_overwritten[voxel]) << 8});
+            .labelsAndOffset = m_labels[voxel] | std::uint32_t(m_overwritten[voxel]) << 8
+                | (voxel & 4095u) << 16});
     };
     for (const Voxel voxel : m_kept)
         add(voxel);

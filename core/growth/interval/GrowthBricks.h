@@ -22,9 +22,10 @@ struct GrowthBrick {
 
 /// A changed voxel, in the layout that the kernel growChange.comp reads.
 struct GrowthChange {
-    std::uint32_t voxel = 0; ///< brick << 12 | offset in the brick
+    std::uint32_t brick = 0;
     std::uint32_t word = 0;
-    std::uint32_t labels = 0; ///< label of the plane | overwritten label << 8
+    /// Label of the plane | overwritten label << 8 | offset in the brick << 16.
+    std::uint32_t labelsAndOffset = 0;
 };
 
 /// Reads bricks; the results are in the order of the list.

@@ -159,7 +159,7 @@ std::vector<LeakGuard::Voxel> IntervalOpener::inVolume(std::span<const Voxel> vo
     std::vector<LeakGuard::Voxel> named;
     named.reserve(voxels.size());
     for (const Voxel voxel : voxels)
-        named.push_back(m_bricks.words().brickOf(voxel) << 12 | (voxel & 4095u));
+        named.push_back({.brick = m_bricks.words().brickOf(voxel), .offset = voxel & 4095u});
     std::sort(named.begin(), named.end());
     return named;
 }

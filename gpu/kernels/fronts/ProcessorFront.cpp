@@ -107,12 +107,13 @@ ProcessorFront::ProcessorFront(VoxelFields& fields, const Options& options,
             m_ways.push_back({.place = place, .sides = sidesTowards(offset)});
     }
     for (const core::LeakGuard::Voxel voxel : front) {
-        Brick& brick = known(voxel >> 12);
+        Brick& brick = known(voxel.brick);
         std::uint32_t& frontOf = brick.frontGeneration[generation & 1u];
         if (frontOf != generation)
             m_front.push_back(&brick);
         frontOf = generation;
-        brick.fronts[generation & 1u][voxel >> 4 & 255u] |= std::uint16_t(1u << (voxel & 15u));
+        brick.fronts[generation & 1u][voxel.offset >> 4] |=
+            std::uint16_t(1u << (voxel.offset & 15u));
     }
     for (Brick* const brick : m_front)
         brick->sides = core::sidesReached(brick->fronts[generation & 1u]);

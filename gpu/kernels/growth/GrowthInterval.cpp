@@ -84,7 +84,7 @@ void GrowthKernel::writeChanges(const std::vector<core::GrowthChange>& changes)
         return;
     std::vector<bool> isWritten(std::size_t(m_fields.grid().brickCount()), false);
     for (const core::GrowthChange& change : changes)
-        isWritten[change.voxel >> 12] = true;
+        isWritten[change.brick] = true;
     std::vector<std::uint32_t> written;
     for (std::uint32_t brick = 0; brick < isWritten.size(); ++brick) {
         if (isWritten[brick])
@@ -116,10 +116,9 @@ void GrowthKernel::takeFront(const core::OpenedInterval& opened)
     std::vector<std::uint32_t> entries;
     entries.reserve(opened.front.size());
     for (const core::LeakGuard::Voxel voxel : opened.front) {
-        const std::uint32_t brick = voxel >> 12;
-        if (m_frontBricks.empty() || m_frontBricks.back() != brick)
-            m_frontBricks.push_back(brick);
-        entries.push_back(words.pageOf(brick) << 12 | (voxel & 4095u));
+        if (m_frontBricks.empty() || m_frontBricks.back() != voxel.brick)
+            m_frontBricks.push_back(voxel.brick);
+        entries.push_back(words.pageOf(voxel.brick) << 12 | voxel.offset);
     }
     m_queues.write(std::span<const std::uint32_t>(entries),
         std::size_t(m_frontQueue) * m_queueCapacity * sizeof(std::uint32_t));

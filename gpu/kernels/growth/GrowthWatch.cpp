@@ -7,15 +7,17 @@ namespace gpu {
 
 std::vector<core::LeakGuard::Voxel> GrowthKernel::listedFront() const
 {
+    std::vector<core::LeakGuard::Voxel> front;
     std::vector<std::uint32_t> entries(m_frontCount);
     if (entries.empty())
-        return entries;
+        return front;
     m_queues.read(std::span<std::uint32_t>(entries),
         std::size_t(m_frontQueue) * m_queueCapacity * sizeof(std::uint32_t));
     const BrickField& words = m_fields.seedWords(m_burst.plane);
-    for (std::uint32_t& entry : entries)
-        entry = words.ownerOf(entry >> 12) << 12 | (entry & 4095u);
-    return entries;
+    front.reserve(entries.size());
+    for (const std::uint32_t entry : entries)
+        front.push_back({.brick = words.ownerOf(entry >> 12), .offset = entry & 4095u});
+    return front;
 }
 
 std::vector<core::LeakGuard::Voxel> GrowthKernel::frontInWords()
@@ -31,7 +33,7 @@ std::vector<core::LeakGuard::Voxel> GrowthKernel::frontInWords()
             const std::uint32_t word = std::uint32_t(bytes[i]) | std::uint32_t(bytes[i + 1]) << 8
                 | std::uint32_t(bytes[i + 2]) << 16 | std::uint32_t(bytes[i + 3]) << 24;
             if (core::seedWord::isMember(word) && core::seedWord::generation(word) == m_generation)
-                front.push_back(m_lastTouched[brick] << 12 | std::uint32_t(i / 4));
+                front.push_back({.brick = m_lastTouched[brick], .offset = std::uint32_t(i / 4)});
         }
     }
     return front;

@@ -7,9 +7,9 @@ layout(local_size_x = 64) in;
 
 // Like core::GrowthChange.
 struct Change {
-    uint voxel; // brick << 12 | offset in the brick
+    uint brick;
     uint word;
-    uint labels; // label | overwritten << 8
+    uint labelsAndOffset; // label | overwritten << 8 | offset in the brick << 16
 };
 layout(binding = 4, std430) readonly buffer Changes { Change changes[]; };
 
@@ -21,15 +21,15 @@ void main()
     uint i = gl_GlobalInvocationID.x;
     if (i < changeCount) do {
         Change change = changes[i];
-        ivec3 voxel = brickPosition(int(change.voxel >> 12), volumeBricks) * brickSide
-            + voxelInBrick(int(change.voxel & 4095u));
+        ivec3 voxel = brickPosition(int(change.brick), volumeBricks) * brickSide
+            + voxelInBrick(int(change.labelsAndOffset >> 16));
         uint entry = pageEntry(voxel);
         imageStore(words, atlasTexel(entry, voxel), uvec4(change.word));
-        imageStore(labels, voxel, uvec4(change.labels & 255u));
+        imageStore(labels, voxel, uvec4(change.labelsAndOffset & 255u));
 #ifdef OVERWRITTEN
         uint there = texelFetch(overwrittenPages, voxel >> 4, 0).r;
         if (there != 0u)
-            imageStore(overwritten, atlasTexel(there, voxel), uvec4(change.labels >> 8));
+            imageStore(overwritten, atlasTexel(there, voxel), uvec4(change.labelsAndOffset >> 8 & 255u));
 #endif
         reached[entry - 1u] = heldFront;
         i += stride;

@@ -90,8 +90,7 @@ Watched watch(const glm::dvec3& spacingMm, Anatomy anatomy, const GuardRule& rul
     for (std::uint32_t generation = 1; !front.empty() && !watched.alarm; ++generation) {
         std::vector<LeakGuard::Voxel> told;
         for (const glm::ivec3& voxel : front)
-            told.push_back(std::uint32_t(grid.brickOf(voxel)) << 12
-                | std::uint32_t(BrickGrid::offsetInBrick(voxel)));
+            told.push_back(BrickVoxel::of(grid, voxel));
         watched.alarm = guard.look(generation, told);
         fronts.push_back(front);
         std::vector<glm::ivec3> next;
@@ -146,8 +145,7 @@ int alarmsOfBoth(test::Codes codes, const GuardRule& rule, int connectivity, tes
     for (std::uint32_t generation = 1; !front.empty(); ++generation) {
         std::vector<LeakGuard::Voxel> told;
         for (const glm::ivec3& voxel : front)
-            told.push_back(std::uint32_t(grid.brickOf(voxel)) << 12
-                | std::uint32_t(BrickGrid::offsetInBrick(voxel)));
+            told.push_back(BrickVoxel::of(grid, voxel));
         const std::optional<LeakAlarm> alarm = guard.look(generation, told);
         if (alarm != watch.look(generation, front))
             return -1000000;
@@ -158,6 +156,54 @@ int alarmsOfBoth(test::Codes codes, const GuardRule& rule, int connectivity, tes
                 const auto& offset = seedWord::offsets[std::size_t(direction)];
                 const glm::ivec3 to = voxel + glm::ivec3(offset[0], offset[1], offset[2]);
                 if (!codes.contains(to) || codes.at(to) < test::tissueCode / 2)
+                    continue;
+                codes.at(to) = 0;
+                next.push_back(to);
+            }
+        }
+        front = std::move(next);
+    }
+    return alarms;
+}
+
+/// A chamber from which a corridor of 3 × 3 voxels leads into a larger one.
+test::Codes chambers()
+{
+    test::Codes codes = test::constantVolume({40, 32, 32}, 0);
+    const auto dig = [&codes](const glm::ivec3& from, const glm::ivec3& to) {
+        for (int z = from.z; z < to.z; ++z) {
+            for (int y = from.y; y < to.y; ++y) {
+                for (int x = from.x; x < to.x; ++x)
+                    codes.at({x, y, z}) = test::tissueCode;
+            }
+        }
+    };
+    dig({0, 9, 9}, {12, 22, 22});
+    dig({12, 14, 14}, {20, 17, 17});
+    dig({20, 2, 2}, {40, 30, 30});
+    return codes;
+}
+
+/// What a guard says of each generation of a growth over faces from one end of the chambers, which
+/// begin at this voxel of a larger volume.
+std::vector<std::optional<LeakAlarm>> alarmsAt(const glm::ivec3& begin, const BrickGrid& grid)
+{
+    test::Codes codes = chambers();
+    LeakGuard guard(grid, {.factor256 = 512, .excess = 12, .window = 10});
+    std::vector<glm::ivec3> front{{0, 15, 15}};
+    codes.at(front[0]) = 0;
+    std::vector<std::optional<LeakAlarm>> alarms;
+    for (std::uint32_t generation = 1; !front.empty(); ++generation) {
+        std::vector<LeakGuard::Voxel> told;
+        for (const glm::ivec3& voxel : front)
+            told.push_back(BrickVoxel::of(grid, begin + voxel));
+        alarms.push_back(guard.look(generation, told));
+        std::vector<glm::ivec3> next;
+        for (const glm::ivec3& voxel : front) {
+            for (std::size_t direction = 0; direction < 6; ++direction) {
+                const auto& offset = seedWord::offsets[direction];
+                const glm::ivec3 to = voxel + glm::ivec3(offset[0], offset[1], offset[2]);
+                if (!codes.contains(to) || codes.at(to) == 0)
                     continue;
                 codes.at(to) = 0;
                 next.push_back(to);
@@ -237,6 +283,28 @@ private Q_SLOTS:
             alarms += alarmsOfBoth(codes, rule, number % 2 ? 6 : number % 4 ? 18 : 26, random);
         }
         QVERIFY2(alarms > 20, QByteArray::number(alarms).constData());
+    }
+
+    /// A volume may have more than 2³² voxels. Its bricks from the 2²⁰th on, here those from z =
+    /// 1024 on, are others than the first.
+    void volumesMayBeLarge()
+    {
+        const glm::ivec3 begin(1024, 1024, 1008);
+        const BrickGrid large{{2048, 2048, 1040}};
+        QVERIFY(large.brickCount() > 1 << 20);
+        const auto small = alarmsAt(glm::ivec3(0), {{40, 32, 32}});
+        const auto there = alarmsAt(begin, large);
+        QCOMPARE(there.size(), small.size());
+        int alarms = 0;
+        for (std::size_t generation = 0; generation < small.size(); ++generation) {
+            std::optional<LeakAlarm> expected = small[generation];
+            if (expected) {
+                ++alarms;
+                expected->voxel += begin;
+            }
+            QVERIFY(there[generation] == expected);
+        }
+        QVERIFY(alarms > 0);
     }
 
     void areasAreThoseOfPlanes()

@@ -276,10 +276,9 @@ void BrickFrontTest::voxelsAreListedByOffset()
     set(bits, {15, 15, 15}, true);
     set(bits, {3, 0, 0}, true);
     set(bits, {0, 2, 1}, true);
-    std::vector<std::uint32_t> voxels{7};
+    std::vector<BrickVoxel> voxels{{0, 7}};
     appendVoxels(bits, 5, voxels);
-    QCOMPARE(
-        voxels, (std::vector<std::uint32_t>{7, 5u << 12 | 3u, 5u << 12 | 288u, 5u << 12 | 4095u}));
+    QCOMPARE(voxels, (std::vector<BrickVoxel>{{0, 7}, {5, 3}, {5, 288}, {5, 4095}}));
 }
 
 BURIN_TEST(BrickFrontTest)

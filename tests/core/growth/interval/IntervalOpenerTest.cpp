@@ -72,19 +72,6 @@ struct Scene {
     }
 };
 
-glm::ivec3 voxelOf(const BrickGrid& grid, LeakGuard::Voxel voxel)
-{
-    const std::uint32_t offset = voxel & 4095u;
-    return grid.brickPosition(int(voxel >> 12)) * BrickGrid::side
-        + glm::ivec3(int(offset & 15u), int(offset >> 4 & 15u), int(offset >> 8));
-}
-
-LeakGuard::Voxel named(const BrickGrid& grid, const glm::ivec3& voxel)
-{
-    return std::uint32_t(grid.brickOf(voxel)) << 12
-        | std::uint32_t(BrickGrid::offsetInBrick(voxel));
-}
-
 /// The members that can claim a neighbour, by asking all of them (GrowBurst, "Step").
 std::vector<LeakGuard::Voxel> frontOf(Scene& scene, const GrowBurst& burst)
 {
@@ -115,7 +102,7 @@ std::vector<LeakGuard::Voxel> frontOf(Scene& scene, const GrowBurst& burst)
                 for (int direction = 0; direction < burst.connectivity; ++direction) {
                     const auto& way = seedWord::offsets[std::size_t(direction)];
                     if (claims(from, from + glm::ivec3(way[0], way[1], way[2]))) {
-                        front.push_back(named(scene.grid(), from));
+                        front.push_back(BrickVoxel::of(scene.grid(), from));
                         break;
                     }
                 }
@@ -201,7 +188,8 @@ private Q_SLOTS:
         const OpenedInterval wider = opener->open(10, 200);
         QCOMPARE(wider.withdrawn, std::size_t(0));
         QCOMPARE(wider.kept, 30u);
-        QCOMPARE(wider.front, std::vector<LeakGuard::Voxel>{named(scene.grid(), {29, 0, 0})});
+        QCOMPARE(
+            wider.front, std::vector<LeakGuard::Voxel>{BrickVoxel::of(scene.grid(), {29, 0, 0})});
         QVERIFY(opener->bricks().changes().empty());
     }
 
@@ -318,18 +306,19 @@ private:
             QCOMPARE(opened.kept + (opened.admitted.empty() ? 0u : 1u), generation);
             Scene found = scene;
             for (const GrowthChange& change : opener->bricks().changes()) {
-                const glm::ivec3 voxel = voxelOf(scene.grid(), change.voxel);
+                const BrickVoxel changed{
+                    .brick = change.brick, .offset = change.labelsAndOffset >> 16};
+                const glm::ivec3 voxel = changed.place(scene.grid());
                 found.fields.seedWords(0).at(voxel) = change.word;
-                found.fields.labels(0).at(voxel) = std::uint8_t(change.labels);
-                found.fields.overwritten(0).at(voxel) = std::uint8_t(change.labels >> 8);
+                found.fields.labels(0).at(voxel) = std::uint8_t(change.labelsAndOffset);
+                found.fields.overwritten(0).at(voxel) = std::uint8_t(change.labelsAndOffset >> 8);
             }
             QCOMPARE(found.fields.seedWords(0).values, expected.fields.seedWords(0).values);
             QCOMPARE(found.fields.labels(0).values, expected.fields.labels(0).values);
             QCOMPARE(found.fields.overwritten(0).values, expected.fields.overwritten(0).values);
             QCOMPARE(opened.front, frontOf(expected, burst));
             for (const LeakGuard::Voxel voxel : opened.admitted) {
-                const std::uint32_t word =
-                    found.fields.seedWords(0).at(voxelOf(scene.grid(), voxel));
+                const std::uint32_t word = found.fields.seedWords(0).at(voxel.place(scene.grid()));
                 QVERIFY(seedWord::isMember(word) && seedWord::isSeed(word));
                 QCOMPARE(seedWord::generation(word), generation);
             }
