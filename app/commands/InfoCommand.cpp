@@ -5,6 +5,7 @@
 #include "core/repair/SeriesFindings.h"
 #include "core/study/StudyLoader.h"
 #include "core/study/VolumeFacts.h"
+#include "core/volume/MemoryLimit.h"
 #include "gpu/engine/GpuEngine.h"
 #include "gpu/engine/MemoryFormula.h"
 #include "ui/base/ErrorText.h"
@@ -321,6 +322,11 @@ int printText(const Asked& asked)
     return sound ? 0 : 1;
 }
 
+QString mebibytes(std::size_t bytes)
+{
+    return QString::number(double(bytes) / (1024.0 * 1024.0), 'f', 1);
+}
+
 int printGraphics()
 {
     const auto engine = gpu::GpuEngine::create();
@@ -331,14 +337,22 @@ int printGraphics()
     print(stdout, QStringLiteral("GL_RENDERER  ") + (*engine)->rendererName());
     print(stdout, QStringLiteral("GL_VERSION   ") + (*engine)->versionText());
     print(stdout, QStringLiteral("memory       ") + gpu::MemoryFormula::text());
-    for (const glm::ivec3& size : {glm::ivec3(256, 256, 200), glm::ivec3(512, 512, 512)}) {
+    for (const glm::ivec3& size : {glm::ivec3(256, 256, 200), glm::ivec3(512), glm::ivec3(1024)}) {
+        QStringList parts;
+        for (const gpu::MemoryFormula::Part& part : gpu::MemoryFormula::denseParts(size))
+            parts << QStringLiteral("%1 %2").arg(part.name, mebibytes(part.bytes));
         print(stdout,
-            QStringLiteral("             %1 × %2 × %3: %4 MiB dense")
+            QStringLiteral("             %1 × %2 × %3: %4 MiB dense (%5)")
                 .arg(size.x)
                 .arg(size.y)
                 .arg(size.z)
-                .arg(double(gpu::MemoryFormula::denseBytes(size)) / (1024.0 * 1024.0), 0, 'f', 1));
+                .arg(mebibytes(gpu::MemoryFormula::denseBytes(size)),
+                    parts.join(QStringLiteral(", "))));
     }
+    print(stdout,
+        QStringLiteral("allowed      %1 MiB of this machine's memory: voxels × 2 while a volume is "
+                       "read, and with a driver that computes on the processor all of the above")
+            .arg(mebibytes(std::size_t(core::allowedBytes()))));
     return 0;
 }
 

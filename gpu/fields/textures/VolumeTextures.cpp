@@ -107,11 +107,20 @@ bool VolumeTextures::takeReplaced()
     return std::exchange(m_replaced, false);
 }
 
-std::size_t VolumeTextures::denseBytes(const glm::ivec3& size)
+std::vector<VolumeTextures::Part> VolumeTextures::denseParts(const glm::ivec3& size)
 {
     const std::size_t voxels = std::size_t(size.x) * std::size_t(size.y) * std::size_t(size.z);
-    constexpr std::size_t bytesPerVoxel = 2 + 1 + 1 + 1;
-    return voxels * bytesPerVoxel + MacroCells::bytesFor(size) + MaximumCells::bytesFor(size);
+    return {{"intensity", 2 * voxels}, {"labels", voxels}, {"radiation", voxels},
+        {"segmentation map", voxels}, {"macro-cells", MacroCells::bytesFor(size)},
+        {"maximum cells", MaximumCells::bytesFor(size)}};
+}
+
+std::size_t VolumeTextures::denseBytes(const glm::ivec3& size)
+{
+    std::size_t bytes = 0;
+    for (const Part& part : denseParts(size))
+        bytes += part.bytes;
+    return bytes;
 }
 
 } // namespace gpu

@@ -137,7 +137,13 @@ public:
     /// Whether the volume or its geometry was replaced since the last call.
     [[nodiscard]] bool takeReplaced();
 
-    /// GPU bytes of the dense textures above for a volume of this size.
+    /// A dense texture above, by its label, and the GPU bytes that it takes.
+    struct Part {
+        const char* label = "";
+        std::size_t bytes = 0;
+    };
+    /// All of them for a volume of this size, and their sum.
+    [[nodiscard]] static std::vector<Part> denseParts(const glm::ivec3& size);
     [[nodiscard]] static std::size_t denseBytes(const glm::ivec3& size);
 
 private:
