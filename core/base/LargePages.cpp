@@ -7,16 +7,30 @@
 
 namespace core {
 
-void useLargePages(void* memory, std::size_t bytes)
+namespace {
+
+void advise(void* memory, std::size_t bytes, int advice)
 {
-    constexpr std::size_t least = 4u << 20;
-    if (bytes < least)
-        return;
     const auto page = std::uintptr_t(sysconf(_SC_PAGESIZE));
     const std::uintptr_t begin = (std::uintptr_t(memory) + page - 1) / page * page;
     const std::uintptr_t end = (std::uintptr_t(memory) + bytes) / page * page;
-    // A wish: a kernel without them says no, and nothing is lost.
-    (void)madvise(reinterpret_cast<void*>(begin), end - begin, MADV_HUGEPAGE);
+    // A wish: a kernel that does not do so says no, and nothing is lost.
+    if (begin < end)
+        (void)madvise(reinterpret_cast<void*>(begin), end - begin, advice);
+}
+
+} // namespace
+
+void useLargePages(void* memory, std::size_t bytes)
+{
+    constexpr std::size_t least = 4u << 20;
+    if (bytes >= least)
+        advise(memory, bytes, MADV_HUGEPAGE);
+}
+
+void giveBackPages(void* memory, std::size_t bytes)
+{
+    advise(memory, bytes, MADV_DONTNEED);
 }
 
 } // namespace core

@@ -10,6 +10,10 @@ namespace core {
 /// volume then needs a hundred page faults instead of sixty thousand. It changes nothing else.
 void useLargePages(void* memory, std::size_t bytes);
 
+/// Gives memory that is not needed any more back to the system, before it is freed as usual: its
+/// whole pages take no memory until they are written again. What they hold is lost.
+void giveBackPages(void* memory, std::size_t bytes);
+
 /// Reserves memory for @p count values in an empty vector, in large pages.
 template <class Value> void reserveInLargePages(std::vector<Value>& values, std::size_t count)
 {

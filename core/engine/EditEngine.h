@@ -43,6 +43,12 @@ public:
     /// Errors: InvalidGeometry (the number of codes is wrong or 0), OutOfMemory, ContextLost.
     virtual Result<void> openVolume(
         const glm::ivec3& size, std::span<const std::uint16_t> codes) = 0;
+    /// The same with codes that nobody else needs: an engine may give their memory back bit by bit
+    /// while it takes memory of its own, so that no volume is in memory twice.
+    virtual Result<void> takeVolume(const glm::ivec3& size, std::vector<std::uint16_t> codes)
+    {
+        return openVolume(size, codes);
+    }
 
     virtual Ticket submit(EngineCommand command) = 0;
     /// The results that are ready, oldest first; may be empty.

@@ -6,9 +6,7 @@
 #include "core/sessionfile/database/SessionUse.h"
 #include "core/study/SourceFiles.h"
 
-#include <cstdint>
 #include <utility>
-#include <vector>
 
 namespace core {
 
@@ -17,7 +15,8 @@ Result<std::unique_ptr<EditSession>> EditSession::create(
 {
     bool made = false;
     auto begun = guarded([&]() -> Result<std::unique_ptr<EditSession>> {
-        if (const Result<void> put = engine.openVolume(volume.volume.geometry.size, volume.codes);
+        if (const Result<void> put =
+                engine.takeVolume(volume.volume.geometry.size, std::move(volume.codes));
             !put)
             return tl::unexpected(put.error());
         std::unique_ptr<SessionFile> file;
@@ -77,9 +76,10 @@ Result<std::unique_ptr<EditSession>> EditSession::continued(EditEngine& engine, 
     const QString difference = file->contents().source.differenceFrom(volume.volume);
     if (!difference.isEmpty())
         return failure(ErrorCode::SessionMismatch, file->path(), difference);
-    if (const Result<void> put = engine.openVolume(volume.volume.geometry.size, volume.codes); !put)
+    if (const Result<void> put =
+            engine.takeVolume(volume.volume.geometry.size, std::move(volume.codes));
+        !put)
         return tl::unexpected(put.error());
-    volume.codes = std::vector<std::uint16_t>(); // to {} it would keep its memory
     FileInUse sources(sourceFiles(volume.volume), FileInUse::As::Study);
     auto queue = std::make_unique<OperationQueue>(
         engine, std::move(volume.volume), std::move(file), std::move(wakeUp));

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/volume/MemoryLimit.h"
 
+#include <atomic>
+
 #include <unistd.h>
 
 namespace core {
@@ -12,12 +14,25 @@ double machinesBytes()
     return double(sysconf(_SC_PHYS_PAGES)) * double(sysconf(_SC_PAGESIZE));
 }
 
+std::atomic<double> chosen = 0.0; // 0: a share of the machine's memory
+
 } // namespace
 
 double allowedBytes()
 {
     constexpr double share = 0.6;
-    return share * machinesBytes();
+    const double bytes = chosen;
+    return bytes > 0.0 ? bytes : share * machinesBytes();
+}
+
+AllowedBytes::AllowedBytes(double bytes)
+    : m_before(chosen.exchange(bytes))
+{
+}
+
+AllowedBytes::~AllowedBytes()
+{
+    chosen = m_before;
 }
 
 Result<void> checkBytes(double bytes, const Clause& what)

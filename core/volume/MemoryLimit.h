@@ -19,4 +19,16 @@ namespace core {
 /// The greatest number of bytes that it allows.
 [[nodiscard]] double allowedBytes();
 
+/// As long as it lives that number is this one; for tests, to which small volumes are too large.
+class AllowedBytes {
+public:
+    explicit AllowedBytes(double bytes);
+    ~AllowedBytes();
+    AllowedBytes(const AllowedBytes&) = delete;
+    AllowedBytes& operator=(const AllowedBytes&) = delete;
+
+private:
+    double m_before;
+};
+
 } // namespace core

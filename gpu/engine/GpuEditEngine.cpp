@@ -44,8 +44,20 @@ double GpuEditEngine::millisecondsSince(Clock::time_point start)
 core::Result<void> GpuEditEngine::openVolume(
     const glm::ivec3& size, std::span<const std::uint16_t> codes)
 {
+    return open(size, codes.size(), [&] { return m_textures.open(size, codes); });
+}
+
+core::Result<void> GpuEditEngine::takeVolume(
+    const glm::ivec3& size, std::vector<std::uint16_t> codes)
+{
+    return open(size, codes.size(), [&] { return m_textures.take(size, std::move(codes)); });
+}
+
+core::Result<void> GpuEditEngine::open(
+    const glm::ivec3& size, std::size_t codes, const std::function<core::Result<void>()>& fill)
+{
     const bool voxels = size.x > 0 && size.y > 0 && size.z > 0;
-    if (!voxels || codes.size() != std::size_t(size.x) * std::size_t(size.y) * std::size_t(size.z))
+    if (!voxels || codes != std::size_t(size.x) * std::size_t(size.y) * std::size_t(size.z))
         return core::failure(core::ErrorCode::InvalidGeometry, QStringLiteral("volume"),
             core::Clause::saying("its size and the number of its codes do not agree"));
     finish();
@@ -60,7 +72,7 @@ core::Result<void> GpuEditEngine::openVolume(
         close();
         m_lost.reset();
         try {
-            opened = m_textures.open(size, codes);
+            opened = fill();
             if (!opened)
                 return;
             m_fields = std::make_unique<VoxelFields>(m_fieldPrograms, m_textures, m_work);

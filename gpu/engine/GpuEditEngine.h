@@ -12,9 +12,11 @@
 #include "gpu/kernels/shrink/CutPreviewer.h"
 
 #include <atomic>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
+#include <vector>
 
 namespace gpu {
 
@@ -37,6 +39,8 @@ public:
 
     core::Result<void> openVolume(
         const glm::ivec3& size, std::span<const std::uint16_t> codes) override;
+    core::Result<void> takeVolume(
+        const glm::ivec3& size, std::vector<std::uint16_t> codes) override;
 
     bool work() override; ///< throws nothing
     void showSegments(const std::bitset<256>& labels, const std::bitset<256>& translucent) override;
@@ -53,6 +57,9 @@ private:
     static constexpr double sliceMilliseconds = 10.0;
     [[nodiscard]] static double millisecondsSince(Clock::time_point start);
 
+    /// @param fill makes the textures of the volume
+    core::Result<void> open(
+        const glm::ivec3& size, std::size_t codes, const std::function<core::Result<void>()>& fill);
     [[nodiscard]] bool growthIsDue();
     void growOneSlice();
     static constexpr std::size_t leastTraced = 32; ///< bricks

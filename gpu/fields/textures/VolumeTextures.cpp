@@ -1,18 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "gpu/fields/textures/VolumeTextures.h"
 
+#include "core/base/LargePages.h"
 #include "core/volume/MemoryLimit.h"
 #include "gpu/gl/SoftwareDriver.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace gpu {
 
-core::Result<void> VolumeTextures::open(
-    const glm::ivec3& size, std::span<const std::uint16_t> codes)
+core::Result<void> VolumeTextures::checkSize(const glm::ivec3& size, std::size_t besides)
 {
-    close(); // both at once may not fit
-
     GLint largest = 0;
     glGetIntegerv(GL_MAX_3D_TEXTURE_SIZE, &largest);
     if (size.x > largest || size.y > largest || size.z > largest)
@@ -22,21 +21,31 @@ core::Result<void> VolumeTextures::open(
                 size.x, size.y, size.z, largest));
     // Such a driver is given memory that the system does not have; the system then ends the program
     // when it writes there.
-    if (isSoftwareDriver()) {
-        const double bytes = double(codes.size_bytes()) + double(denseBytes(size));
-        const core::Result<void> fits =
-            core::checkBytes(bytes, core::Clause::saying("the volume with its textures"));
-        if (!fits)
-            return fits;
-    }
+    if (!isSoftwareDriver())
+        return {};
+    return core::checkBytes(double(besides) + double(denseBytes(size)),
+        core::Clause::saying("the volume with its textures"));
+}
 
+void VolumeTextures::fill(const glm::ivec3& size, std::span<const std::uint16_t> codes,
+    const std::function<void(std::span<const std::uint16_t> codes)>& there)
+{
+    MacroCells cells(size, codes);
+    MaximumCells maximumCells(size, codes);
     Texture3D intensity({.label = "intensity", .size = size, .format = GL_R16, .linear = true});
+    const std::size_t slice = std::size_t(size.x) * std::size_t(size.y);
+    constexpr int atOnce = core::BrickGrid::side;
+    for (int z = 0; z < size.z; z += atOnce) {
+        const int count = std::min(atOnce, size.z - z);
+        const auto part = codes.subspan(std::size_t(z) * slice, std::size_t(count) * slice);
+        intensity.upload({0, 0, z}, {size.x, size.y, count}, std::as_bytes(part));
+        there(part);
+    }
+    // The others come when codes may have made room for them.
     Texture3D labels({.label = "labels 0", .size = size, .format = GL_R8UI});
     Texture3D radiation({.label = "radiation", .size = size, .format = GL_R8, .linear = true});
     Texture3D segmentation(
         {.label = "segmentation map", .size = size, .format = GL_R8, .linear = true});
-
-    intensity.upload(codes);
     m_intensityCodes = intensity.view(GL_R16UI, "intensity codes");
     labels.clear();
     radiation.clear();
@@ -45,10 +54,30 @@ core::Result<void> VolumeTextures::open(
     m_labels = std::move(labels);
     m_radiation = std::move(radiation);
     m_segmentation = std::move(segmentation);
-    m_cells = MacroCells(size, codes);
-    m_maximumCells = MaximumCells(size, codes);
+    m_cells = std::move(cells);
+    m_maximumCells = std::move(maximumCells);
     m_dirty = {};
     m_touched = {};
+}
+
+core::Result<void> VolumeTextures::open(
+    const glm::ivec3& size, std::span<const std::uint16_t> codes)
+{
+    close(); // both at once may not fit
+    if (const core::Result<void> fits = checkSize(size, codes.size_bytes()); !fits)
+        return fits;
+    fill(size, codes, [](std::span<const std::uint16_t>) {});
+    return {};
+}
+
+core::Result<void> VolumeTextures::take(const glm::ivec3& size, std::vector<std::uint16_t> codes)
+{
+    close();
+    if (const core::Result<void> fits = checkSize(size, 0); !fits)
+        return fits;
+    fill(size, codes, [&codes](std::span<const std::uint16_t> part) {
+        core::giveBackPages(codes.data() + (part.data() - codes.data()), part.size_bytes());
+    });
     return {};
 }
 

@@ -12,6 +12,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -40,10 +41,13 @@ class VolumeTextures {
 public:
     /// Replaces everything: codes as given, no labels, nothing carved, no segment shown.
     /// @param codes x fastest, then y, then z
-    /// Errors: OutOfMemory if a side is longer than textures may be, or if they would share the
-    /// machine's memory and it is too small (core::checkBytes()). Throws GlFailure; then close()
-    /// must be called.
+    /// Errors: OutOfMemory if a side is longer than textures may be, or if they and the codes would
+    /// share the machine's memory and it is too small (core::checkBytes()). Throws GlFailure; then
+    /// close() must be called.
     core::Result<void> open(const glm::ivec3& size, std::span<const std::uint16_t> codes);
+    /// The same with codes whose memory is given back slice by slice, as soon as they are in a
+    /// texture: they do not count beside the textures.
+    core::Result<void> take(const glm::ivec3& size, std::vector<std::uint16_t> codes);
     void close(); ///< frees everything; nothing is open afterwards
     /// Sets where the volume lies in the patient and what its codes mean. Renderers draw only if
     /// its size equals that of the open volume.
@@ -147,6 +151,12 @@ public:
     [[nodiscard]] static std::size_t denseBytes(const glm::ivec3& size);
 
 private:
+    /// @param besides bytes that lie in memory as long as the textures are made
+    [[nodiscard]] static core::Result<void> checkSize(const glm::ivec3& size, std::size_t besides);
+    /// @param there told of codes that are in a texture and in the cells
+    void fill(const glm::ivec3& size, std::span<const std::uint16_t> codes,
+        const std::function<void(std::span<const std::uint16_t> codes)>& there);
+
     core::VolumeGeometry m_geometry;
     core::VoxelEncoding m_encoding;
     Texture3D m_intensity;

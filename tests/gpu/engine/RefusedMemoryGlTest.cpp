@@ -66,6 +66,7 @@ private Q_SLOTS:
     void aVolumeThatDoesNotFit();
     void aVolumeThatIsTooLong();
     void texturesThatDoNotFitBesideTheProgram();
+    void codesMakeRoomForTextures();
 
 private:
     test::EditEngineFixture m_gpu{gpu::WorkBy::Kernels}; ///< which ask for more memory
@@ -279,6 +280,28 @@ void RefusedMemoryGlTest::texturesThatDoNotFitBesideTheProgram()
     const QString reason = opened.error().arguments.value(0);
     QVERIFY2(reason.startsWith(QStringLiteral("the volume with its textures needs ")),
         qPrintable(reason));
+}
+
+void RefusedMemoryGlTest::codesMakeRoomForTextures()
+{
+    const glm::ivec3 size(64, 48, 70); // slices come in sixteens, and the last are fewer
+    test::Random random{7};
+    const std::vector<std::uint16_t> codes = test::noiseVolume(size, 3000, random).values;
+    // Enough for the textures, and for half of the codes beside them.
+    const AllowedBytes allowed(double(gpu::MemoryFormula::denseBytes(size)) + double(codes.size()));
+    if (m_gpu.rendererName().contains("llvmpipe")) {
+        const auto opened = m_gpu.engine().openVolume(size, codes);
+        QVERIFY(!opened);
+        QCOMPARE(opened.error().code, ErrorCode::OutOfMemory);
+    }
+    QVERIFY(m_gpu.engine().takeVolume(size, codes));
+    m_gpu.engine().submit(ReadCodes{.box = {glm::ivec3(0), size}});
+    const EngineResult read = test::lastResult(m_gpu.engine());
+    QVERIFY(!read.error);
+    QVERIFY(read.codes == codes);
+    const AllowedBytes tooFew(double(gpu::MemoryFormula::denseBytes(size)) - 1.0);
+    if (m_gpu.rendererName().contains("llvmpipe"))
+        QVERIFY(!m_gpu.engine().takeVolume(size, codes));
 }
 
 BURIN_TEST(RefusedMemoryGlTest)
