@@ -40,7 +40,7 @@ Result<std::shared_ptr<StagedFile>> stageSessionCopy(const QString& target, bool
     bool ownPlace, const SessionParts& parts, const SavedImages& images)
 {
     if (!ownPlace) {
-        if (const Result<void> free = checkOtherSessionAt(target); !free)
+        if (const Result<void> free = checkOtherSessionAt(target, replaceExisting); !free)
             return tl::unexpected(free.error());
     }
     std::shared_ptr<StagedFile> staged = images.staged;

@@ -99,7 +99,8 @@ public:
     /// one that is replaced. If it fails, the session goes on in the old file, and the file that
     /// was called @p target keeps that name; if the disk does not let a file have its name back,
     /// the error says where both files are.
-    /// @param replaceExisting whether a session that has the name may be replaced
+    /// @param replaceExisting whether a closed session that has the name may be replaced; any other
+    /// file is never replaced
     /// @param done called on the writer's thread
     /// Errors: FileExists, FileUnwritable.
     void saveAs(const QString& target, bool replaceExisting,

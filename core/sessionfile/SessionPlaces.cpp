@@ -68,11 +68,15 @@ Result<void> checkSessionToOpen(const QString& path, SessionAccess access)
     return {};
 }
 
-Result<void> checkOtherSessionAt(const QString& target)
+Result<void> checkOtherSessionAt(const QString& target, bool replaceExisting)
 {
     if (QFileInfo::exists(target) && isSessionInUse(target))
         return failure(
             ErrorCode::FileUnwritable, target, Clause::saying("it is open in another window"));
+    if (replaceExisting) {
+        if (const Result<void> only = checkOnlySessionAt(target); !only)
+            return only;
+    }
     // What its program could not write any more would be taken for the new file's.
     if (isSessionUnfinished(target))
         return failure(ErrorCode::FileUnwritable, target,

@@ -28,8 +28,9 @@ namespace core {
 [[nodiscard]] Result<void> checkSessionToOpen(const QString& path, SessionAccess access);
 
 /// Checks that the file at @p target may be replaced by a session other than the one that lies
-/// there. Errors: FileUnwritable.
-[[nodiscard]] Result<void> checkOtherSessionAt(const QString& target);
+/// there: it must be a closed one, or free. Errors: FileUnwritable; that of checkOnlySessionAt()
+/// only if @p replaceExisting.
+[[nodiscard]] Result<void> checkOtherSessionAt(const QString& target, bool replaceExisting);
 
 /// Whether a path is to be opened as a session, judged by its name (.burin) or content. The file
 /// may still be damaged, or be no session.

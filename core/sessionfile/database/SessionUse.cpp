@@ -194,6 +194,16 @@ bool isSessionFile(const QString& path)
     return head.startsWith("SQLite format 3") && head.mid(68, 4) == "Burn";
 }
 
+Result<void> checkOnlySessionAt(const QString& target)
+{
+    if (const Result<void> file = checkFileTarget(target, true, true); !file)
+        return file;
+    if (QFileInfo::exists(target) && !isSessionFile(target))
+        return failure(ErrorCode::FileUnwritable, target,
+            Clause::saying("it is no session, and nothing else is replaced by one"));
+    return {};
+}
+
 Result<void> checkReplacedSession(const QString& path)
 {
     if (const Result<void> target = checkFileTarget(path, true); !target)
@@ -203,9 +213,8 @@ Result<void> checkReplacedSession(const QString& path)
     if (isSessionInUse(path))
         return failure(
             ErrorCode::FileUnwritable, path, Clause::saying("it is open in another window"));
-    if (!isSessionFile(path))
-        return failure(ErrorCode::FileUnwritable, path,
-            Clause::saying("it is no session, and nothing else is replaced by one"));
+    if (const Result<void> only = checkOnlySessionAt(path); !only)
+        return only;
     if (isSessionUnfinished(path))
         return failure(ErrorCode::FileUnwritable, path,
             Clause::saying("it was not closed properly; open it once, or take another name"));

@@ -35,6 +35,10 @@ private:
 /// is one.
 [[nodiscard]] bool isSessionFile(const QString& path);
 
+/// Checks that what is at @p target is nothing or a session of Burin, open or not: a session
+/// replaces no other file. Errors: FileUnwritable with the reason.
+[[nodiscard]] Result<void> checkOnlySessionAt(const QString& target);
+
 /// Checks that a session may take the name of an existing file: that must be a closed session with
 /// no files beside it. A free name passes. Errors: FileUnwritable with the reason.
 [[nodiscard]] Result<void> checkReplacedSession(const QString& path);

@@ -5,6 +5,7 @@
 #include "tests/support/program/FileBytes.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/SmallStudy.h"
+#include "tests/support/series/SessionFiles.h"
 #include "ui/dialogs/session/SessionSaver.h"
 
 #include <QDir>
@@ -128,10 +129,8 @@ private Q_SLOTS:
         const QString folder = home.path(QStringLiteral("as"));
         QVERIFY(QDir().mkpath(folder));
         const QString file = QDir(folder).filePath(target);
-        if (target == QLatin1String("old.burin")) {
-            QFile old(file);
-            QVERIFY(old.open(QIODevice::WriteOnly) && old.write("old") == 3);
-        }
+        if (target == QLatin1String("old.burin"))
+            QVERIFY(!test::makeSession(file).isEmpty());
         QProcessEnvironment environment = home.environment(
             {.under = folder, .calls = call, .first = number, .last = number, .error = error});
         environment.insert(QLatin1String(savedTo), file);

@@ -293,10 +293,21 @@ private Q_SLOTS:
         QCOMPARE(suggested, QStringLiteral("Head, bone 1.0.burin"));
         QCOMPARE(test::fingerprint(target), before);
         QCOMPARE(session().file(), working);
+        // What is no session stays, whatever was answered.
         replace = true;
         QSignalSpy saved(&workspace(), &ui::Workspace::sessionSaved);
         window().actionTable()[QStringLiteral("file.saveAs")].trigger();
         QCOMPARE(asked, 2);
+        QTRY_VERIFY2_WITH_TIMEOUT(
+            bar().contains(target + QStringLiteral(": cannot be written: it is no session")),
+            qPrintable(bar()), patience);
+        QCOMPARE(saved.count(), 0);
+        QCOMPARE(test::fingerprint(target), before);
+        QCOMPARE(session().file(), working);
+        QVERIFY(QFile::remove(target));
+        writeSession(target, path("case/ct"));
+        window().actionTable()[QStringLiteral("file.saveAs")].trigger();
+        QCOMPARE(asked, 3);
         QVERIFY(saved.count() == 1 || saved.wait(patience));
         QCOMPARE(session().file(), target);
         QVERIFY(!QFileInfo::exists(working));

@@ -110,20 +110,52 @@ private Q_SLOTS:
         QVERIFY(!after->document().segment(2)->visible);
     }
 
-    void otherFilesAreReplacedOnlyWhenTold()
+    void otherSessionsAreReplacedOnlyWhenTold()
     {
         reference::ReferenceEngine engine;
         const auto session = open(engine, m_path);
-        QFile other(m_target);
-        QVERIFY(other.open(QIODevice::WriteOnly));
-        other.write("mine");
-        other.close();
+        QVERIFY(QFile::copy(m_pattern.filePath(QStringLiteral("a.burin")), m_target));
         const QByteArray before = test::fingerprint(m_target);
         QCOMPARE(saveAs(*session, m_target).error().code, ErrorCode::FileExists);
         QCOMPARE(test::fingerprint(m_target), before);
         QCOMPARE(session->file(), m_path);
         QVERIFY(saveAs(*session, m_target, true));
         QCOMPARE(session->file(), m_target);
+    }
+
+    void whatIsNoSessionIsNeverReplaced_data()
+    {
+        QTest::addColumn<QByteArray>("content");
+        QTest::newRow("a text") << QByteArray("mine");
+        QTest::newRow("a database of another program")
+            << QByteArray("SQLite format 3").leftJustified(512, '\0');
+        QTest::newRow("an empty file") << QByteArray();
+    }
+
+    /// A study, a slice, a recipe: whoever confirms in the file dialog that a file is replaced may
+    /// have picked the wrong one.
+    void whatIsNoSessionIsNeverReplaced()
+    {
+        QFETCH(QByteArray, content);
+        reference::ReferenceEngine engine;
+        const auto session = open(engine, m_path);
+        QFile other(m_target);
+        QVERIFY(other.open(QIODevice::WriteOnly));
+        other.write(content);
+        other.close();
+        const QStringList files = filesIn();
+        QCOMPARE(saveAs(*session, m_target).error().code, ErrorCode::FileExists);
+        const Result<void> saved = saveAs(*session, m_target, true);
+        QVERIFY(!saved);
+        QCOMPARE(saved.error().code, ErrorCode::FileUnwritable);
+        QCOMPARE(saved.error().arguments.value(0), m_target);
+        QVERIFY(saved.error().arguments.value(1).startsWith(QStringLiteral("it is no session")));
+        QCOMPARE(filesIn(), files);
+        QVERIFY(other.open(QIODevice::ReadOnly));
+        QCOMPARE(other.readAll(), content);
+        QCOMPARE(session->file(), m_path);
+        QVERIFY(session->apply(test::drillAt(3)));
+        QVERIFY(session->settle());
     }
 
     /// Saved over itself: the file is made anew, and goes on.

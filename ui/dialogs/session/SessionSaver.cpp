@@ -4,6 +4,7 @@
 #include "core/base/OnMainThread.h"
 #include "core/session/SessionStorage.h"
 #include "core/sessionfile/SessionStudy.h"
+#include "core/sessionfile/database/SessionUse.h"
 #include "core/sessionfile/records/SessionImages.h"
 #include "ui/base/ErrorText.h"
 #include "ui/dialogs/session/SaveSessionDialog.h"
@@ -43,6 +44,9 @@ QString nameOfStudy(const core::Volume& volume)
 core::Result<std::shared_ptr<core::StagedFile>> stageFromStudy(
     const QString& target, const core::SessionSource& source, const core::Progress& progress)
 {
+    // Known before minutes are spent on the images.
+    if (const core::Result<void> fits = core::checkOnlySessionAt(target); !fits)
+        return tl::unexpected(fits.error());
     const auto study = core::loadSessionStudy(target, source, source.path, QString(), progress);
     if (!study && study.error().code == core::ErrorCode::Cancelled)
         return tl::unexpected(study.error());

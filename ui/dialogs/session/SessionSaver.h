@@ -44,9 +44,9 @@ public:
     /// then are the steps.
     /// @return whether the session was saved
     bool askAndWait();
-    /// Saves without asking and replaces an existing file. Images that the session's file does not
-    /// hold are read from the study again, on another thread; if that is still going on for an
-    /// earlier call, it is cancelled.
+    /// Saves without asking and replaces an existing session, but no other file. Images that the
+    /// session's file does not hold are read from the study again, on another thread; if that is
+    /// still going on for an earlier call, it is cancelled.
     void save(const Choice& choice, std::function<void(bool saved)> done = {});
     /// Whether images are being written, which cancel() or closing the session would call off.
     [[nodiscard]] bool saving() const { return m_staging.running(); }
