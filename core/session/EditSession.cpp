@@ -216,6 +216,11 @@ Result<void> EditSession::settle()
     return m_queue->settle();
 }
 
+Result<void> EditSession::endWork()
+{
+    return m_queue->endWork();
+}
+
 QByteArray EditSession::stateHash() const
 {
     const SessionState& state = m_queue->state();

@@ -33,8 +33,8 @@ class VoxelQuestions;
 /// results in the history and the session file.
 ///
 /// It owns the document and the history of one open volume; the engine is lent. At most one stroke
-/// is open at a time, and whoever began it ends it. Only settle() and the destructor block. All
-/// members, including those of the parts, are called from one thread.
+/// is open at a time, and whoever began it ends it. Only settle(), endWork() and the destructor
+/// block. All members, including those of the parts, are called from one thread.
 class EditSession {
 public:
     struct Options {
@@ -118,6 +118,10 @@ public:
     void poll(); ///< takes in finished results; call it after a wake-up
     [[nodiscard]] bool idle() const; ///< nothing is waiting or running, and no stroke is open
     Result<void> settle(); ///< blocks until every command is carried out and on disk
+    /// Before the session is destroyed, which nobody could be told of: ends what stands open
+    /// without a pen (closeOpen()), aborts work of minutes as the destructor does, and settles. If
+    /// the disk does not take the last steps, listeners hear of it, and the session can go on.
+    Result<void> endWork();
     /// hex, of a settled session; core/session/README.md defines it
     [[nodiscard]] QByteArray stateHash() const;
 

@@ -61,15 +61,27 @@ OperationQueue::~OperationQueue()
         if (OpenOperation* open = interactive())
             open->end(m_state, open->manner().usualEnding);
     });
-    // A smoothing with a large ball may have minutes to go, and nobody could abort it any more.
+    abortLongWork();
+    static_cast<void>(settle());
+    if (m_wakeUp)
+        m_state.engine.setWakeUp({});
+}
+
+/// A smoothing with a large ball may have minutes to go, and nobody could abort it any more.
+void OperationQueue::abortLongWork()
+{
     for (const std::unique_ptr<Operation>& operation : m_operations) {
         auto* work = dynamic_cast<AbortableWork*>(operation.get());
         if (work && !work->isAwaitedAtEnd())
             work->abort(m_state);
     }
-    static_cast<void>(settle());
-    if (m_wakeUp)
-        m_state.engine.setWakeUp({});
+}
+
+Result<void> OperationQueue::endWork()
+{
+    closeOpen();
+    guard([this] { abortLongWork(); });
+    return settle();
 }
 
 void OperationQueue::submit(std::unique_ptr<Operation> operation)

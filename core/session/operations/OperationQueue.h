@@ -45,6 +45,9 @@ public:
     void waitForEngine() override;
     /// Blocks until nothing is left to do. @return the first failure since the last call
     Result<void> settle();
+    /// What the destructor begins with, while there is still somebody to be told: ends what stands
+    /// open without a pen, aborts work that a session which ends does not wait for, and settles.
+    Result<void> endWork();
 
     /// Blocks until the file holds all that it was given so far, or the disk does not take it; then
     /// reports that.
@@ -71,6 +74,7 @@ public:
 private:
     void noticeTrouble();
     void takeBack(const Error& error);
+    void abortLongWork();
     Result<void> waitUntilSettled();
     void advance();
     void askBehindOpen();

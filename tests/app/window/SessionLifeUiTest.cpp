@@ -491,6 +491,45 @@ private Q_SLOTS:
         open(path("case/ct"));
         QCOMPARE(session().history().rows().size(), std::size_t(1));
     }
+
+    void aStepUnderWayIsAskedAbout_data()
+    {
+        QTest::addColumn<bool>("closesWindow");
+        QTest::newRow("the study is closed") << false;
+        QTest::newRow("the window is closed") << true;
+    }
+
+    /// Its row is made only after the closing has begun, on a disk that has no room by then.
+    void aStepUnderWayIsAskedAbout()
+    {
+        QFETCH(bool, closesWindow);
+        open(path("case/ct"));
+        edit(test::drillAt(0));
+        int asked = 0;
+        const Dialogs dialogs([&asked](QWidget& dialog) {
+            if (!qobject_cast<QMessageBox*>(&dialog))
+                return;
+            ++asked;
+            press(dialog, QStringLiteral("Stay"));
+        });
+        {
+            const test::FileSizeLimit limit(1);
+            QVERIFY(session().apply(test::drillAt(3)));
+            if (closesWindow)
+                window().close();
+            else
+                window().closeStudy();
+            QCOMPARE(asked, 1);
+            QVERIFY(workspace().session());
+            QVERIFY(window().isVisible());
+            QCOMPARE(session().history().rows().size(), std::size_t(2));
+        }
+        window().closeStudy();
+        QCOMPARE(asked, 1);
+        QVERIFY(!workspace().session());
+        open(path("case/ct"));
+        QCOMPARE(session().history().rows().size(), std::size_t(2));
+    }
 };
 
 BURIN_WINDOW_TEST(SessionLifeUiTest)

@@ -67,12 +67,20 @@ bool mayLoseUnwrittenSteps(Workspace& workspace, QWidget& window, SessionSaver& 
     // What is noticed only while the session is being closed could not be told to anybody.
     if (core::EditSession* session = workspace.session())
         session->storage().finishWriting();
+    bool isEnded = false;
     while (true) {
         core::EditSession* session = workspace.session();
         const std::optional<core::Error> trouble =
             session ? session->storage().trouble() : std::nullopt;
-        if (!trouble)
+        if (!trouble && (isEnded || !session))
             return true;
+        if (!trouble) {
+            // Only once the disk has all of what is done is the rest ended: whoever stays for the
+            // sake of that keeps what is under way. Listeners hear what fails.
+            isEnded = true;
+            static_cast<void>(session->endWork());
+            continue;
+        }
         const bool inMemory = session->storage().whyNoFile().has_value();
         QMessageBox box(QMessageBox::Warning, tr("Not on disk yet"),
             inMemory ? tr("Your steps are in memory only: %1.").arg(noFileText(*trouble))
