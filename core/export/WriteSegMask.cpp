@@ -13,38 +13,21 @@ namespace core {
 
 namespace {
 
-/// What of each voxel of a plane a segment fills.
-class Shares {
-public:
-    Shares(const ExportRequest& request, const Segment& segment)
-        : m_labels(planeOf(request, segment)->labels)
-        , m_label(segment.label)
-    {
-        if (const SegmentCoverage* made = coverageOf(request.coverages, segment))
-            m_coverage = made->coverage;
-    }
-    [[nodiscard]] bool hasCoverage() const { return !m_coverage.empty(); }
-    [[nodiscard]] std::uint8_t at(std::size_t voxel) const
-    {
-        const bool inside = m_labels[voxel] == m_label;
-        if (m_coverage.empty())
-            return inside ? 255 : 0;
-        return occupancyOf(inside, m_coverage[voxel]);
-    }
-
-private:
-    std::span<const std::uint8_t> m_labels;
-    std::span<const std::uint8_t> m_coverage;
-    std::uint8_t m_label;
-};
+Occupancy occupancyOf(const ExportRequest& request, const Segment& segment, const glm::ivec3& size)
+{
+    const SegmentCoverage* made = coverageOf(request.coverages, segment);
+    return {planeOf(request, segment)->labels, segment.label,
+        made ? made->coverage : std::span<const std::uint8_t>(), size};
+}
 
 /// True where two segments share a voxel.
-bool overlap(const ExportRequest& request, const std::vector<Segment>& segments, bool fractional)
+bool overlap(const ExportRequest& request, const std::vector<Segment>& segments, bool fractional,
+    const glm::ivec3& size)
 {
     for (std::size_t a = 0; a < segments.size(); ++a) {
         for (std::size_t b = a + 1; b < segments.size(); ++b) {
-            const Shares first(request, segments[a]);
-            const Shares second(request, segments[b]);
+            const Occupancy first = occupancyOf(request, segments[a], size);
+            const Occupancy second = occupancyOf(request, segments[b], size);
             // Of one plane, only what is filled in part can be filled twice.
             const bool partial = fractional && (first.hasCoverage() || second.hasCoverage());
             if (segments[a].plane == segments[b].plane && !partial)
@@ -77,11 +60,12 @@ void addBinary(SegContent& content, const ExportRequest& request, const MaskSele
 
 /// Frames of bytes, of the slices in which anything is filled.
 void addFractional(SegContent& content, const ExportRequest& request,
-    const MaskSelection& selection, std::size_t count)
+    const MaskSelection& selection, const glm::ivec3& size)
 {
+    const std::size_t count = std::size_t(size.x) * std::size_t(size.y);
     std::vector<std::uint8_t> frame(count);
     for (std::size_t s = 0; s < selection.segments.size(); ++s) {
-        const Shares shares(request, selection.segments[s]);
+        const Occupancy shares = occupancyOf(request, selection.segments[s], size);
         for (std::size_t k = 0; k < content.sources.size(); ++k) {
             bool any = false;
             for (std::size_t i = 0; i < count; ++i) {
@@ -194,9 +178,9 @@ Result<ReportLines> writeSegMask(const QString& path, const Volume& volume,
     } else {
         const bool fractional = request.format == ExportFormat::DicomSegFractional;
         content.type = fractional ? SegContent::Type::Fractional : SegContent::Type::Binary;
-        content.segmentsOverlap = overlap(request, selection.segments, fractional);
+        content.segmentsOverlap = overlap(request, selection.segments, fractional, geometry.size);
         if (fractional)
-            addFractional(content, request, selection, voxelsPerSlice(volume));
+            addFractional(content, request, selection, geometry.size);
         else
             addBinary(content, request, selection, voxelsPerSlice(volume));
         written = writeSeg(path, content, progress);

@@ -53,6 +53,7 @@ class Expected {
 public:
     Expected(const ExportExpectation& expected, const Segment& segment)
         : m_plane(planeOf(expected, segment))
+        , m_size(expected.volume.geometry.size)
         , m_label(segment.label)
         , m_fractional(expected.format == ExportFormat::DicomSegFractional)
     {
@@ -68,10 +69,9 @@ public:
     }
     [[nodiscard]] int at(std::size_t voxel) const
     {
-        const bool inside = m_plane->labels[voxel] == m_label;
         if (!m_fractional)
-            return inside ? 1 : 0;
-        return occupancyOf(inside, m_coverage.empty() ? (inside ? 255 : 0) : m_coverage[voxel]);
+            return m_plane->labels[voxel] == m_label ? 1 : 0;
+        return Occupancy(m_plane->labels, m_label, m_coverage, m_size).at(voxel);
     }
     [[nodiscard]] bool anyIn(std::size_t offset, std::size_t count) const
     {
@@ -85,6 +85,7 @@ public:
 private:
     const LabelPlaneView* m_plane = nullptr;
     std::span<const std::uint8_t> m_coverage;
+    glm::ivec3 m_size;
     std::uint8_t m_label = 0;
     bool m_fractional = false;
 };

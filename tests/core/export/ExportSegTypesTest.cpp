@@ -16,6 +16,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <algorithm>
 #include <random>
 
 namespace exportSegTypesTest {
@@ -59,12 +60,13 @@ struct Made {
     std::vector<std::uint8_t> labels;
     std::vector<std::uint8_t> coverage;
     std::vector<core::LabelPlaneView> planes;
+    glm::ivec3 size{11, 7, 6};
     std::size_t area = 0;
 
     Made()
     {
         test::SmallSeries series;
-        series.size = {11, 7, 6};
+        series.size = size;
         series.placeEvenly({0, 0, 10}, {0, 0, 2.5});
         volume = series.write(folder.filePath(QStringLiteral("images")));
         area = std::size_t(series.size.x) * std::size_t(series.size.y);
@@ -97,7 +99,23 @@ struct Made {
             return inside ? 255 : 0;
         if (inside)
             return coverage[i] >= 128 ? coverage[i] : 255;
-        return coverage[i] < 128 ? coverage[i] : 0;
+        return coverage[i] < 128 && touchesCut(label, i) ? coverage[i] : 0;
+    }
+    /// Whether one of the 26 voxels around it is of that segment, and cut.
+    [[nodiscard]] bool touchesCut(int label, std::size_t i) const
+    {
+        for (std::size_t other = 0; other < labels.size(); ++other) {
+            const glm::ivec3 apart = glm::abs(placeOf(other) - placeOf(i));
+            if (labels[other] == label && coverage[other] >= 128
+                && std::max({apart.x, apart.y, apart.z}) == 1)
+                return true;
+        }
+        return false;
+    }
+    [[nodiscard]] glm::ivec3 placeOf(std::size_t i) const
+    {
+        const int voxel = int(i);
+        return {voxel % size.x, voxel / size.x % size.y, voxel / (size.x * size.y)};
     }
 };
 
@@ -125,6 +143,7 @@ private Q_SLOTS:
     void othersSeeTheSame_data();
     void othersSeeTheSame();
     void fractionalHoldsTheCoverage();
+    void holesOfLaterLeaveNoRim();
     void fractionalWithoutCoverageIsWhole();
     void labelMap();
     void labelMapHoldsNoOverlap();
@@ -240,6 +259,48 @@ void ExportSegTypesTest::fractionalHoldsTheCoverage()
     QVERIFY(both);
     QCOMPARE(facts["overlap"].toString(), QStringLiteral("YES"));
     validate(on.file);
+}
+
+/// A segment is made from a layer with two holes and one of them is erased from it; then a third
+/// hole is drilled into the layer.
+void ExportSegTypesTest::holesOfLaterLeaveNoRim()
+{
+    Made on;
+    const auto at = [&on](int x, int y, int z) {
+        return (std::size_t(z) * std::size_t(on.size.y) + std::size_t(y)) * std::size_t(on.size.x)
+            + std::size_t(x);
+    };
+    std::fill(on.labels.begin(), on.labels.end(), std::uint8_t(0));
+    std::fill(on.coverage.begin(), on.coverage.end(), std::uint8_t(0));
+    constexpr std::uint8_t cut = 255;
+    constexpr std::uint8_t rim = 90;
+    // Bars of three voxels along z, with what is covered in part beside them: the segment's, the
+    // one that was drilled later, the erased one.
+    for (const int x : {1, 5, 9}) {
+        for (int z = 1; z < 4; ++z) {
+            for (int aside = -1; aside < 2; ++aside)
+                on.coverage[at(x + aside, 3, z)] = aside == 0 ? cut : rim;
+            on.labels[at(x, 3, z)] = x == 1 ? 1 : 0;
+        }
+    }
+    core::ExportRequest request = on.request(core::ExportFormat::DicomSegFractional);
+    request.segments.resize(1);
+    request.coverages = {
+        {.label = 1, .layer = QStringLiteral("Sculpt 1"), .coverage = on.coverage}};
+    const auto report = core::exportMask(on.volume, request, {});
+    QVERIFY2(report, qPrintable(report ? QString() : messageOf(report.error())));
+    const auto seg = core::readSeg(on.file);
+    QVERIFY(seg);
+    QCOMPARE(seg->frames.size(), std::size_t(3));
+    for (std::size_t frame = 0; frame < seg->frames.size(); ++frame) {
+        for (int row = 0; row < on.size.y; ++row) {
+            for (int column = 0; column < on.size.x; ++column) {
+                const bool isCut = row == 3 && column == 1;
+                const bool isRim = row == 3 && (column == 0 || column == 2);
+                QCOMPARE(int(seg->value(frame, column, row)), isCut ? cut : isRim ? rim : 0);
+            }
+        }
+    }
 }
 
 void ExportSegTypesTest::fractionalWithoutCoverageIsWhole()
