@@ -18,11 +18,15 @@
 #include <QFileInfo>
 #include <QJsonDocument>
 #include <QMap>
+#include <QRegularExpression>
 #include <QTest>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstring>
+#include <map>
+#include <set>
 
 namespace failingBatchGlTest {
 
@@ -50,8 +54,10 @@ QString nameOf(int error)
 /// more, comes to what an undisturbed one comes to. Likewise a batch that is killed at any instant,
 /// but that what it had begun lies there under hidden names.
 ///
-/// BURIN_SEED draws others; BURIN_LONG: every call in turn, with one of the errors once, and with
-/// another from then on.
+/// BURIN_SEED draws others. BURIN_LONG: of each kind of call on each kind of file the first one
+/// fails once, and the last one from then on, with the errors in turn; and eight more of each
+/// program, evenly spread. Each call in turn would take hours, since it takes two batches, and most
+/// are alike: of one file, or of one slice of many.
 class FailingBatchGlTest : public QObject {
     Q_OBJECT
 
@@ -59,8 +65,15 @@ class FailingBatchGlTest : public QObject {
         const char* name = "";
         bool anew = false; ///< --force, over the results of another recipe
         QMap<QString, QByteArray> made; ///< the results of an undisturbed one, by path
-        std::array<int, 2> calls{}; ///< of it, by program
+        /// Its calls by program, in order: the kind of the call, and of the file.
+        std::array<std::vector<QString>, 2> calls{};
         int milliseconds = 0;
+    };
+    /// One call that fails: once, or all from there on.
+    struct Fault {
+        int call = 0;
+        int error = 0;
+        bool lasting = false;
     };
     /// What a killed batch may leave besides.
     enum class Hidden {
@@ -83,6 +96,8 @@ class FailingBatchGlTest : public QObject {
     [[nodiscard]] QStringList words(const Scene& scene) const;
     void restore(const Scene& scene) const;
     [[nodiscard]] QMap<QString, QByteArray> everything() const;
+    [[nodiscard]] QString kindOf(const FileEvent& call) const;
+    [[nodiscard]] static std::vector<Fault> faultsOf(const std::vector<QString>& calls);
     /// Of a session the hashes of its rows.
     [[nodiscard]] static QByteArray contentOf(const QString& path);
     [[nodiscard]] static bool isAsMade(const QString& path, const Scene& scene, bool mayBeBegun);
@@ -178,6 +193,44 @@ QMap<QString, QByteArray> FailingBatchGlTest::everything() const
     return all;
 }
 
+/// The call and its file, alike for both studies, all slices, and whatever temporary name.
+QString FailingBatchGlTest::kindOf(const FileEvent& call) const
+{
+    static const QRegularExpression temporary(QStringLiteral("\\.burin-[0-9a-f]+"));
+    static const QRegularExpression study(QStringLiteral("\\b(one|two)\\b"));
+    static const QRegularExpression number(QStringLiteral("[0-9]+"));
+    QString file = QDir(folder()).relativeFilePath(call.path);
+    file.replace(temporary, QStringLiteral(".burin-"));
+    file.replace(study, QStringLiteral("study"));
+    file.replace(number, QStringLiteral("0"));
+    return call.more + u' ' + file;
+}
+
+std::vector<FailingBatchGlTest::Fault> FailingBatchGlTest::faultsOf(
+    const std::vector<QString>& calls)
+{
+    std::map<QString, std::pair<int, int>> ofKind; // the first and the last call
+    for (int call = 1; call <= int(calls.size()); ++call)
+        ofKind.try_emplace(calls[std::size_t(call) - 1], call, call).first->second.second = call;
+    std::vector<Fault> faults;
+    std::size_t turn = 0;
+    const auto next = [&turn](const QString& kind) {
+        // Only a write can be done in part; that error is the last one.
+        const std::size_t suiting = errors.size() - (kind.startsWith(key("write")) ? 0 : 1);
+        return errors[turn++ % suiting];
+    };
+    for (const auto& [kind, range] : ofKind) {
+        faults.push_back({.call = range.first, .error = next(kind)});
+        faults.push_back({.call = range.second, .error = next(kind), .lasting = true});
+    }
+    const std::size_t further = std::min<std::size_t>(8, calls.size());
+    for (std::size_t i = 0; i < further; ++i) {
+        const std::size_t call = (2 * i + 1) * calls.size() / (2 * further); // counted from 0
+        faults.push_back({.call = int(call) + 1, .error = next(calls[call])});
+    }
+    return faults;
+}
+
 /// Of what holds new UIDs and times that it is whole; of sessions the states that they come to.
 QByteArray FailingBatchGlTest::contentOf(const QString& path)
 {
@@ -233,12 +286,17 @@ void FailingBatchGlTest::initTestCase()
             const Outcome counted =
                 m_home.burin(words(scene), {.under = folder(), .of = programs[program]});
             QVERIFY2(counted.status == 0, qPrintable(counted.complaint));
-            for (const FileEvent& event : m_home.events())
-                scene.calls[program] += event.what == "counts" ? 1 : 0;
+            std::vector<QString>& calls = scene.calls[program];
+            for (const FileEvent& event : m_home.events()) {
+                if (event.what == "counts")
+                    calls.push_back(kindOf(event));
+            }
             // The runs of both studies are alike, and each counts for itself.
-            scene.calls[program] /= programs[program] == QByteArray("run") ? 2 : 1;
-            QVERIFY(scene.calls[program] > 0);
-            qInfo("%s: %d calls of %s", scene.name, scene.calls[program], programs[program]);
+            if (programs[program] == QByteArray("run"))
+                calls.resize(calls.size() / 2);
+            QVERIFY(!calls.empty());
+            qInfo("%s: %d calls of %s, %d kinds", scene.name, int(calls.size()), programs[program],
+                int(std::set<QString>(calls.begin(), calls.end()).size()));
         }
     }
     QVERIFY(m_scenes[0].made != m_scenes[1].made);
@@ -383,12 +441,14 @@ void FailingBatchGlTest::studies_data()
     QTest::addColumn<int>("call");
     QTest::addColumn<int>("error");
     QTest::addColumn<bool>("lasting");
-    const auto add = [this](std::size_t scene, std::size_t program, int call, int error,
-                         bool lasting) {
-        QTest::addRow("%s, call %d of %d of %s: %s%s", m_scenes[scene].name, call,
-            m_scenes[scene].calls[program], programs[program], qPrintable(nameOf(error)),
-            lasting ? ", from then on" : "")
-            << int(scene) << int(program) << call << error << lasting;
+    int number = 0;
+    const auto add = [this, &number](std::size_t scene, std::size_t program, const Fault& fault) {
+        const std::vector<QString>& calls = m_scenes[scene].calls[program];
+        QTest::addRow("%d: %s, call %d of %d of %s (%s): %s%s", ++number, m_scenes[scene].name,
+            fault.call, int(calls.size()), programs[program],
+            qPrintable(calls[std::size_t(fault.call) - 1]), qPrintable(nameOf(fault.error)),
+            fault.lasting ? ", from then on" : "")
+            << int(scene) << int(program) << fault.call << fault.error << fault.lasting;
     };
     const std::uint32_t seed = qEnvironmentVariableIsSet("BURIN_SEED")
         ? qEnvironmentVariable("BURIN_SEED").toUInt()
@@ -397,16 +457,17 @@ void FailingBatchGlTest::studies_data()
     test::Random random(seed);
     for (std::size_t scene = 0; scene < m_scenes.size(); ++scene) {
         for (std::size_t program = 0; program < programs.size(); ++program) {
-            const int calls = m_scenes[scene].calls[program];
-            for (int call = 1; test::longRun() && call <= calls; ++call) {
-                const std::size_t turn = std::size_t(call) % errors.size();
-                add(scene, program, call, errors[turn], false);
-                add(scene, program, call, errors[(turn + 1) % errors.size()], true);
+            const std::vector<QString>& calls = m_scenes[scene].calls[program];
+            for (const Fault& fault : test::longRun() ? faultsOf(calls) : std::vector<Fault>())
+                add(scene, program, fault);
+            for (int i = 0; !test::longRun() && i < 3; ++i) {
+                const int call = test::randomInt(random, 1, int(calls.size()));
+                const bool lasting = test::randomInt(random, 0, 2) == 0;
+                add(scene, program,
+                    {.call = call,
+                        .error = errors[(std::size_t(i) + scene) % errors.size()],
+                        .lasting = lasting});
             }
-            for (int i = 0; !test::longRun() && i < 3; ++i)
-                add(scene, program, test::randomInt(random, 1, calls),
-                    errors[(std::size_t(i) + scene) % errors.size()],
-                    test::randomInt(random, 0, 2) == 0);
         }
     }
 }
@@ -449,7 +510,7 @@ void FailingBatchGlTest::kills_data()
 {
     QTest::addColumn<int>("scene");
     QTest::addColumn<int>("afterMs");
-    const int usual = test::longRun() ? 60 : 4;
+    const int usual = test::longRun() ? 40 : 4;
     const int kills = qEnvironmentVariableIsSet("BURIN_KILLS")
         ? qEnvironmentVariableIntValue("BURIN_KILLS")
         : usual;
