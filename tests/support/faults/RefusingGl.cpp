@@ -6,8 +6,11 @@
 
 #include <QtGlobal>
 
+#include <array>
 #include <atomic>
 #include <random>
+
+#include <execinfo.h>
 
 namespace test {
 
@@ -23,15 +26,47 @@ std::mt19937 lot;
 int leastGap = 0;
 int mostGap = 0; ///< 0: not by lot
 
+// Of the one thread that calls GL; others look at them when its work is done.
+std::vector<std::uint64_t> allSites;
+std::uint64_t wantedSite = 0; ///< 0: calls are refused by their number
+std::uint64_t firstRefusedSite = 0;
+
+/// From the wrappers below outwards, far enough to tell by which command of the engine, and of
+/// which kernel, an object that makes all its storages in one function was asked for them.
+std::uint64_t siteHere()
+{
+    constexpr int depth = 20;
+    std::array<void*, depth> callers{};
+    const int count = backtrace(callers.data(), depth);
+    constexpr std::uint64_t prime = 1099511628211U; // FNV-1a
+    std::uint64_t site = 14695981039346656037U;
+    for (int i = 0; i < count; ++i)
+        site = (site ^ std::uint64_t(reinterpret_cast<std::uintptr_t>(callers.at(std::size_t(i)))))
+            * prime;
+    return site == 0 ? 1 : site;
+}
+
 bool refusesNext()
 {
     if (paused)
         return false;
     const int call = ++countedRefusals;
     const int first = firstRefused;
-    const bool refused = first > 0 && (call == first || (onAndOn && call > first));
+    const bool counts = first == 0 && wantedSite == 0;
+    const bool seeks = wantedSite != 0 && refusals == 0;
+    bool refused = (first > 0 && (call == first || (onAndOn && call > first)))
+        || (wantedSite != 0 && refusals > 0 && onAndOn);
+    // Asked for in one place only, which is part of the answer.
+    const bool noted = counts || seeks || (refused && firstRefusedSite == 0);
+    const std::uint64_t site = noted ? siteHere() : 0;
+    if (counts)
+        allSites.push_back(site);
+    if (seeks)
+        refused = site == wantedSite;
     if (refused && mostGap > 0)
         firstRefused = call + leastGap + int(lot() % unsigned(mostGap - leastGap + 1));
+    if (refused && firstRefusedSite == 0)
+        firstRefusedSite = site;
     refusals += refused ? 1 : 0;
     return refused;
 }
@@ -121,6 +156,9 @@ RefusingGl::RefusingGl(int first, From from)
     firstRefused = first;
     onAndOn = from == From::OnAndOn;
     mostGap = 0;
+    allSites.clear();
+    wantedSite = 0;
+    firstRefusedSite = 0;
     kindCounted = Counted::Storages;
     exchange(
         epoxy_glNamedBufferStorage, bufferStorage, refusingBufferStorage, "glNamedBufferStorage");
@@ -144,6 +182,14 @@ RefusingGl::RefusingGl(Shader refused)
     : RefusingGl(refused.number)
 {
     kindCounted = Counted::Shaders;
+}
+
+RefusingGl::RefusingGl(Site refused, From from)
+    : RefusingGl(0, from)
+{
+    wantedSite = refused.place;
+    if (refused.isDispatch)
+        kindCounted = Counted::Dispatches;
 }
 
 RefusingGl::RefusingGl(std::uint32_t seed, int least, int most)
@@ -185,6 +231,16 @@ int RefusingGl::calls() const
 int RefusingGl::refused() const
 {
     return refusals;
+}
+
+const std::vector<std::uint64_t>& RefusingGl::sites() const
+{
+    return allSites;
+}
+
+std::uint64_t RefusingGl::refusedSite() const
+{
+    return firstRefusedSite;
 }
 
 } // namespace test

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 namespace test {
 
@@ -26,6 +27,13 @@ public:
         int number = 0;
     };
     explicit RefusingGl(Shader refused);
+    /// A place in the program where memory is asked for, or dispatched (sites()): the first such
+    /// call that is made there is refused.
+    struct Site {
+        std::uint64_t place = 0;
+        bool isDispatch = false;
+    };
+    explicit RefusingGl(Site refused, From from = From::Once);
     /// Refuses single calls at random, @p least to @p most calls apart.
     RefusingGl(std::uint32_t seed, int least, int most);
     ~RefusingGl();
@@ -34,6 +42,12 @@ public:
 
     [[nodiscard]] int calls() const; ///< since the beginning
     [[nodiscard]] int refused() const;
+    /// Where each call was made, in order, if calls are only counted: a number that stands for the
+    /// functions that were under way, so that calls which differ in nothing but data have the same.
+    /// It holds in this process only.
+    [[nodiscard]] const std::vector<std::uint64_t>& sites() const;
+    /// Where the first call was made that was refused; 0: none was.
+    [[nodiscard]] std::uint64_t refusedSite() const;
 
     /// While it lives nothing is refused or counted.
     class Pause {
