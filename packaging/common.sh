@@ -1,5 +1,5 @@
 # shellcheck shell=bash
-# What run.sh, test.sh, tsan.sh, asan.sh and bench.sh share. Sourced, never run.
+# What run.sh, test.sh, repeat.sh, tsan.sh, asan.sh and bench.sh share. Sourced, never run.
 
 burinRoot=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 burinPreset=release
