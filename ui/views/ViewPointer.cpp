@@ -206,6 +206,8 @@ void ViewPointer::followTool()
     // Who pans while taking another tool by its key goes on panning.
     if (m_gesture == Gesture::Tool || m_gesture == Gesture::Box)
         loseStroke();
+    // It would go on showing itself here when it is taken again, wherever the pointer is by then.
+    takeToolAway();
     if (m_tool)
         QObject::disconnect(m_tool, nullptr, &m_widget, nullptr);
     m_tool = m_workspace.activeTool();

@@ -115,6 +115,7 @@ private Q_SLOTS:
     void aDoubleClickWithAToolIsTwoOfItsClicks();
     void spaceNavigatesWithAToolInHand();
     void aToolForgetsThePointerWithTheStudy();
+    void aToolForgetsThePointerWithTheHand();
     void toolsDrawOverAnnotations();
     void volumeViewTurnsAndZooms();
     void maximumIntensityHasItsOwnWindow();
@@ -624,6 +625,25 @@ void ViewsUiTest::aToolForgetsThePointerWithTheStudy()
     QApplication::sendEvent(&axial, &move);
     QVERIFY(tool.isHere);
     fixture.workspace.setSession(nullptr);
+    QVERIFY(!tool.isHere);
+    fixture.workspace.setActiveTool(nullptr);
+}
+
+/// Another one is taken over a view, and the first one again from the tool bar.
+void ViewsUiTest::aToolForgetsThePointerWithTheHand()
+{
+    test::WindowFixture fixture(test::headFirstSupine());
+    SliceView& axial = fixture.window.views().axial();
+    NotingTool tool;
+    NotingTool other;
+    fixture.workspace.setActiveTool(&tool);
+    test::WindowFixture::hover(axial, QPointF(axial.width(), axial.height()) / 2.0);
+    QVERIFY(tool.isHere);
+    fixture.workspace.setActiveTool(&other);
+    QVERIFY(!tool.isHere);
+    QEvent leave(QEvent::Leave);
+    QApplication::sendEvent(&axial, &leave);
+    fixture.workspace.setActiveTool(&tool);
     QVERIFY(!tool.isHere);
     fixture.workspace.setActiveTool(nullptr);
 }

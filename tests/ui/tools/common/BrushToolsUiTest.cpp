@@ -675,6 +675,43 @@ private Q_SLOTS:
         QCOMPARE(fixture.painted(), painted);
     }
 
+    /// "erases Segment 1" stands at the pointer, and nowhere once a study was opened again without
+    /// it being over the view.
+    void anotherStudyHasNothingAtThePointer()
+    {
+        BrushFixture fixture(Brush::Paint);
+        const auto draws = [&fixture] {
+            QImage picture(fixture.slice.size(), QImage::Format_ARGB32_Premultiplied);
+            picture.fill(Qt::transparent);
+            const QImage nothing = picture;
+            QPainter painter(&picture);
+            fixture.paint.paintOverlay(painter, fixture.slice.context());
+            painter.end();
+            return picture != nothing;
+        };
+        const auto open = [&fixture] {
+            auto session = core::EditSession::create(fixture.engine, test::smallHead::volume(), {});
+            QVERIFY(session);
+            fixture.workspace.setSession(std::move(*session));
+            QVERIFY(fixture.session().apply(test::newSegment(QStringLiteral("Head"), 0x804020)));
+            QVERIFY(fixture.session().settle());
+            fixture.workspace.setActiveSegment(1);
+            fixture.paint.setErases(true);
+            fixture.workspace.setActiveTool(&fixture.paint);
+        };
+        fixture.workspace.setSession(nullptr);
+        open();
+        QVERIFY(!draws());
+        test::WindowFixture::hover(fixture.slice, BrushFixture::middleOf(fixture.slice));
+        QCOMPARE(fixture.paint.target(), QStringLiteral("erases Head"));
+        QVERIFY(draws());
+        fixture.workspace.setSession(nullptr);
+        open();
+        QVERIFY(!draws());
+        test::WindowFixture::hover(fixture.slice, BrushFixture::middleOf(fixture.slice));
+        QVERIFY(draws());
+    }
+
     /// With Ctrl or the eraser end what is seen of the segment goes, and what lies deeper stays.
     void erasingIn3dTakesWhatIsSeen_data()
     {
