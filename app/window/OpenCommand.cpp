@@ -199,6 +199,16 @@ void rescueBy(Application* application, bool goesOn)
     });
 }
 
+/// Closes the session of a program that was told to end, or whose display is gone: whoever started
+/// it is told what is lost, as there is nobody to be asked.
+void closeSession(ui::Workspace& workspace)
+{
+    if (const std::optional<core::Error> lost = workspace.dropSession())
+        complain(QObject::tr("the last steps could not be written and are lost: %1")
+                     .arg(ui::errorText(*lost)),
+            1);
+}
+
 int runOpen(const Arguments& arguments)
 {
     OpenArguments parsed;
@@ -249,9 +259,12 @@ int runOpen(const Arguments& arguments)
         screenshot->saveSoon();
     const OrderlyEnd end([&application] {
         (*application)->window().opener().abandon();
-        (*application)->workspace().dropSession();
+        closeSession((*application)->workspace());
     });
     const int status = QApplication::exec();
+    // Whoever closes the window was asked.
+    if (status != 0)
+        closeSession((*application)->workspace());
     rescueBy(nullptr, false);
     return status;
 }

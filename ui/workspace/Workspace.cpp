@@ -139,10 +139,18 @@ void Workspace::setMeasured(const core::Measured& measured)
     Q_EMIT measuredChanged();
 }
 
-void Workspace::dropSession()
+std::optional<core::Error> Workspace::dropSession()
 {
     m_retry.stop();
+    std::optional<core::Error> lost;
+    if (m_session) {
+        m_session->setListener({});
+        m_session->setErrorListener({});
+        static_cast<void>(m_session->endWork());
+        lost = m_session->storage().trouble();
+    }
     m_session.reset();
+    return lost;
 }
 
 void Workspace::applyHistoryMemory()

@@ -159,8 +159,10 @@ public:
     /// Opens another study (or none): moves the crosshair to its middle, and sets grey scale and 3D
     /// view to suit it.
     void setSession(std::unique_ptr<core::EditSession> session);
-    /// Closes the session without emitting signals: the program ends, and windows may be gone.
-    void dropSession();
+    /// Ends what is under way and closes the session, without emitting signals: the program ends,
+    /// and windows may be gone.
+    /// @return why the last steps are lost, which the disk does not take; none: they are on disk
+    std::optional<core::Error> dropSession();
 
     /// Applies the user's setting of how much history the session keeps in memory
     /// (HistoryMemory.h).

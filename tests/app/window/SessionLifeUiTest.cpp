@@ -28,6 +28,8 @@
 #include <QSignalSpy>
 #include <QTest>
 
+#include <optional>
+
 namespace sessionLifeUiTest {
 
 using test::Dialogs;
@@ -490,6 +492,28 @@ private Q_SLOTS:
         look(picture, "unwritten.png");
         open(path("case/ct"));
         QCOMPARE(session().history().rows().size(), std::size_t(1));
+    }
+
+    /// By a signal, say, when nobody can be asked.
+    void aProgramThatIsToldToEndSaysWhatIsLost()
+    {
+        open(path("case/ct"));
+        edit(test::drillAt(0));
+        std::optional<core::Error> lost;
+        {
+            const test::FileSizeLimit limit(1);
+            QVERIFY(session().apply(test::drillAt(3)));
+            lost = workspace().dropSession();
+        }
+        QVERIFY(lost);
+        QCOMPARE(lost->code, core::ErrorCode::FileUnwritable);
+        m_fixture->close();
+        m_fixture->start();
+        open(path("case/ct"));
+        QCOMPARE(session().history().rows().size(), std::size_t(1));
+        // With room for it, nothing is.
+        QVERIFY(session().apply(test::drillAt(3)));
+        QVERIFY(!workspace().dropSession());
     }
 
     void aStepUnderWayIsAskedAbout_data()
