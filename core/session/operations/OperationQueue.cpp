@@ -80,8 +80,11 @@ void OperationQueue::abortLongWork()
 Result<void> OperationQueue::endWork()
 {
     closeOpen();
+    m_ending = true;
     guard([this] { abortLongWork(); });
-    return settle();
+    const Result<void> settled = settle();
+    m_ending = false;
+    return settled;
 }
 
 void OperationQueue::submit(std::unique_ptr<Operation> operation)
@@ -412,7 +415,8 @@ void OperationQueue::notifyListeners()
                 m_listener(change);
         }
         for (const Error& error : std::exchange(m_state.errors, {})) {
-            if (m_errorListener)
+            // Nobody asked for what a session that ends aborts.
+            if (m_errorListener && !(m_ending && error.code == ErrorCode::Cancelled))
                 m_errorListener(error);
         }
         for (const std::function<void()>& answer : std::exchange(m_state.answers, {})) {

@@ -46,7 +46,8 @@ public:
     /// Blocks until nothing is left to do. @return the first failure since the last call
     Result<void> settle();
     /// What the destructor begins with, while there is still somebody to be told: ends what stands
-    /// open without a pen, aborts work that a session which ends does not wait for, and settles.
+    /// open without a pen, aborts work that a session which ends does not wait for (errors about
+    /// that are not told), and settles.
     Result<void> endWork();
 
     /// Blocks until the file holds all that it was given so far, or the disk does not take it; then
@@ -96,6 +97,7 @@ private:
     bool m_started = false; ///< whether the first one was started
     bool m_advancing = false;
     bool m_polling = false;
+    bool m_ending = false; ///< endWork() is at work
     bool m_closing = false; ///< nobody receives answers any more
     bool m_troubled = false; ///< the user was told that the file cannot be written
     std::map<Ticket, Answer> m_answers; ///< to questions that the engine has received
