@@ -19,13 +19,21 @@ void forEachRowPart(const VoxelRuns& voxels, const glm::ivec3& size, const Visit
 {
     const auto columns = std::uint64_t(size.x);
     const auto rows = std::uint64_t(size.y);
+    glm::ivec3 row(0);
+    std::uint64_t rowBegin = 0;
+    std::uint64_t rowEnd = 0; // no row yet
     for (const VoxelRun& run : voxels.runs()) {
         const std::uint64_t end = run.first + run.count;
         for (std::uint64_t first = run.first; first < end;) {
-            const std::uint64_t row = first / columns;
-            const std::uint64_t count = std::min((row + 1) * columns, end) - first;
-            visit(glm::ivec3(int(first % columns), int(row % rows), int(row / rows)), int(count),
-                first);
+            // Masks have many runs a row, and divisions take longer than all else here.
+            if (first >= rowEnd) {
+                const std::uint64_t number = first / columns;
+                rowBegin = number * columns;
+                rowEnd = rowBegin + columns;
+                row = glm::ivec3(0, int(number % rows), int(number / rows));
+            }
+            const std::uint64_t count = std::min(rowEnd, end) - first;
+            visit(row + glm::ivec3(int(first - rowBegin), 0, 0), int(count), first);
             first += count;
         }
     }

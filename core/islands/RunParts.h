@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/base/ParallelFor.h"
 #include "core/base/Progress.h"
 
 #include <glm/glm.hpp>
@@ -12,8 +13,9 @@
 
 namespace core {
 
-/// The runs of voxels in the rows of a box, joined to connected parts. Use: beginRow() and add()
-/// for all rows, endRows(), join(); then ask. Memory ∝ the runs.
+/// The runs of voxels in the rows of a box, joined to connected parts. Use: find(), or beginRow()
+/// and add() for all rows and endRows(); then join(); then ask. Memory ∝ the runs. Where the box
+/// has several slices, not within a parallelFor().
 class RunParts {
 public:
     /// Consecutive voxels of one row: columns [begin, end).
@@ -26,12 +28,33 @@ public:
     /// connected: 1 for 26 neighbours, 0 for 6
     RunParts(const glm::ivec3& size, int touch);
 
+    /// Finds the runs of all rows, in parallel slice by slice.
+    /// @param runsOfRow called as runsOfRow(y, z, add) for each row, which is to call
+    /// add(begin, end) for each of its runs, ascending
+    /// @return false: cancelled
+    template <class RunsOfRow> bool find(const Progress& progress, const RunsOfRow& runsOfRow)
+    {
+        std::vector<std::vector<Run>> slices(std::size_t(m_size.z));
+        parallelFor(m_size.z, [&](int z) {
+            if (progress.cancelled())
+                return;
+            std::vector<Run>& runs = slices[std::size_t(z)];
+            for (int y = 0; y < m_size.y; ++y) {
+                m_firstOfRow[rowAt(y, z)] = runs.size(); // of the slice, for the moment
+                runsOfRow(y, z, [&runs](int begin, int end) { runs.push_back({begin, end}); });
+            }
+        });
+        if (progress.cancelled())
+            return false;
+        gather(slices);
+        return true;
+    }
     /// Begins the next row. All rows must be begun in the order of memory, also those without runs.
     void beginRow(std::size_t row) { m_firstOfRow[row] = m_runs.size(); }
     void add(int begin, int end);
     void endRows() { m_firstOfRow.back() = m_runs.size(); }
 
-    /// Joins connected runs of neighbouring rows.
+    /// Joins connected runs of neighbouring rows, in parallel.
     /// @return false: cancelled
     bool join(const Progress& progress);
 
@@ -59,6 +82,11 @@ private:
     {
         return std::size_t(z) * std::size_t(m_size.y) + std::size_t(y);
     }
+    /// Puts the runs of the slices one behind the other, and empties @p slices.
+    void gather(std::vector<std::vector<Run>>& slices);
+    /// Joins the rows of a slice with each other, or with those of the slice before.
+    void joinWithin(int z);
+    void joinWithBefore(int z);
     void joinRows(std::size_t row, std::size_t other);
     void joinRuns(std::size_t one, std::size_t two);
 

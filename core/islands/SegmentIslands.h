@@ -42,7 +42,8 @@ struct IslandChange {
 
 /// Finds the voxels of a segment's islands or holes that a rule is about. Voxels of other segments
 /// inside a hole count as part of it; whether they are taken is left to the caller. Cost: two
-/// passes over the volume, and memory ∝ the runs of voxels along x. Any thread. Errors: Cancelled.
+/// passes over the volume, and memory ∝ the runs of voxels along x. Any thread outside a
+/// parallelFor(). Errors: Cancelled.
 /// @param labels one for each voxel of the volume in the segment's plane, x fastest
 /// @param voxels for FillHoles, the greatest number of voxels of a hole; for RemoveSmall, the least
 /// number of an island that stays; not used by other rules
@@ -53,7 +54,7 @@ struct IslandChange {
     const Progress& progress, std::size_t clicked = 0);
 
 /// The number of voxels of each island of a segment, in descending order. Cost and memory as for
-/// islandChange(). Any thread. Errors: Cancelled.
+/// islandChange(). Any thread outside a parallelFor(). Errors: Cancelled.
 /// @param labels one for each voxel of the volume in the segment's plane, x fastest
 [[nodiscard]] Result<std::vector<std::int64_t>> islandSizes(std::span<const std::uint8_t> labels,
     const glm::ivec3& size, std::uint8_t label, const Progress& progress);
@@ -66,7 +67,7 @@ struct FurtherIslands {
 };
 
 /// Finds them; the largest island is the one that IslandRule::KeepLargest keeps. Cost and memory as
-/// for islandChange(). Any thread. Errors: Cancelled.
+/// for islandChange(). Any thread outside a parallelFor(). Errors: Cancelled.
 /// @param labels one for each voxel of the volume in the segment's plane, x fastest
 /// @param least islands of fewer voxels are ignored
 /// @param most the greatest number of islands that are listed

@@ -12,8 +12,8 @@
 namespace core {
 
 /// The connected parts of a set of voxels (26 neighbours), in the order of their first voxels in
-/// memory. Cost ∝ the runs of the set and the rows of the volume. Any thread.
-/// Errors: Cancelled.
+/// memory. Cost ∝ the runs of the set and the rows of the volume. Any thread outside a
+/// parallelFor(). Errors: Cancelled.
 /// @param size of the volume
 /// @param least parts of fewer voxels are left out
 [[nodiscard]] Result<std::vector<VoxelRuns>> islandsOf(

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/edits/engine/ListedRuns.h"
 
+#include "core/brick/RunRows.h"
+
 #include <algorithm>
 #include <utility>
 
@@ -13,43 +15,55 @@ ListedRuns::ListedRuns(const glm::ivec3& volumeSize)
 
 void ListedRuns::add(const VoxelRuns& runs, std::uint8_t asked)
 {
-    const auto columns = std::uint64_t(m_grid.volumeSize.x);
-    const auto rows = std::uint64_t(m_grid.volumeSize.y);
-    for (const VoxelRun& run : runs.runs()) {
-        std::uint64_t at = run.first;
-        const std::uint64_t end = run.first + run.count;
-        while (at < end) {
-            const glm::ivec3 voxel(
-                int(at % columns), int(at / columns % rows), int(at / columns / rows));
-            std::vector<std::uint8_t>& brick = m_bricks[std::uint32_t(m_grid.brickOf(voxel))];
+    const glm::ivec3 count = m_grid.bricks();
+    int known = -1; // the row of bricks that is at hand: runs have it for many rows of voxels
+    RowOfBricks* row = nullptr;
+    forEachRowPart(runs, m_grid.volumeSize, [&](const glm::ivec3& at, int length, std::uint64_t) {
+        const int number = at.y / BrickGrid::side + count.y * (at.z / BrickGrid::side);
+        if (number != known) {
+            row = &m_rows[number];
+            row->resize(std::size_t(count.x));
+            known = number;
+        }
+        const int rowInBrick = BrickGrid::offsetInBrick({0, at.y, at.z});
+        const int end = at.x + length;
+        for (int x = at.x; x < end;) {
+            std::vector<std::uint8_t>& brick = (*row)[std::size_t(x / BrickGrid::side)];
             if (brick.empty())
                 brick.assign(BrickGrid::voxelsPerBrick, std::uint8_t(0));
-            // The rest of the brick's row, or of the run.
-            const auto left = std::uint64_t(BrickGrid::side - voxel.x % BrickGrid::side);
-            const std::uint64_t count =
-                std::min({left, end - at, columns - std::uint64_t(voxel.x)});
-            std::fill_n(
-                brick.begin() + BrickGrid::offsetInBrick(voxel), std::ptrdiff_t(count), asked);
-            at += count;
+            const int in = x % BrickGrid::side;
+            const int part = std::min(BrickGrid::side - in, end - x);
+            std::fill_n(brick.begin() + rowInBrick + in, part, asked);
+            x += part;
+        }
+    });
+}
+
+template <class Brick> std::vector<Brick> ListedRuns::takeBricks()
+{
+    const int along = m_grid.bricks().x;
+    std::vector<Brick> bricks;
+    for (auto& [number, row] : std::exchange(m_rows, {})) {
+        for (int x = 0; x < along; ++x) {
+            if (std::vector<std::uint8_t>& each = row[std::size_t(x)]; !each.empty())
+                bricks.push_back({std::uint32_t(number * along + x), std::move(each)});
         }
     }
+    return bricks;
 }
 
 RelabelListed ListedRuns::relabel(LabelTarget target)
 {
-    RelabelListed relabel{.target = std::move(target), .bricks = {}};
-    for (auto& [brick, each] : std::exchange(m_bricks, {}))
-        relabel.bricks.push_back({brick, std::move(each)});
-    return relabel;
+    return {.target = std::move(target), .bricks = takeBricks<RelabelListed::Brick>()};
 }
 
 LabelListed ListedRuns::label(
     std::uint8_t plane, const std::bitset<256>& overwritable, std::uint8_t frees)
 {
-    LabelListed label{.plane = plane, .overwritable = overwritable, .bricks = {}, .frees = frees};
-    for (auto& [brick, each] : std::exchange(m_bricks, {}))
-        label.bricks.push_back({brick, std::move(each)});
-    return label;
+    return {.plane = plane,
+        .overwritable = overwritable,
+        .bricks = takeBricks<LabelListed::Brick>(),
+        .frees = frees};
 }
 
 } // namespace core

@@ -29,8 +29,14 @@ public:
         std::uint8_t plane, const std::bitset<256>& overwritable, std::uint8_t frees);
 
 private:
+    /// Along x, what is asked of each brick's voxels; empty: nothing.
+    using RowOfBricks = std::vector<std::vector<std::uint8_t>>;
+
+    /// Afterwards no row is left.
+    template <class Brick> [[nodiscard]] std::vector<Brick> takeBricks();
+
     BrickGrid m_grid;
-    std::map<std::uint32_t, std::vector<std::uint8_t>> m_bricks;
+    std::map<int, RowOfBricks> m_rows; ///< by number, y first, then z; those that runs lie in
 };
 
 } // namespace core

@@ -141,8 +141,8 @@ private Q_SLOTS:
         QFETCH(const int, rule);
         QFETCH(const qint64, voxels);
         std::mt19937 random(std::uint32_t(percent * 10 + rule));
-        const std::array<glm::ivec3, 4> sizes{
-            glm::ivec3(13, 11, 9), {1, 12, 7}, {20, 1, 6}, {17, 6, 1}};
+        const std::array<glm::ivec3, 5> sizes{
+            glm::ivec3(13, 11, 9), {1, 12, 7}, {20, 1, 6}, {17, 6, 1}, {4, 5, 37}};
         for (const glm::ivec3& size : sizes) {
             Labels labels(std::size_t(size.x * size.y * size.z));
             for (std::uint8_t& label : labels)
@@ -182,8 +182,8 @@ private Q_SLOTS:
     {
         QFETCH(const int, percent);
         std::mt19937 random(std::uint32_t(percent + 7));
-        const std::array<glm::ivec3, 4> sizes{
-            glm::ivec3(13, 11, 9), {1, 12, 7}, {20, 1, 6}, {17, 6, 1}};
+        const std::array<glm::ivec3, 5> sizes{
+            glm::ivec3(13, 11, 9), {1, 12, 7}, {20, 1, 6}, {17, 6, 1}, {4, 5, 37}};
         for (const glm::ivec3& size : sizes) {
             Labels labels(std::size_t(size.x * size.y * size.z));
             for (std::uint8_t& label : labels)
