@@ -82,8 +82,10 @@ public:
         VoxelRuns runs;
         forEach([&](std::size_t of, std::size_t in, std::size_t width) {
             for (std::size_t x = 0; x < width; ++x) {
-                if (labels[of + x] == label && isChosen(in + x))
-                    runs.append(of + x, 1);
+                const std::size_t begin = x;
+                while (x < width && labels[of + x] == label && isChosen(in + x))
+                    ++x;
+                runs.append(of + begin, x - begin);
             }
         });
         return runs;

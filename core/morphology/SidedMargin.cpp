@@ -4,6 +4,7 @@
 #include "core/base/ParallelFor.h"
 #include "core/brick/LabelBox.h"
 #include "core/morphology/BoxRows.h"
+#include "core/morphology/HalfEnvelope.h"
 #include "core/morphology/StageCounter.h"
 #include "core/volume/MemoryLimit.h"
 
@@ -15,70 +16,91 @@ namespace core {
 
 namespace {
 
-/// The least sum of a squared distance across a line, which is known at each place, and the square
-/// of the steps along it, taken in one direction only. Each place thus contributes half a parabola
-/// that begins there. Two of these meet once at most, and from there on the later one is lower, so
-/// they form an envelope as in LowerEnvelope.
-class HalfEnvelope {
+constexpr int sidedColumnsAtOnce = 16; ///< two lines of the processor's cache hold their sums
+using Reaches = std::array<std::vector<std::uint16_t>, 2>;
+
+/// One column of a slice: from what steps along x come to, how far its voxels reach along z.
+class SidedColumn {
 public:
-    void clear(std::int64_t curvature)
+    /// @param upTo what 0, 1, 2 … slices come to, backwards and forwards
+    SidedColumn(const SidedBall& ball, const std::array<std::vector<std::int64_t>, 2>& upTo,
+        std::size_t length)
+        : m_ball(ball)
+        , m_upTo(upTo)
+        , m_sums(length)
+        , m_least(length)
+        , m_reach{std::vector<std::uint16_t>(length), std::vector<std::uint16_t>(length)}
     {
-        m_curvature = curvature;
-        m_parabolas.clear();
     }
-    /// The value at the place to which moveTo() went last.
-    [[nodiscard]] std::int64_t at(int place) const
+
+    /// Along x, for each voxel; more than `whole`: unreachable.
+    [[nodiscard]] std::vector<std::int64_t>& sums() { return m_sums; }
+    /// One more than the number of slices that the rest of `whole` spans; 0: not even this slice.
+    [[nodiscard]] const Reaches& reach() const { return m_reach; }
+
+    void look()
     {
-        const Parabola& lowest = m_parabolas[m_lowest];
-        const std::int64_t step = place - lowest.place;
-        return lowest.least + m_curvature * step * step;
-    }
-    [[nodiscard]] bool empty() const { return m_parabolas.empty(); }
-    void add(int place, std::int64_t least)
-    {
-        int from = place;
-        while (!m_parabolas.empty()) {
-            const Parabola& last = m_parabolas.back();
-            const std::int64_t apart = place - last.place;
-            const std::int64_t meet = dividedUp(
-                least - last.least + m_curvature * apart * (std::int64_t(place) + last.place),
-                2 * m_curvature * apart);
-            from = int(std::clamp<std::int64_t>(meet, place, never));
-            if (from > last.from)
-                break;
-            m_parabolas.pop_back();
-            from = place;
+        const bool isReached = std::any_of(
+            m_sums.begin(), m_sums.end(), [this](std::int64_t sum) { return sum <= m_ball.whole; });
+        if (isReached) {
+            m_least = m_sums;
+            spread(1);
+            spread(0);
         }
-        if (from < never)
-            m_parabolas.push_back({.place = place, .from = from, .least = least});
-    }
-    /// Selects the parabola that is lowest at a place.
-    void moveTo(int place)
-    {
-        m_lowest = std::min(m_lowest, m_parabolas.size() - 1);
-        while (m_lowest + 1 < m_parabolas.size() && m_parabolas[m_lowest + 1].from <= place)
-            ++m_lowest;
-        while (m_lowest > 0 && m_parabolas[m_lowest].from > place)
-            --m_lowest;
+        for (std::size_t side = 0; side < 2; ++side) {
+            if (isReached)
+                findReach(side);
+            else
+                std::fill(m_reach.at(side).begin(), m_reach.at(side).end(), std::uint16_t(0));
+        }
     }
 
 private:
-    struct Parabola {
-        int place = 0;
-        int from = 0; ///< the first place at which it is the lowest
-        std::int64_t least = 0;
-    };
-    static constexpr std::int64_t never = std::int64_t(1) << 30;
-
-    /// @param divisor positive
-    [[nodiscard]] static std::int64_t dividedUp(std::int64_t number, std::int64_t divisor)
+    /// @param side 1: from each place onwards; 0: backwards
+    void spread(std::size_t side)
     {
-        return number / divisor + (number % divisor > 0 ? 1 : 0);
+        const std::int64_t curvature = m_ball.squared[1].at(side);
+        if (curvature > m_ball.whole)
+            return;
+        const auto length = int(m_sums.size());
+        m_envelope.clear(curvature);
+        bool isBehindMask = false;
+        for (int step = 0; step < length; ++step) {
+            const auto y = std::size_t(side == 1 ? step : length - 1 - step);
+            const std::int64_t sum = m_sums[y];
+            if (sum == 0) { // of the mask: nothing is nearer
+                isBehindMask = true;
+                continue;
+            }
+            if (isBehindMask)
+                m_envelope.add(step - 1, 0);
+            isBehindMask = false;
+            if (sum <= m_ball.whole)
+                m_envelope.add(step, sum);
+            if (!m_envelope.empty())
+                m_least[y] = std::min(m_least[y], m_envelope.at(step));
+        }
+    }
+    void findReach(std::size_t side)
+    {
+        const std::vector<std::int64_t>& upTo = m_upTo.at(side);
+        std::size_t reach = 0; // hardly differs from that of the voxel before
+        for (std::size_t y = 0; y < m_least.size(); ++y) {
+            const std::int64_t rest = m_ball.whole - m_least[y];
+            while (reach > 0 && upTo[reach - 1] > rest)
+                --reach;
+            while (reach < upTo.size() && upTo[reach] <= rest)
+                ++reach;
+            m_reach.at(side)[y] = std::uint16_t(reach);
+        }
     }
 
-    std::int64_t m_curvature = 1;
-    std::size_t m_lowest = 0;
-    std::vector<Parabola> m_parabolas;
+    const SidedBall& m_ball;
+    const std::array<std::vector<std::int64_t>, 2>& m_upTo;
+    std::vector<std::int64_t> m_sums;
+    std::vector<std::int64_t> m_least;
+    Reaches m_reach;
+    HalfEnvelope m_envelope;
 };
 
 /// Spreads a mask by the body, in place: along the rows of each slice, then along its columns, then
@@ -88,11 +110,14 @@ public:
     SidedSpread(ByteMask& mask, const SidedBall& ball)
         : m_mask(mask)
         , m_ball(ball)
-        , m_none(ball.whole + 1)
         , m_reach{std::vector<std::uint16_t>(mask.voxels.size()),
               std::vector<std::uint16_t>(mask.voxels.size())}
     {
         for (std::size_t side = 0; side < 2; ++side) {
+            const int most = side == 0 ? ball.before.x : ball.behind.x;
+            for (std::int64_t steps = 0; steps <= most; ++steps)
+                m_alongX.at(side).push_back(ball.squared[0].at(side) * steps * steps);
+            m_alongX.at(side).push_back(ball.whole + 1);
             const std::int64_t step = ball.squared[2][side];
             for (std::int64_t slices = 0; slices < mask.size.z; ++slices) {
                 if (step > ball.whole / std::max<std::int64_t>(1, slices * slices) && slices > 0)
@@ -112,20 +137,24 @@ public:
             any = measureRow(y, z, sums) || any;
         if (!any)
             return;
-        std::vector<std::int64_t> column(static_cast<std::size_t>(size.y));
-        std::vector<std::int64_t> least(column.size());
-        HalfEnvelope envelope;
-        for (int x = 0; x < size.x; ++x) {
-            for (int y = 0; y < size.y; ++y)
-                column[std::size_t(y)] =
-                    sums[std::size_t(y) * std::size_t(size.x) + std::size_t(x)];
-            least = column;
-            spreadAlong(column, least, 1, envelope);
-            spreadAlong(column, least, 0, envelope);
+        std::vector<SidedColumn> columns(
+            sidedColumnsAtOnce, SidedColumn(m_ball, m_upTo, std::size_t(size.y)));
+        for (int x = 0; x < size.x; x += sidedColumnsAtOnce) {
+            const auto width = std::size_t(std::min(sidedColumnsAtOnce, size.x - x));
             for (int y = 0; y < size.y; ++y) {
-                const std::size_t voxel = rowAt(y, z) + std::size_t(x);
-                m_reach[0][voxel] = reachOf(0, least[std::size_t(y)]);
-                m_reach[1][voxel] = reachOf(1, least[std::size_t(y)]);
+                const std::int64_t* row =
+                    &sums[std::size_t(y) * std::size_t(size.x) + std::size_t(x)];
+                for (std::size_t column = 0; column < width; ++column)
+                    columns[column].sums()[std::size_t(y)] = row[column];
+            }
+            for (std::size_t column = 0; column < width; ++column)
+                columns[column].look();
+            for (std::size_t side = 0; side < 2; ++side) {
+                for (int y = 0; y < size.y; ++y) {
+                    std::uint16_t* row = &m_reach.at(side)[rowAt(y, z) + std::size_t(x)];
+                    for (std::size_t column = 0; column < width; ++column)
+                        row[column] = columns[column].reach().at(side)[std::size_t(y)];
+                }
             }
         }
     }
@@ -139,9 +168,10 @@ public:
             for (int x = 0; x < size.x; ++x)
                 target[x] = std::max(target[x], std::uint16_t(source[x] > 0 ? source[x] - 1 : 0));
         };
-        for (int z = 1; z < size.z; ++z)
+        // Where the body is flat no voxel reaches the next slice.
+        for (int z = 1; z < size.z && m_upTo[1].size() > 1; ++z)
             pass(1, z - 1, z);
-        for (int z = size.z - 1; z > 0; --z)
+        for (int z = size.z - 1; z > 0 && m_upTo[0].size() > 1; --z)
             pass(0, z, z - 1);
         for (int z = 0; z < size.z; ++z) {
             const std::size_t row = rowAt(y, z);
@@ -156,67 +186,36 @@ private:
         return (std::size_t(z) * std::size_t(m_mask.size.y) + std::size_t(y))
             * std::size_t(m_mask.size.x);
     }
-    /// The squared share of the margin that a number of steps to one side of an axis has.
-    [[nodiscard]] std::int64_t squaredAlong(int axis, std::size_t side, int steps) const
-    {
-        const int most = side == 0 ? m_ball.before[axis] : m_ball.behind[axis];
-        if (steps > most)
-            return m_none;
-        const std::int64_t its = steps;
-        return std::min(m_none, m_ball.squared.at(std::size_t(axis)).at(side) * its * its);
-    }
     /// From the nearest voxels of the mask on both sides. @return whether the row has any
     bool measureRow(int y, int z, std::vector<std::int64_t>& sums) const
     {
         const std::uint8_t* row = &m_mask.voxels[rowAt(y, z)];
         std::int64_t* its = &sums[std::size_t(y) * std::size_t(m_mask.size.x)];
-        const int far = m_mask.size.x + 1;
-        int steps = far;
+        const auto farForwards = m_alongX[1].size() - 1;
+        std::size_t steps = farForwards;
         bool any = false;
         for (int x = 0; x < m_mask.size.x; ++x) {
-            steps = row[x] != 0 ? 0 : std::min(steps + 1, far);
+            steps = row[x] != 0 ? 0 : std::min(steps + 1, farForwards);
             any = any || row[x] != 0;
-            its[x] = squaredAlong(0, 1, steps);
+            its[x] = m_alongX[1][steps];
         }
-        steps = far;
+        if (!any)
+            return false;
+        const auto farBackwards = m_alongX[0].size() - 1;
+        steps = farBackwards;
         for (int x = m_mask.size.x - 1; x >= 0; --x) {
-            steps = row[x] != 0 ? 0 : std::min(steps + 1, far);
-            its[x] = std::min(its[x], squaredAlong(0, 0, steps));
+            steps = row[x] != 0 ? 0 : std::min(steps + 1, farBackwards);
+            its[x] = std::min(its[x], m_alongX[0][steps]);
         }
-        return any;
-    }
-    /// @param side 1: from each place onwards; 0: backwards
-    void spreadAlong(const std::vector<std::int64_t>& column, std::vector<std::int64_t>& least,
-        std::size_t side, HalfEnvelope& envelope) const
-    {
-        const std::int64_t curvature = m_ball.squared[1].at(side);
-        if (curvature > m_ball.whole)
-            return;
-        const auto length = int(column.size());
-        envelope.clear(curvature);
-        for (int step = 0; step < length; ++step) {
-            const auto y = std::size_t(side == 1 ? step : length - 1 - step);
-            if (column[y] < m_none)
-                envelope.add(step, column[y]);
-            if (envelope.empty())
-                continue;
-            envelope.moveTo(step);
-            least[y] = std::min(least[y], envelope.at(step));
-        }
-    }
-    /// One more than the number of slices that the rest of `whole` spans; 0: not even this slice.
-    [[nodiscard]] std::uint16_t reachOf(std::size_t side, std::int64_t sum) const
-    {
-        const std::vector<std::int64_t>& upTo = m_upTo.at(side);
-        return std::uint16_t(
-            std::upper_bound(upTo.begin(), upTo.end(), m_ball.whole - sum) - upTo.begin());
+        return true;
     }
 
     ByteMask& m_mask;
     const SidedBall& m_ball;
-    std::int64_t m_none;
+    /// What 0, 1, 2 … steps along x come to, backwards and forwards; at the end what is too far.
+    std::array<std::vector<std::int64_t>, 2> m_alongX;
     std::array<std::vector<std::int64_t>, 2> m_upTo; ///< of so many slices, as far as it matters
-    std::array<std::vector<std::uint16_t>, 2> m_reach;
+    Reaches m_reach;
 };
 
 /// Memory for a mask and its two reaches, and what is needed for single slices.

@@ -163,14 +163,24 @@ private Q_SLOTS:
     void anyMatterOnAnyGrid_data()
     {
         QTest::addColumn<uint>("seed");
-        for (uint seed = 1; seed <= 16; ++seed)
-            QTest::addRow("seed %u", seed) << seed;
+        QTest::addColumn<glm::ivec3>("size");
+        for (uint seed = 1; seed <= 16; ++seed) {
+            std::mt19937 random(100 + seed);
+            glm::ivec3 size(6 + int(random() % 9)); // one after the other, whatever the compiler
+            size.y = 6 + int(random() % 8);
+            size.z = 5 + int(random() % 8);
+            QTest::addRow("seed %u", seed) << seed << size;
+        }
+        QTest::newRow("long rows") << 17U << glm::ivec3(50, 3, 3);
+        QTest::newRow("long columns") << 18U << glm::ivec3(3, 60, 2);
+        QTest::newRow("many slices") << 19U << glm::ivec3(2, 4, 50);
+        QTest::newRow("wide slices") << 20U << glm::ivec3(37, 18, 2);
     }
     void anyMatterOnAnyGrid()
     {
         QFETCH(const uint, seed);
+        QFETCH(const glm::ivec3, size);
         std::mt19937 random(seed);
-        const glm::ivec3 size{6 + int(random() % 9), 6 + int(random() % 8), 5 + int(random() % 8)};
         std::mt19937 twin = random;
         const core::VolumeGeometry geometry = anyGrid(size, random, seed % 2 == 0 ? 0.2 : 0.0);
         const core::VolumeGeometry turnedBack = anyGrid(size, twin, 0.0);
