@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/peers/cases/ComparedSegments.h"
 
+#include "core/document/Document.h"
 #include "core/edits/kinds/AnyEdit.h"
+#include "core/edits/kinds/segments/ReshapeSegment.h"
+#include "core/edits/kinds/splitting/SplitIslands.h"
 #include "core/engine/EngineCommands.h"
+#include "core/sculpt/labels/HeldVoxels.h"
 #include "core/session/EditSession.h"
 #include "core/session/questions/VoxelQuestions.h"
 #include "tests/peers/cases/WholeSegments.h"
@@ -27,24 +31,43 @@ concept workedOut = requires(const E& edit, const core::Document& document,
         } -> std::same_as<core::Result<core::RelabelListed>>;
 };
 
-core::Result<std::optional<double>> timeToWorkOut(
-    const core::Edit& edit, const RealSegment& segment, RealSegment::State before)
+/// Milliseconds of working something out. @param work returns a Result
+template <class Work> core::Result<std::optional<double>> timed(const Work& work)
 {
-    return core::visitEdit(
-        [&](const auto& known) -> core::Result<std::optional<double>> {
-            if constexpr (workedOut<std::decay_t<decltype(known)>>) {
-                QElapsedTimer timer;
-                timer.start();
-                const auto listed = relabelListed(
-                    known, segment.document(), segment.labels(before), core::Progress());
-                if (!listed)
-                    return tl::unexpected(listed.error());
-                return double(timer.nsecsElapsed()) / 1e6;
-            } else {
-                return std::nullopt;
-            }
-        },
-        edit);
+    QElapsedTimer timer;
+    timer.start();
+    const auto listed = work();
+    if (!listed)
+        return tl::unexpected(listed.error());
+    return double(timer.nsecsElapsed()) / 1e6;
+}
+
+core::Result<std::optional<double>> timeToWorkOut(const core::ReshapeSegment& edit,
+    const core::Document& document, std::span<const std::uint8_t> labels)
+{
+    if (edit.with)
+        return timed([&] { return labelListed(edit, document, labels, core::Progress()); });
+    return timed([&] { return relabelListed(edit, document, labels, core::Progress()); });
+}
+
+core::Result<std::optional<double>> timeToWorkOut(const core::SplitIslands& edit,
+    const core::Document& document, std::span<const std::uint8_t> labels)
+{
+    core::SplitIslands completed = edit;
+    const std::vector<core::LabelPlane> planes{{0, labels}};
+    return timed(
+        [&] { return labelListed(completed, document, {.planes = planes}, core::Progress()); });
+}
+
+/// @return none: the engine itself works it out
+template <class E>
+core::Result<std::optional<double>> timeToWorkOut(
+    const E& edit, const core::Document& document, std::span<const std::uint8_t> labels)
+{
+    if constexpr (workedOut<E>)
+        return timed([&] { return relabelListed(edit, document, labels, core::Progress()); });
+    else
+        return std::nullopt;
 }
 
 } // namespace
@@ -68,6 +91,7 @@ core::Result<Compared> compare(RealSegment& segment, const WholeSegment& operati
         return tl::unexpected(before.error());
     Compared compared;
     const core::Edit edit = operation.edit(segment);
+    const core::Document workedOn = segment.document(); // the edit may add segments
     QElapsedTimer timer;
     timer.start();
     if (const core::Result<void> applied = session.apply(edit); !applied)
@@ -79,7 +103,8 @@ core::Result<Compared> compare(RealSegment& segment, const WholeSegment& operati
         session.questions().labels(operation.plane);
     if (!ours)
         return tl::unexpected(ours.error());
-    const auto worked = timeToWorkOut(edit, segment, operation.before);
+    const auto worked = core::visitEdit(
+        [&](const auto& known) { return timeToWorkOut(known, workedOn, *before); }, edit);
     if (!worked)
         return tl::unexpected(worked.error());
     compared.workedOutMilliseconds = *worked;

@@ -2,6 +2,7 @@
 #include "tests/peers/cases/SeveralSegments.h"
 
 #include "core/edits/kinds/segments/AddSegment.h"
+#include "core/edits/kinds/segments/CleanSegment.h"
 #include "core/edits/kinds/segments/CombineSegments.h"
 #include "core/edits/kinds/segments/ReshapeSegment.h"
 #include "core/edits/kinds/splitting/CopySegment.h"
@@ -236,6 +237,53 @@ WholeSegment islands()
             }};
 }
 
+/// Islands by their size, 2 the second largest, and 1 the largest or one that is too small.
+ItkMask numberedIslands(const RealSegment& segment)
+{
+    return itkNumberedParts(segment.mask(State::Thresholded), leastIslandVoxels(segment));
+}
+
+/// The second largest island is clicked.
+/// @param becomes what voxels of that island become, and what those of the others do
+WholeSegment clicked(
+    const char* name, core::IslandRule rule, std::uint8_t becomes, std::uint8_t othersBecome)
+{
+    constexpr std::uint8_t second = 2;
+    const bool gives = rule == core::IslandRule::GiveClicked;
+    WholeSegment made{.name = name,
+        .peer = "ITK RelabelComponent",
+        .before = State::Thresholded,
+        .edit =
+            [=](const RealSegment& segment) {
+                const std::vector<std::uint8_t> islands = numberedIslands(segment).voxels;
+                const auto place = std::size_t(
+                    std::find(islands.begin(), islands.end(), second) - islands.begin());
+                const glm::ivec3 size = segment.geometry().size;
+                const auto columns = std::size_t(size.x);
+                const auto rows = std::size_t(size.y);
+                const glm::dvec3 voxel(double(place % columns), double(place / columns % rows),
+                    double(place / columns / rows));
+                return core::CleanSegment{.segment = label,
+                    .rule = rule,
+                    .islandLps = segment.geometry().toWorld(voxel),
+                    .to = gives ? std::optional(other) : std::nullopt};
+            },
+        .theirs =
+            [=](const RealSegment& segment) {
+                ItkMask islands = numberedIslands(segment);
+                for (std::uint8_t& voxel : islands.voxels) {
+                    if (voxel != 0)
+                        voxel = voxel == second ? becomes : othersBecome;
+                }
+                return exactly(std::move(islands));
+            }};
+    if (gives)
+        made.first = [](const RealSegment&) {
+            return std::vector<core::Edit>{core::AddSegment{.name = QStringLiteral("B")}};
+        };
+    return made;
+}
+
 // --- Smoothing together --------------------------------------------------------------------------
 
 /// Of free voxels and of both segments the one that is blurred to the greatest value, the lowest
@@ -308,7 +356,10 @@ std::vector<WholeSegment> severalSegments()
         combined("intersect", "ITK And", How::Intersect, ItkSetOperation::Intersect),
         exchanged("merge", How::Merge, {{.from = other, .to = label}}),
         exchanged("swap", How::Swap, {{.from = label, .to = other}, {.from = other, .to = label}}),
-        copied(), planeSplit(), islands(), together()};
+        copied(), planeSplit(), islands(),
+        clicked("island.clicked.keep", core::IslandRule::KeepClicked, label, 0),
+        clicked("island.clicked.remove", core::IslandRule::RemoveClicked, 0, label),
+        clicked("island.clicked.give", core::IslandRule::GiveClicked, other, label), together()};
 }
 
 } // namespace peer

@@ -19,6 +19,7 @@
 #include "tests/peers/ItkValues.h"
 #include "tests/peers/cases/BlendedSlices.h"
 #include "tests/peers/cases/SeveralSegments.h"
+#include "tests/peers/cases/SidedMargins.h"
 #include "tests/support/scenes/PlainEdits.h"
 
 #include <algorithm>
@@ -342,40 +343,6 @@ WholeSegment mirrorBeside()
         .theirs = theirs};
 }
 
-/// Towards no side but up, front and right, half as far to the front.
-WholeSegment sidedMargin()
-{
-    const auto edit = [](const RealSegment&) -> core::Edit {
-        return ReshapeSegment{.segment = RealSegment::label,
-            .operation = ShapeOperation::Grow,
-            .mm = radiusMm,
-            .sides = {.leftMm = 0.0,
-                .anteriorMm = 0.5 * radiusMm,
-                .posteriorMm = 0.0,
-                .inferiorMm = 0.0}};
-    };
-    const auto theirs = [](const RealSegment& segment) {
-        // LPS: to the left, back and head of the patient.
-        const std::array<AxisReach, 3> ofPatient{AxisReach{.backwardsMm = radiusMm},
-            AxisReach{.backwardsMm = 0.5 * radiusMm}, AxisReach{.forwardsMm = radiusMm}};
-        const std::array<int, 3> axes = core::axesOfPatient(segment.geometry());
-        std::array<AxisReach, 3> reach;
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            const int along = axes.at(axis);
-            AxisReach its = ofPatient.at(axis);
-            if (segment.geometry().direction()[along][int(axis)] < 0.0)
-                std::swap(its.backwardsMm, its.forwardsMm);
-            reach.at(std::size_t(along)) = its;
-        }
-        return exactly(itkDilatedBySides(segment.mask(State::Thresholded), reach));
-    };
-    return {.name = "margin.sides",
-        .peer = "ITK BinaryDilate",
-        .before = State::Thresholded,
-        .edit = edit,
-        .theirs = theirs};
-}
-
 /// From a voxel of the thresholded segment.
 WholeSegment flood()
 {
@@ -467,8 +434,8 @@ const std::vector<WholeSegment>& wholeSegments()
                 "wrap", "ITK Dilate, Fillhole, Erode", ShapeOperation::Wrap, ItkBallFilter::Wrap),
             shell("hollow.inside", ShellPlace::Inside),
             shell("hollow.centred", ShellPlace::Centred),
-            shell("hollow.outside", ShellPlace::Outside), sidedMargin(), flood(), majority(),
-            invert(), mirror(), mirrorBeside(), between()};
+            shell("hollow.outside", ShellPlace::Outside), sidedMargin(true), sidedMargin(false),
+            flood(), majority(), invert(), mirror(), mirrorBeside(), between()};
         made.insert(made.end(), more.begin(), more.end());
         const std::vector<WholeSegment> blurred = gaussians();
         made.insert(made.end(), blurred.begin(), blurred.end());

@@ -42,9 +42,9 @@ Result<bool> apply(const CleanSegment& edit, Document& document);
 /// The command that carries out the edit; without bricks if there is nothing to do. Holes are
 /// filled only where no segment is.
 /// @param labels one for each voxel of the volume in the segment's plane, x fastest
-/// Any thread. Errors: UnknownSegment, SegmentLocked, InvalidField (a field that the rule needs is
-/// missing or one that it does not use is given; the place lies outside the volume; the segments
-/// lie in different planes), NoIslandThere, Cancelled.
+/// Any thread outside a parallelFor(). Errors: UnknownSegment, SegmentLocked, InvalidField (a field
+/// that the rule needs is missing or one that it does not use is given; the place lies outside the
+/// volume; the segments lie in different planes), NoIslandThere, Cancelled.
 [[nodiscard]] Result<RelabelListed> relabelListed(const CleanSegment& edit,
     const Document& document, std::span<const std::uint8_t> labels, const Progress& progress);
 

@@ -61,9 +61,9 @@ struct SplitGround {
 
 /// The command that carries out the edit; without bricks if there is nothing to do.
 /// @param edit its `into` is filled in if it is empty and there are segments to make
-/// Any thread. Errors: UnknownSegment, SegmentLocked, TooManyIslands, InvalidField (`into` has more
-/// segments than there are islands, or than the document has room for), those of editableVoxels(),
-/// Cancelled.
+/// Any thread outside a parallelFor(). Errors: UnknownSegment, SegmentLocked, TooManyIslands,
+/// InvalidField (`into` has more segments than there are islands, or than the document has room
+/// for), those of editableVoxels(), Cancelled.
 [[nodiscard]] Result<LabelListed> labelListed(SplitIslands& edit, const Document& document,
     const SplitGround& ground, const Progress& progress);
 
