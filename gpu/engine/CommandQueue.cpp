@@ -18,6 +18,12 @@ template <class Known> core::TraceName kindOf(const Known& variant)
     return std::visit([](const auto& known) { return core::TraceName(typeid(known)); }, variant);
 }
 
+bool isCommit(const core::EngineCommand& command)
+{
+    const auto* end = std::get_if<core::EndEdit>(&command);
+    return end && end->ending == core::Ending::Commit;
+}
+
 /// The kind of the edit that a command begins, or of what it tells the open edit; other commands
 /// have nothing but their own kind.
 struct DetailOfCommand {
@@ -65,7 +71,8 @@ void CommandQueue::finish()
     m_hurry = false;
 }
 
-/// A rollback waits for no steps (takeNext()): it follows the slice that is under way.
+/// A rollback waits neither for steps nor for reading (takeNext()): it follows the slice that is
+/// under way.
 void CommandQueue::giveUp(core::Ticket ended)
 {
     {
@@ -96,8 +103,8 @@ bool CommandQueue::takeNext(Waiting& next, EditTransaction* open)
     const std::lock_guard lock(m_mutex);
     if (m_waiting.empty())
         return false;
-    const auto* end = std::get_if<core::EndEdit>(&m_waiting.front().command);
-    if (end && end->ending == core::Ending::Commit && open && open->hasStepsLeft())
+    if (open && isCommit(m_waiting.front().command)
+        && (open->hasStepsLeft() || open->hasChangesToRead()))
         return false;
     // A command that is taken is answered, also where the engine has to tell a loss before.
     m_results.reserve(m_results.size() + 2);
@@ -107,6 +114,12 @@ bool CommandQueue::takeNext(Waiting& next, EditTransaction* open)
     if (auto* extend = std::get_if<core::ExtendEdit>(&next.command); extend && open)
         takeMore(*extend, *open);
     return true;
+}
+
+bool CommandQueue::commitIsNext() const
+{
+    const std::lock_guard lock(m_mutex);
+    return !m_waiting.empty() && isCommit(m_waiting.front().command);
 }
 
 /// What a pen told while something else was done is one piece of path: each costs as much as many.

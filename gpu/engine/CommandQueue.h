@@ -38,10 +38,12 @@ protected:
     ~CommandQueue() override = default;
 
     /// Takes the next command out of the queue, unless that command has to wait for growth steps of
-    /// the open edit. Engine thread.
+    /// the open edit, or for what it has to read before it is committed. Engine thread.
     /// @param open null if no edit is open
     /// @return false if there is nothing to take
     [[nodiscard]] bool takeNext(Waiting& next, EditTransaction* open);
+    /// Whether the next command is to commit the open edit.
+    [[nodiscard]] bool commitIsNext() const;
     /// Records in a trace that the command is carried out, while the span lives.
     [[nodiscard]] static core::TraceSpan traced(const Waiting& taken);
     void deliver(core::EngineResult result);

@@ -3,6 +3,8 @@
 
 #include "gpu/gl/GlFailure.h"
 
+#include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace gpu {
@@ -47,9 +49,46 @@ bool EditTransaction::join(core::EngineExtension& earlier, core::EngineExtension
     return m_work && earlier.index() == next.index() && m_work->join(earlier, next);
 }
 
+bool EditTransaction::hasChangesToRead() const
+{
+    if (!m_work)
+        return false;
+    return m_unread ? m_unread->size() > 1 : m_before.isMuch();
+}
+
+void EditTransaction::readSomeChanges()
+{
+    divideChanges();
+    if (hasChangesToRead())
+        readPart();
+}
+
+void EditTransaction::divideChanges()
+{
+    if (m_unread)
+        return;
+    std::vector<core::BrickKey> keys = m_work->touchedKeys();
+    m_changes.reserve(keys.size());
+    m_unread = m_before.inParts(std::move(keys));
+}
+
+void EditTransaction::readPart()
+{
+    std::vector<core::BrickChange> changes = m_before.changes(std::move(m_unread->back()));
+    m_unread->pop_back();
+    std::move(changes.begin(), changes.end(), std::back_inserter(m_changes));
+}
+
 void EditTransaction::commit(core::EngineResult& result)
 {
-    result.changes = m_before.changes(m_work->touchedKeys());
+    divideChanges();
+    while (!m_unread->empty())
+        readPart();
+    std::sort(m_changes.begin(), m_changes.end(),
+        [](const core::BrickChange& one, const core::BrickChange& other) {
+            return one.key < other.key;
+        });
+    result.changes = std::exchange(m_changes, {});
     result.facts = core::factsOf(result.changes, m_fields.grid());
     result.statistics = core::statisticsOf(result.facts);
     for (const core::BrickChange& change : result.changes) {
@@ -72,6 +111,8 @@ void EditTransaction::abandon(const core::Error& why)
     if (m_work)
         m_work->abandon();
     m_work.reset();
+    m_unread.reset();
+    m_changes = {};
     // Then there is nothing to put back, nor anywhere to put it.
     if (why.code == core::ErrorCode::ContextLost)
         throw ContextLost(why);

@@ -10,6 +10,7 @@
 
 #include <memory>
 #include <optional>
+#include <vector>
 
 namespace gpu {
 
@@ -40,6 +41,12 @@ public:
     /// hasStepsLeft().
     void advance(int rings) { m_work->advance(rings); }
 
+    /// Whether commit() has more to read than it should at once. readSomeChanges() reads a part of
+    /// it before, so that the edit can still be rolled back in between. Nothing else may be asked
+    /// of it from then on.
+    [[nodiscard]] bool hasChangesToRead() const;
+    void readSomeChanges();
+
     /// Closes the edit and keeps its changes. Fills in the changes, statistics, generation and
     /// atClosure of the result. rollBack() closes it and restores every voxel.
     void commit(core::EngineResult& result);
@@ -62,11 +69,16 @@ private:
     {
     }
     core::Result<void> start(const core::EngineEdit& edit);
+    void divideChanges();
+    void readPart();
 
     EditPrograms& m_programs;
     VoxelFields& m_fields;
     BeforeImages m_before;
     std::unique_ptr<EditWork> m_work; ///< null after abandon()
+    /// The keys whose changes are not read yet; none: it has not been asked which there are.
+    std::optional<std::vector<std::vector<core::BrickKey>>> m_unread;
+    std::vector<core::BrickChange> m_changes; ///< those that were read
     std::optional<core::Error> m_abandoned;
 };
 

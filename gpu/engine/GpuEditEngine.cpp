@@ -200,6 +200,17 @@ bool GpuEditEngine::workUnguarded()
         publishProgress();
         return true;
     }
+    if (readingIsDue()) {
+        const core::TraceSpan span("engine", "reading changes");
+        try {
+            readOneSlice();
+            requireNoError();
+        } catch (const std::exception&) {
+            abandon(errorBeingHandled());
+        }
+        publishProgress();
+        return true;
+    }
     try {
         if (Clock::now() < m_followUpsFrom) {
             m_thread.wakeAt(m_followUpsFrom);
@@ -257,6 +268,21 @@ bool GpuEditEngine::growthIsDue()
     if (m_transaction->generationsPerSecond() <= 0.0)
         return true;
     return isDue(m_nextGeneration);
+}
+
+/// An edit that has changed much is read in parts before it is committed: whoever gives it up
+/// meanwhile waits for one of them, and pictures are drawn in between.
+bool GpuEditEngine::readingIsDue() const
+{
+    return m_transaction && !m_transaction->hasStepsLeft() && m_transaction->hasChangesToRead()
+        && commitIsNext();
+}
+
+void GpuEditEngine::readOneSlice()
+{
+    const Clock::time_point start = Clock::now();
+    m_transaction->readSomeChanges();
+    m_editMilliseconds += millisecondsSince(start);
 }
 
 void GpuEditEngine::growOneSlice()

@@ -62,6 +62,8 @@ private:
         const glm::ivec3& size, std::size_t codes, const std::function<core::Result<void>()>& fill);
     [[nodiscard]] bool growthIsDue();
     void growOneSlice();
+    [[nodiscard]] bool readingIsDue() const;
+    void readOneSlice();
     static constexpr std::size_t leastTraced = 32; ///< bricks
     static constexpr std::size_t mostTraced = 4096;
     void close();

@@ -4,6 +4,7 @@
 #include "gpu/fields/BrickImages.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace gpu {
 
@@ -68,6 +69,26 @@ std::vector<core::BrickChange> BeforeImages::changes(std::vector<core::BrickKey>
         });
     std::erase_if(changes, [](const core::BrickChange& c) { return c.before == c.after; });
     return changes;
+}
+
+std::vector<std::vector<core::BrickKey>> BeforeImages::inParts(
+    std::vector<core::BrickKey> keys) const
+{
+    std::vector<std::pair<std::size_t, core::BrickKey>> byBatch;
+    byBatch.reserve(keys.size());
+    for (const core::BrickKey& key : keys)
+        byBatch.emplace_back(m_places.at(key).batch, key);
+    std::sort(byBatch.begin(), byBatch.end());
+    std::vector<std::vector<core::BrickKey>> parts;
+    std::size_t last = wasEmpty;
+    for (const auto& [batch, key] : byBatch) {
+        const bool mayBegin = batch != last || batch == wasEmpty;
+        if (parts.empty() || (mayBegin && parts.back().size() >= bricksOfPart))
+            parts.emplace_back();
+        parts.back().push_back(key);
+        last = batch;
+    }
+    return parts;
 }
 
 std::vector<core::BrickImage> BeforeImages::saved(std::vector<core::BrickKey> keys) const

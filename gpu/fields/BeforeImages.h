@@ -24,6 +24,12 @@ public:
     /// what is there now. Bricks that did not change are left out. Sorted by key. Waits for the
     /// GPU.
     [[nodiscard]] std::vector<core::BrickChange> changes(std::vector<core::BrickKey> keys);
+    /// Divides keys into parts of some size for changes(), which together cost little more than all
+    /// keys at once: what was saved at one time stays together. No part is empty.
+    [[nodiscard]] std::vector<std::vector<core::BrickKey>> inParts(
+        std::vector<core::BrickKey> keys) const;
+    /// Whether so much was saved that inParts() may come to more than one part.
+    [[nodiscard]] bool isMuch() const { return m_places.size() > bricksOfPart; }
     /// Restores the saved images of the listed keys.
     void restore(std::vector<core::BrickKey> keys);
     /// Restores everything that was saved, after a failure (putBackImages()). Throws FieldsLost.
@@ -36,6 +42,7 @@ private:
         std::vector<std::uint32_t> bricks;
         Buffer packed;
     };
+    static constexpr std::size_t bricksOfPart = 2048; ///< at least
     static constexpr std::size_t wasEmpty = std::size_t(-1);
     struct Place {
         std::size_t batch = wasEmpty;

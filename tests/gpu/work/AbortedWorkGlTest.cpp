@@ -81,6 +81,7 @@ private Q_SLOTS:
     void cleanup() { QCOMPARE(m_gpu.newErrors(), 0); }
     void theEngineDoesNoFurtherSlice_data();
     void theEngineDoesNoFurtherSlice();
+    void whatIsReadIsGivenUpInBetween();
     void whatIsDroppedGetsNoFurtherSlice();
     void nothingFollowsWhatIsWorkedOut_data();
     void nothingFollowsWhatIsWorkedOut();
@@ -173,6 +174,51 @@ void AbortedWorkGlTest::theEngineDoesNoFurtherSlice()
     m_gpu.rest();
     QVERIFY(work.take().groups > 2 * rest.groups);
     QCOMPARE(session->history().rows().size(), rows + 1);
+}
+
+/// What an edit of the whole volume has changed is read in parts before it is a step.
+void AbortedWorkGlTest::whatIsReadIsGivenUpInBetween()
+{
+    const auto session = opened();
+    QVERIFY(session);
+    const QByteArray before = session->stateHash();
+    const std::size_t rows = session->history().rows().size();
+    const auto labels = m_gpu.read(gpu::VolumeField::Labels);
+    constexpr std::int64_t bytesOfPart = std::int64_t(2048) * BrickGrid::voxelsPerBrick;
+
+    test::WorkOfGl work;
+    m_gpu.hold();
+    const auto goOn = qScopeGuard([this] { m_gpu.goOn(); });
+    QVERIFY(session->apply(InvertSegment{.segment = 1}));
+    QVERIFY(m_gpu.doSlice()); // it begins
+    while (m_gpu.engine().growthProgress().running)
+        QVERIFY(m_gpu.doSlice());
+    static_cast<void>(work.take());
+    QVERIFY(m_gpu.doSlice()); // a part is read
+    const test::GlWork part = work.take();
+    qInfo("a part: %lld bytes", qlonglong(part.bytesDown));
+    QVERIFY(part.bytesDown >= bytesOfPart && part.bytesDown < 2 * bytesOfPart);
+    session->poll();
+    QVERIFY(!session->idle());
+    session->segmentWork().abort();
+    QVERIFY(m_gpu.doSlice());
+    session->poll();
+    QVERIFY(session->idle());
+    m_gpu.goOn();
+    QVERIFY(!session->settle() && session->settle());
+    QCOMPARE(session->history().rows().size(), rows);
+    QCOMPARE(session->stateHash(), before);
+    QVERIFY(m_gpu.read(gpu::VolumeField::Labels).values == labels.values);
+
+    // Where it is not given up it is a step with all of its changes, which can be taken back.
+    QVERIFY(session->apply(InvertSegment{.segment = 1}) && session->settle());
+    QCOMPARE(session->history().rows().size(), rows + 1);
+    QVERIFY(session->stateHash() != before);
+    const auto& statistics = session->history().rows().back().statistics;
+    QCOMPARE(statistics.bricks, int(side / 16 * (side / 16) * (side / 16)));
+    QVERIFY(session->undo() && session->settle());
+    QCOMPARE(session->stateHash(), before);
+    QVERIFY(m_gpu.read(gpu::VolumeField::Labels).values == labels.values);
 }
 
 /// Previews and growths that are rolled back.
