@@ -126,7 +126,7 @@ Result<ShapeChange> gaussianChange(std::span<const std::uint8_t> labels, const g
 
 Result<JointChange> jointGaussianChange(std::span<const std::uint8_t> labels,
     const glm::ivec3& size, std::span<const std::uint8_t> segments, const GridGaussian& gaussian,
-    const Progress& progress)
+    const Progress& progress, int number, int of)
 {
     JointChange change{.given = std::vector<VoxelRuns>(segments.size()), .freed = {}};
     VoxelBox all;
@@ -149,13 +149,14 @@ Result<JointChange> jointGaussianChange(std::span<const std::uint8_t> labels,
         !enough)
         return tl::unexpected(enough.error());
     Winners winners(labels, rows);
-    int stage = 0;
+    const auto stages = int(competitors.size());
+    int stage = number * stages;
     for (const Competitor& each : competitors) {
         if (progress.cancelled())
             return failure(ErrorCode::Cancelled);
         const BoxRows its(each.box, size, progress);
         const Result<BoxValues> values = blurred(its.mask(labels, each.label), gaussian, its.ends(),
-            {.progress = progress, .number = stage++, .of = int(competitors.size())});
+            {.progress = progress, .number = stage++, .of = of * stages});
         if (!values)
             return tl::unexpected(values.error());
         winners.compete(each.label, its, *values);

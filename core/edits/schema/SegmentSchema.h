@@ -160,7 +160,7 @@ template <class Visitor> void visitFields(Visitor& visit, ReshapeSegment& edit)
     visit.maybe("with", edit.with, editFields::SegmentList{},
         "for gaussian only: other segments that are not locked and are smoothed together with it; "
         "each voxel of theirs, or of none, goes to the one that is most around it, so that no gap "
-        "opens",
+        "opens; of segments that overlap (in several label planes) each plane for itself",
         "the segment alone");
     visit.maybe("flat", edit.flat, editFields::Flag{},
         "for median only: whether the ball is a disc in a study of a single slice", "false");

@@ -50,6 +50,7 @@
 #include "core/edits/sculpt/SculptVisit.h"
 #include "core/engine/EngineCommands.h"
 #include "core/growth/SeedWord.h"
+#include "core/sculpt/labels/HeldVoxels.h"
 #include "core/sessionfile/records/StateHash.h"
 #include "tests/reference/ReferenceEngine.h"
 #include "tests/reference/filling/BetweenPlanes.h"
@@ -308,6 +309,21 @@ HistoryTruth::Bricks HistoryTruth::cleaned(
     return relabelled(before, withoutBricks(relabelListed(edit, document, labels, {})),
         islandVoxels(edit, m_study.volume.geometry, labels),
         gives ? RelabelListed::give : RelabelListed::take);
+}
+
+/// In each plane in which one of them lies.
+HistoryTruth::Bricks HistoryTruth::smoothedTogether(
+    const Bricks& before, const ReshapeSegment& edit, const Document& document) const
+{
+    std::vector<int> segments = edit.with.value();
+    segments.push_back(edit.segment);
+    std::map<std::uint8_t, std::vector<std::uint8_t>> labels; // by plane
+    for (const int label : segments)
+        labels[document.segment(label)->plane] = labelsBeside(label, before, document);
+    std::vector<LabelPlane> planes;
+    for (const auto& [plane, its] : labels)
+        planes.push_back({plane, its});
+    return after(before, *labelPlanes(edit, document, planes, Progress()), {}, nullptr);
 }
 
 HistoryTruth::Bricks HistoryTruth::filledBetween(
@@ -632,7 +648,7 @@ HistoryTruth::Bricks HistoryTruth::grown(
     if (const auto* reshape = edit.as<ReshapeSegment>()) {
         const std::vector<std::uint8_t> labels = labelsBeside(reshape->segment, before, document);
         if (reshape->with)
-            return after(before, *labelListed(*reshape, document, labels, Progress()), {}, nullptr);
+            return smoothedTogether(before, *reshape, document);
         return after(before, *relabelListed(*reshape, document, labels, Progress()), {}, nullptr);
     }
     if (const auto* barrier = edit.as<BarrierStroke>())

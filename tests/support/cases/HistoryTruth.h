@@ -90,6 +90,8 @@ private:
         int segment, const Bricks& bricks, const core::Document& document) const;
     [[nodiscard]] Bricks cleaned(
         const Bricks& before, const core::CleanSegment& edit, const core::Document& document) const;
+    [[nodiscard]] Bricks smoothedTogether(const Bricks& before, const core::ReshapeSegment& edit,
+        const core::Document& document) const;
     [[nodiscard]] Bricks filledBetween(const Bricks& before, const core::FillBetweenSlices& edit,
         const core::Document& document) const;
     [[nodiscard]] Bricks flooded(

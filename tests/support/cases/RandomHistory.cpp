@@ -1271,6 +1271,13 @@ private:
                 others.push_back(each.label);
         }
         if (reshape.operation == ShapeOperation::Gaussian && !others.empty() && chance(50)) {
+            // Of the row's number, as in randomGrowth(): with those of other planes.
+            if (m_session->history().rows().size() % 2 == 1) {
+                for (const Segment& each : document.segments) {
+                    if (!each.locked && each.plane != document.segment(reshape.segment)->plane)
+                        others.push_back(each.label);
+                }
+            }
             std::sort(others.begin(), others.end());
             reshape.with = others;
         }

@@ -104,19 +104,16 @@ const std::vector<Reshaping>& reshapings()
     return all;
 }
 
-/// The other segments of its plane that are shown and may be changed, by label; none: there is
-/// none.
+/// The other segments that are shown and may be changed, by label; none: there is none.
 std::optional<std::vector<int>> segmentsBeside(const Workspace& workspace, int label)
 {
     const core::EditSession* session = workspace.session();
     if (!session)
         return std::nullopt;
     const core::Document document = session->foreseenDocument();
-    const core::Segment* segment = document.segment(label);
     std::vector<int> others;
     for (const core::Segment& each : document.segments) {
-        if (segment && each.label != label && each.plane == segment->plane && each.visible
-            && !each.locked)
+        if (each.label != label && each.visible && !each.locked)
             others.push_back(each.label);
     }
     std::sort(others.begin(), others.end());

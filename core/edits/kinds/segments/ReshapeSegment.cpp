@@ -13,6 +13,7 @@
 #include "core/morphology/GridGaussian.h"
 #include "core/morphology/MillimetreBall.h"
 #include "core/morphology/SidedMargin.h"
+#include "core/sculpt/labels/HeldVoxels.h"
 
 #include <algorithm>
 #include <bitset>
@@ -116,9 +117,6 @@ Result<std::vector<std::uint8_t>> together(const ReshapeSegment& edit, const Doc
             unlockedSegment("reshapeSegment.with", label, document);
         if (!other)
             return tl::unexpected(other.error());
-        if ((*other)->plane != (*first)->plane)
-            return tl::unexpected(
-                fieldError("with", Clause::saying("lies on another label plane than the segment")));
         if (std::find(labels.begin(), labels.end(), (*other)->label) != labels.end())
             return tl::unexpected(fieldError("with", Clause::saying("names a segment twice")));
         labels.push_back((*other)->label);
@@ -127,6 +125,15 @@ Result<std::vector<std::uint8_t>> together(const ReshapeSegment& edit, const Doc
     if (labels.size() > most)
         return tl::unexpected(fieldError("with", Clause::saying("are more than %1", most)));
     std::sort(labels.begin(), labels.end());
+    return labels;
+}
+
+/// Those of them that lie in a plane.
+std::vector<std::uint8_t> labelsInPlane(
+    std::vector<std::uint8_t> labels, std::uint8_t plane, const Document& document)
+{
+    std::erase_if(
+        labels, [&](std::uint8_t label) { return document.segment(label)->plane != plane; });
     return labels;
 }
 
@@ -186,6 +193,24 @@ Result<ShapeChange> changeOf(const ReshapeSegment& edit, const VolumeGeometry& g
         edit.shell.value_or(ShellPlace::Inside), ball, progress);
 }
 
+/// What is written in one plane.
+/// @param segments those of the plane that are smoothed together, ascending
+/// @param change what that comes to
+Result<LabelListed> listedIn(std::uint8_t plane, const std::vector<std::uint8_t>& segments,
+    const JointChange& change, const ReshapeSegment& edit, const Document& document)
+{
+    ListedRuns listed(document.volumes.front().geometry.size);
+    std::bitset<256> overwritable;
+    for (std::size_t place = 0; place < segments.size(); ++place) {
+        overwritable.set(segments[place]);
+        listed.add(change.given[place], segments[place]);
+    }
+    const std::uint8_t frees = numberBeside(segments);
+    listed.add(change.freed, frees);
+    return keepingTo(
+        edit.editable, document, "reshapeSegment", listed.label(plane, overwritable, frees));
+}
+
 } // namespace
 
 Result<void> check(const ReshapeSegment& edit, const Document& document)
@@ -225,7 +250,12 @@ RowTitle rowTitle(const ReshapeSegment& edit, const RowFacts& row)
 /// Every voxel of the plane may decide what is near another.
 EditDependencies dependencies(const ReshapeSegment& edit, const DependencyFacts& row)
 {
-    return row.alsoReading(edit.editable, dependsOn::Plane{.plane = row.planeOf(edit.segment)});
+    dependsOn::Plane plane{.plane = row.planeOf(edit.segment)};
+    for (const int label : edit.with.value_or(std::vector<int>())) {
+        if (row.planeOf(label) != row.planeOf(edit.segment))
+            plane.plane.reset(); // it writes to several
+    }
+    return row.alsoReading(edit.editable, plane);
 }
 
 Result<RelabelListed> relabelListed(const ReshapeSegment& edit, const Document& document,
@@ -259,16 +289,31 @@ Result<LabelListed> labelListed(const ReshapeSegment& edit, const Document& docu
         labels, geometry.size, *segments, gaussianOf(geometry, edit.mm), progress);
     if (!change)
         return tl::unexpected(change.error());
-    ListedRuns listed(geometry.size);
-    std::bitset<256> overwritable;
-    for (std::size_t place = 0; place < segments->size(); ++place) {
-        overwritable.set((*segments)[place]);
-        listed.add(change->given[place], (*segments)[place]);
+    return listedIn(document.segment(edit.segment)->plane, *segments, *change, edit, document);
+}
+
+Result<LabelPlanes> labelPlanes(const ReshapeSegment& edit, const Document& document,
+    std::span<const LabelPlane> planes, const Progress& progress)
+{
+    const VolumeGeometry& geometry = document.volumes.front().geometry;
+    if (const std::optional<Error> error = fieldAtFaultIn(edit, geometry))
+        return tl::unexpected(*error);
+    const Result<std::vector<std::uint8_t>> all = together(edit, document);
+    if (!all)
+        return tl::unexpected(all.error());
+    LabelPlanes result;
+    for (const LabelPlane& each : planes) {
+        const std::vector<std::uint8_t> segments = labelsInPlane(*all, each.plane, document);
+        const Result<JointChange> change = jointGaussianChange(each.labels, geometry.size, segments,
+            gaussianOf(geometry, edit.mm), progress, int(result.planes.size()), int(planes.size()));
+        if (!change)
+            return tl::unexpected(change.error());
+        Result<LabelListed> listed = listedIn(each.plane, segments, *change, edit, document);
+        if (!listed)
+            return tl::unexpected(listed.error());
+        result.planes.push_back(*std::move(listed));
     }
-    const std::uint8_t frees = numberBeside(*segments);
-    listed.add(change->freed, frees);
-    return keepingTo(edit.editable, document, "reshapeSegment",
-        listed.label(document.segment(edit.segment)->plane, overwritable, frees));
+    return result;
 }
 
 } // namespace core

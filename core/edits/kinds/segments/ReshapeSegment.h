@@ -15,6 +15,8 @@
 namespace core {
 
 struct LabelListed;
+struct LabelPlane;
+struct LabelPlanes;
 struct RelabelListed;
 
 /// Margins of Grow and Shrink that differ towards some sides of the patient. On sides that are left
@@ -44,8 +46,9 @@ struct ReshapeSegment {
     /// the Gaussian.
     double mm = 0.0;
     std::optional<ShellPlace> shell{}; ///< only for Hollow; none: inside
-    /// Only for Gaussian: labels of other segments of its plane, ascending, that are smoothed
-    /// together with it (jointGaussianChange()).
+    /// Only for Gaussian: labels of other segments, ascending, that are smoothed together with it
+    /// (jointGaussianChange()): in each label plane those that lie there, beside what is free in
+    /// it.
     std::optional<std::vector<int>> with{};
     /// Only for Median: in a study of a single slice the ball is a disc (flatBallOf()). Sessions of
     /// before count the whole ball.
@@ -71,7 +74,13 @@ Result<bool> apply(const ReshapeSegment& edit, Document& document);
 
 /// The same for an edit with `with`. The segments that are smoothed together take voxels from each
 /// other.
+/// @pre all of them lie in one plane
 [[nodiscard]] Result<LabelListed> labelListed(const ReshapeSegment& edit, const Document& document,
     std::span<const std::uint8_t> labels, const Progress& progress);
+
+/// The same wherever they lie.
+/// @param planes those in which they lie, ascending, each once
+[[nodiscard]] Result<LabelPlanes> labelPlanes(const ReshapeSegment& edit, const Document& document,
+    std::span<const LabelPlane> planes, const Progress& progress);
 
 } // namespace core

@@ -4,14 +4,18 @@
 #include "core/session/operations/segments/WorkedOutOperation.h"
 #include "core/session/past/LabelReading.h"
 
+#include <cstddef>
 #include <functional>
-#include <optional>
 #include <span>
+#include <vector>
 
 namespace core {
 
+struct LabelPlane;
+
 /// Carries out an edit of a whole segment that is computed from all labels of its plane
-/// (CleanSegment, ReshapeSegment, FillBetweenSlices, MirrorSegment, SplitSegment, SplitByCurve).
+/// (CleanSegment, ReshapeSegment, FillBetweenSlices, MirrorSegment, SplitSegment, SplitByCurve), or
+/// of several segments, from those of all their planes.
 class IslandOperation final : public WorkedOutOperation {
 public:
     /// @param again as in VoxelOperation
@@ -29,16 +33,19 @@ public:
     [[nodiscard]] bool foresee(Document& document) const override;
 
 private:
-    /// Computes what to write.
+    /// Computes what to write. The planes are ascending.
     using LabelWork = std::function<Result<Listed>(
-        const Document& document, std::span<const std::uint8_t> labels, const Progress& progress)>;
+        const Document& document, std::span<const LabelPlane> planes, const Progress& progress)>;
 
-    IslandOperation(Edit edit, int segment, LabelWork workOut, Kind kind, RowId again);
+    IslandOperation(
+        Edit edit, std::vector<int> segments, LabelWork workOut, Kind kind, RowId again);
+    template <class E> [[nodiscard]] static LabelWork relabelling(const E& edit);
     void readNext(SessionState& state);
 
-    int m_segment; ///< label
+    std::vector<int> m_segments; ///< labels
     LabelWork m_workOut;
-    std::optional<LabelReading> m_reading; ///< until all is read
+    std::vector<LabelReading> m_readings; ///< of their planes, until all is read
+    std::size_t m_reading = 0; ///< which of these
 };
 
 } // namespace core

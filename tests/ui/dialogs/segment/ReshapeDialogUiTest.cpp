@@ -2,6 +2,7 @@
 #include "ui/dialogs/segment/ReshapeDialog.h"
 
 #include "core/brick/ThreadWithoutVoxels.h"
+#include "core/edits/kinds/segments/AddSegment.h"
 #include "core/edits/kinds/segments/RemoveSegment.h"
 #include "core/edits/kinds/segments/ReshapeSegment.h"
 #include "core/session/SegmentWork.h"
@@ -254,6 +255,28 @@ private Q_SLOTS:
         const bool isJoint = text == QStringLiteral("Smooth all shown segments together");
         QCOMPARE(edit.with.value_or(std::vector<int>()),
             isJoint ? std::vector<int>{2} : std::vector<int>());
+    }
+
+    /// All that are shown are smoothed together, also where they overlap; those that are hidden or
+    /// locked are not.
+    void overlappingOnesAreSmoothedTogether()
+    {
+        Fixture fixture;
+        fixture.apply(core::AddSegment{.name = QStringLiteral("Lobe"), .plane = 1});
+        fixture.apply(test::paintAt(3, {test::pointsInBrain().front()}, 4.0));
+        fixture.apply(core::AddSegment{.name = QStringLiteral("Locked"), .plane = 1});
+        fixture.apply(test::lockSegment(4));
+        fixture.workspace.setActiveSegment(1);
+        ui::ReshapeDialog& dialog = fixture.opened("segments.smooth");
+        operationOf(dialog).setCurrentText(QStringLiteral("Smooth all shown segments together"));
+        mmOf(dialog).setValue(2.0);
+        const std::int64_t lobe = fixture.voxels(3);
+        press(buttonOf(dialog, "applyReshape"));
+        QVERIFY(fixture.session().settle());
+        QCOMPARE(
+            fixture.lastRow().edit.get<core::ReshapeSegment>().with.value_or(std::vector<int>()),
+            (std::vector<int>{2, 3}));
+        QVERIFY(fixture.voxels(3) != lobe);
     }
 
     /// Margins by side are there for margins alone; they begin with the one margin, and what is set

@@ -3,6 +3,8 @@
 #include "core/edits/kinds/imports/ImportMask.h"
 #include "core/edits/kinds/segments/ChangeSegment.h"
 #include "core/edits/kinds/segments/CleanSegment.h"
+#include "core/morphology/GaussianShape.h"
+#include "core/morphology/GridGaussian.h"
 #include "core/session/EditSession.h"
 #include "core/session/SegmentWork.h"
 #include "core/sessionfile/SessionSalvage.h"
@@ -319,8 +321,37 @@ private Q_SLOTS:
         QVERIFY(further.labels(0) == across);
         QVERIFY(further.session->undo() && further.session->settle());
         QCOMPARE(further.session->stateHash(), hash);
+        // With one of the first plane, which is smoothed there beside what is free in it.
         joint.with = std::vector<int>{1, 3};
-        QVERIFY(further.tried(joint).contains(QStringLiteral("another label plane")));
+        const std::array<std::uint8_t, 1> third{3};
+        const auto change = jointGaussianChange(
+            across, smallGrid().size, third, gaussianOf(smallGrid(), joint.mm), Progress());
+        QVERIFY(change && !change->freed.empty());
+        Labels smoothed = across;
+        for (const VoxelRun& run : change->given.front().runs())
+            std::fill_n(smoothed.begin() + std::ptrdiff_t(run.first), run.count, std::uint8_t(3));
+        for (const VoxelRun& run : change->freed.runs())
+            std::fill_n(smoothed.begin() + std::ptrdiff_t(run.first), run.count, std::uint8_t(0));
+        further.run(joint);
+        QVERIFY(further.labels(2) == plain.labels());
+        QVERIFY(further.labels(0) == smoothed);
+        const std::size_t rows = further.rows().size();
+        QVERIFY(further.session->undo() && further.session->settle());
+        QCOMPARE(further.session->stateHash(), hash);
+        QVERIFY(further.labels(0) == across);
+        // Seen before it is a step, and dropped; then committed.
+        QVERIFY(further.session->begin(joint));
+        further.session->end(Ending::Rollback);
+        QVERIFY(further.session->settle());
+        QCOMPARE(further.session->stateHash(), hash);
+        QVERIFY(further.session->begin(joint));
+        further.session->end(Ending::Commit);
+        QVERIFY(further.session->settle());
+        QCOMPARE(further.rows().size(), rows + 1);
+        QVERIFY(further.labels(2) == plain.labels() && further.labels(0) == smoothed);
+        // Each of them has to be free to change.
+        further.run(test::lockSegment(3));
+        QVERIFY(!further.tried(joint).isEmpty());
     }
 
     /// Two blocks that touch: their common border stays closed, the outer edges are rounded, undo
