@@ -4,6 +4,7 @@
 #include "core/brick/BrickGrid.h"
 #include "core/engine/LabelGuard.h"
 
+#include <cstdint>
 #include <vector>
 
 namespace core {
@@ -27,6 +28,12 @@ struct XorBricks {
 /// Reads bricks; the result lists each with `after` filled and `before` empty, in this order.
 struct ReadBricks {
     std::vector<BrickKey> keys;
+};
+/// Reads the bricks of seed words in which a label plane holds barriers; the result is that of
+/// ReadBricks, ascending. Cost ∝ these bricks, and those that were written since barriers were last
+/// looked for.
+struct ReadBarriers {
+    std::uint8_t plane = 0;
 };
 
 } // namespace core

@@ -27,10 +27,11 @@ namespace core {
 // labels; TraceTolerance while a transaction is open, by a rule that is not sound (isSound()) or of
 // a label without seeds; PreviewCut while a transaction is open, or of a cut that could not begin;
 // CompareGrowth while no GrowBurst is open; a box of codes that is empty or not within the volume.
-// ReadBricks, ReadSeedWords, ReadCodes, ProbeVoxels, ProbeSeeds, PickVoxels, CountGenerations,
-// DropTolerance and DropCutPreview are served while a transaction is open too. A CutGrowth over
-// seeds yields ErrorCode::SeedsStay, one where nothing has grown NothingGrown, one backwards that
-// would take everything EverythingGrown (growth/cut/GrowthCut.h), and so does a PreviewCut of it.
+// ReadBricks, ReadBarriers, ReadSeedWords, ReadCodes, ProbeVoxels, ProbeSeeds, PickVoxels,
+// CountGenerations, DropTolerance and DropCutPreview are served while a transaction is open too. A
+// CutGrowth over seeds yields ErrorCode::SeedsStay, one where nothing has grown NothingGrown, one
+// backwards that would take everything EverythingGrown (growth/cut/GrowthCut.h), and so does a
+// PreviewCut of it.
 
 /// Opens a transaction. At most one is open; its ticket identifies it until EndEdit.
 struct BeginEdit {
@@ -46,9 +47,10 @@ struct EndEdit {
     Ending ending = Ending::Commit;
 };
 
-using EngineCommandVariant = std::variant<BeginEdit, ExtendEdit, EndEdit, SwapBricks, XorBricks,
-    MuteLayers, ReadBricks, ReadSeedWords, ReadCodes, ProbeVoxels, PickVoxels, CountGenerations,
-    ProbeSeeds, TraceTolerance, DropTolerance, PreviewCut, DropCutPreview, CompareGrowth>;
+using EngineCommandVariant =
+    std::variant<BeginEdit, ExtendEdit, EndEdit, SwapBricks, XorBricks, MuteLayers, ReadBricks,
+        ReadBarriers, ReadSeedWords, ReadCodes, ProbeVoxels, PickVoxels, CountGenerations,
+        ProbeSeeds, TraceTolerance, DropTolerance, PreviewCut, DropCutPreview, CompareGrowth>;
 
 /// Any one command; like Edit (core/edits/kinds/Edit.h), its copies are compiled once.
 struct EngineCommand : EngineCommandVariant {

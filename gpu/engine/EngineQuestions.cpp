@@ -25,6 +25,14 @@ GpuEditEngine::Outcome GpuEditEngine::carryOut(const core::ReadBricks& command)
     return result;
 }
 
+GpuEditEngine::Outcome GpuEditEngine::carryOut(const core::ReadBarriers& command)
+{
+    core::ReadBricks read;
+    for (const std::uint32_t brick : m_fields->bricksWithBarriers(command.plane))
+        read.keys.push_back({core::Field::SeedWords, command.plane, brick});
+    return carryOut(read);
+}
+
 GpuEditEngine::Outcome GpuEditEngine::carryOut(const core::ReadSeedWords& command)
 {
     std::map<std::uint32_t, std::vector<std::size_t>> places; // in the list, by brick

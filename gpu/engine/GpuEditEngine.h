@@ -96,6 +96,7 @@ private:
     Outcome carryOut(core::XorBricks& command);
     Outcome carryOut(const core::MuteLayers& command);
     Outcome carryOut(const core::ReadBricks& command);
+    Outcome carryOut(const core::ReadBarriers& command);
     Outcome carryOut(const core::ReadSeedWords& command);
     Outcome carryOut(const core::ReadCodes& command);
     Outcome carryOut(const core::ProbeVoxels& command);

@@ -320,6 +320,16 @@ void VoxelFields::updateBarriers()
         m_shared.markDirty(VolumeField::BarrierBricks, changed);
 }
 
+std::vector<std::uint32_t> VoxelFields::bricksWithBarriers(std::uint8_t plane)
+{
+    const auto words = m_seedWords.find(plane);
+    if (words == m_seedWords.end() || !words->second.created())
+        return {};
+    if (plane == m_growthPlane)
+        return m_barriers.bricks(words->second);
+    return m_barriers.found(words->second, words->second.heldBricks());
+}
+
 void VoxelFields::updateSegmentation(std::size_t maxBricks)
 {
     std::vector<std::uint32_t> bricks;

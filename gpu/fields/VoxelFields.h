@@ -97,6 +97,9 @@ public:
     /// The list of bricks in which pictures look for barriers is updated between edits, too.
     [[nodiscard]] bool barriersStale() const { return m_barriers.stale(); }
     void updateBarriers();
+    /// The bricks in which a label plane holds barriers, ascending. Of the plane whose growth
+    /// pictures show they are known, but for those that changed; of others all are looked through.
+    [[nodiscard]] std::vector<std::uint32_t> bricksWithBarriers(std::uint8_t plane);
 
     /// The tolerance field that tracing computes. It can be recomputed.
     [[nodiscard]] ToleranceField& tolerance() { return m_tolerance; }

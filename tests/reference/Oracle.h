@@ -76,6 +76,7 @@ private:
         const std::vector<core::BrickImage>& now, const std::vector<core::BrickImage>& images);
     [[nodiscard]] Outcome carryOut(core::MuteLayers& command);
     [[nodiscard]] Outcome carryOut(core::ReadBricks& command);
+    [[nodiscard]] Outcome carryOut(core::ReadBarriers& command);
     [[nodiscard]] Outcome carryOut(core::ReadCodes& command);
     [[nodiscard]] Outcome carryOut(core::ProbeVoxels& command);
     [[nodiscard]] Outcome carryOut(core::ProbeSeeds& command);

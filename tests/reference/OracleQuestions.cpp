@@ -32,6 +32,25 @@ Oracle::Outcome Oracle::carryOut(core::ReadCodes& command)
     return result;
 }
 
+Oracle::Outcome Oracle::carryOut(core::ReadBarriers& command)
+{
+    const DenseArray<std::uint32_t>& words = m_fields.seedWords(command.plane);
+    const core::BrickGrid grid{words.size};
+    core::EngineResult result;
+    for (int brick = 0; brick < grid.brickCount(); ++brick) {
+        const core::VoxelBox box = grid.boxOf(brick);
+        bool holds = false;
+        for (int z = box.minimum.z; z < box.maximum.z; ++z)
+            for (int y = box.minimum.y; y < box.maximum.y; ++y)
+                for (int x = box.minimum.x; x < box.maximum.x; ++x)
+                    holds = holds || words.at({x, y, z}) == core::seedWord::barrier;
+        const core::BrickKey key{core::Field::SeedWords, command.plane, std::uint32_t(brick)};
+        if (holds)
+            result.changes.push_back({key, {}, m_fields.readBrick(key)});
+    }
+    return result;
+}
+
 Oracle::Outcome Oracle::carryOut(core::ProbeVoxels& command)
 {
     core::EngineResult result;

@@ -28,6 +28,20 @@ QuestionLine::Answer answerWith(T EngineResult::*part, VoxelQuestions::Answer<T>
     };
 }
 
+/// Answers with the bricks that were read.
+QuestionLine::Answer answerWithBricks(VoxelQuestions::Answer<std::vector<BrickImage>> answer)
+{
+    return [answer = std::move(answer)](EngineResult&& result) {
+        if (result.error)
+            return answer(tl::unexpected(*std::move(result.error)));
+        std::vector<BrickImage> values;
+        values.reserve(result.changes.size());
+        for (BrickChange& brick : result.changes)
+            values.push_back({.key = brick.key, .bytes = std::move(brick.after)});
+        answer(std::move(values));
+    };
+}
+
 void ignore(EngineResult&&) { }
 
 } // namespace
@@ -64,15 +78,12 @@ void VoxelQuestions::codes(const VoxelBox& box, Answer<std::vector<std::uint16_t
 
 void VoxelQuestions::bricks(std::vector<BrickKey> keys, Answer<std::vector<BrickImage>> answer)
 {
-    m_line.ask(ReadBricks{std::move(keys)}, [answer = std::move(answer)](EngineResult&& result) {
-        if (result.error)
-            return answer(tl::unexpected(*std::move(result.error)));
-        std::vector<BrickImage> values;
-        values.reserve(result.changes.size());
-        for (BrickChange& brick : result.changes)
-            values.push_back({.key = brick.key, .bytes = std::move(brick.after)});
-        answer(std::move(values));
-    });
+    m_line.ask(ReadBricks{std::move(keys)}, answerWithBricks(std::move(answer)));
+}
+
+void VoxelQuestions::barriers(std::uint8_t plane, Answer<std::vector<BrickImage>> answer)
+{
+    m_line.ask(ReadBarriers{.plane = plane}, answerWithBricks(std::move(answer)));
 }
 
 bool VoxelQuestions::readOn(const std::shared_ptr<LabelReader>& reader, Answer<void> answer)

@@ -58,6 +58,8 @@ public:
     void codes(const VoxelBox& box, Answer<std::vector<std::uint16_t>> answer);
     /// The contents of bricks, in the order of the keys.
     void bricks(std::vector<BrickKey> keys, Answer<std::vector<BrickImage>> answer);
+    /// The bricks of seed words in which a label plane holds barriers, ascending. Cost ∝ these.
+    void barriers(std::uint8_t plane, Answer<std::vector<BrickImage>> answer);
     /// Reads the next portion of a plane into its reader, which must not be used until the answer
     /// comes.
     /// @return false: everything was read, and nothing is asked

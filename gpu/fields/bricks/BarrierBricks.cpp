@@ -7,6 +7,7 @@
 #include "gpu/gl/Program.h"
 
 #include <algorithm>
+#include <iterator>
 #include <vector>
 
 namespace gpu {
@@ -72,6 +73,20 @@ std::vector<std::uint32_t> BarrierBricks::foundByKernel(
             held.push_back(bricks[i]);
     }
     return held;
+}
+
+std::vector<std::uint32_t> BarrierBricks::bricks(BrickField& words)
+{
+    std::vector<std::uint32_t> looked;
+    for (const std::uint32_t brick : m_stale) {
+        if (words.holds(brick))
+            looked.push_back(brick);
+    }
+    std::vector<std::uint32_t> all = found(words, looked);
+    std::set_difference(
+        m_held.begin(), m_held.end(), m_stale.begin(), m_stale.end(), std::back_inserter(all));
+    std::sort(all.begin(), all.end());
+    return all;
 }
 
 core::VoxelBox BarrierBricks::update(BrickField& words)

@@ -32,6 +32,12 @@ public:
     core::VoxelBox update(BrickField& words);
 
     [[nodiscard]] bool any() const { return !m_held.empty(); }
+    /// The bricks of the set, ascending; those that were noted are looked through, and stay noted.
+    /// Waits for the GPU if any of them has words.
+    [[nodiscard]] std::vector<std::uint32_t> bricks(BrickField& words);
+    /// Those of these bricks, which have pages, that hold a barrier, in their order.
+    [[nodiscard]] std::vector<std::uint32_t> found(
+        BrickField& words, std::span<const std::uint32_t> bricks);
     /// Around all bricks that hold barriers.
     [[nodiscard]] const core::VoxelBox& box() const { return m_box; }
     /// R8UI, one texel per brick, 1 if it holds a barrier. There is no texture before the first
@@ -39,9 +45,6 @@ public:
     [[nodiscard]] const Texture3D& texture() const { return m_texture; }
 
 private:
-    /// Those of the bricks, which have pages, that hold a barrier.
-    [[nodiscard]] std::vector<std::uint32_t> found(
-        BrickField& words, std::span<const std::uint32_t> bricks);
     [[nodiscard]] std::vector<std::uint32_t> foundByKernel(
         BrickField& words, std::span<const std::uint32_t> bricks);
 

@@ -250,6 +250,7 @@ private:
         }
         const std::size_t end = m_commands;
         carryOut(core::EngineCommand(core::EndEdit{step.ending}));
+        submit(core::ReadBarriers{cut.plane}); // a cut may leave some
         settle();
         const core::EngineResult cutPreview = resultOf(question);
         const core::EngineResult done = resultOf(end);

@@ -202,12 +202,47 @@ void seedWordsOfVoxels(Talk& talk)
         "another plane has seeds");
 }
 
+/// Also of a plane that nobody looks at, and while an edit is open.
+void barriersWhereTheyAre(Talk& talk)
+{
+    const BrickKey first{Field::SeedWords, 0, 0};
+    const BrickKey second{Field::SeedWords, 0, 1};
+    const BrickKey elsewhere{Field::SeedWords, 3, 1};
+    const auto expect = [&talk](std::uint8_t plane, const std::vector<BrickImage>& held) {
+        const EngineResult read = talk.ask(ReadBarriers{.plane = plane});
+        bool same = !read.error && read.changes.size() == held.size();
+        for (std::size_t i = 0; same && i < held.size(); ++i)
+            same = read.changes[i].key == held[i].key && read.changes[i].before.empty()
+                && read.changes[i].after == held[i].bytes;
+        talk.expect(same, "other bricks hold barriers");
+    };
+    const auto wordsAt = [](std::uint32_t word, std::size_t place) {
+        std::vector<std::uint8_t> bytes(4 * voxels, emptyByte(Field::SeedWords));
+        for (std::size_t byte = 0; byte < 4; ++byte)
+            bytes[4 * place + byte] = std::uint8_t(word >> (8 * byte));
+        return bytes;
+    };
+    const std::vector<std::uint8_t> barrier = wordsAt(seedWord::barrier, voxels - 1);
+    const std::vector<std::uint8_t> seed = wordsAt(seedWord::pendingSeed(4), 0);
+    expect(0, {});
+    talk.put({{first, seed}, {second, barrier}, {elsewhere, barrier}});
+    expect(0, {{second, barrier}});
+    expect(3, {{elsewhere, barrier}});
+    expect(2, {});
+    talk.put({{first, barrier}, {second, {}}});
+    expect(0, {{first, barrier}});
+    talk.begin(SeedPlacement{.label = 4, .voxels = {{20, 0, 0}}});
+    expect(0, {{first, barrier}});
+    talk.ask(EndEdit{.ending = Ending::Rollback});
+}
+
 const std::map<QString, void (*)(Talk&)>& rows()
 {
     static const std::map<QString, void (*)(Talk&)> known{
         {QStringLiteral("laying twice is nothing"), layingTwiceIsNothing},
         {QStringLiteral("kept labels neither come nor go"), keptLabelsNeitherComeNorGo},
         {QStringLiteral("protected labels are not carved"), protectedLabelsAreNotCarved},
+        {QStringLiteral("barriers where they are"), barriersWhereTheyAre},
         {QStringLiteral("what is not whole is refused"), whatIsNotWholeIsRefused},
         {QStringLiteral("seed words of voxels"), seedWordsOfVoxels}};
     return known;

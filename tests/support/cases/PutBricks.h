@@ -7,8 +7,8 @@
 
 namespace test {
 
-// Tests of the contract of SwapBricks and XorBricks with their guards, and of ReadSeedWords, one
-// row each, for any engine.
+// Tests of the contract of SwapBricks and XorBricks with their guards, of ReadSeedWords and
+// of ReadBarriers, one row each, for any engine.
 
 /// Adds the rows; for a data function, with a column "name".
 void addPutBricksRows();

@@ -10,14 +10,11 @@
 #include <QPointer>
 
 #include <algorithm>
-#include <iterator>
 #include <utility>
 
 namespace ui {
 
 namespace {
-
-constexpr std::size_t bricksAtOnce = 1024; ///< of seed words: at most 16 MiB
 
 /// The greater of both at each cell. Empty: all 0.
 std::vector<std::uint8_t> greatestOf(
@@ -28,24 +25,6 @@ std::vector<std::uint8_t> greatestOf(
     for (std::size_t i = 0; i < other.size(); ++i)
         one[i] = std::max(one[i], other[i]);
     return one;
-}
-
-/// The bricks of a grid that a box touches, ascending.
-std::vector<std::uint32_t> bricksIn(const core::BrickGrid& grid, const core::VoxelBox& box)
-{
-    std::vector<std::uint32_t> bricks;
-    if (box.empty())
-        return bricks;
-    const glm::ivec3 first = glm::max(box.minimum, glm::ivec3(0)) / core::BrickGrid::side;
-    const glm::ivec3 last = glm::min(box.maximum, grid.volumeSize) - 1;
-    for (int z = first.z; z <= last.z / core::BrickGrid::side; ++z) {
-        for (int y = first.y; y <= last.y / core::BrickGrid::side; ++y) {
-            for (int x = first.x; x <= last.x / core::BrickGrid::side; ++x)
-                bricks.push_back(
-                    std::uint32_t(grid.brickOf(glm::ivec3(x, y, z) * core::BrickGrid::side)));
-        }
-    }
-    return bricks;
 }
 
 } // namespace
@@ -71,10 +50,9 @@ GhostWalls::GhostWalls(Workspace& workspace, QObject* parent)
                 return lose(m_labels);
             if (change.what == What::Coverage)
                 return lose(m_coverage);
-            if (change.what != What::Growth || change.box.empty())
-                return;
-            m_changed = m_changed.united(change.box);
-            if (!std::exchange(m_looking, nullptr))
+            // Those that are being read may be of either side of it.
+            if (change.what != What::Growth || change.box.empty()
+                || !std::exchange(m_looking, nullptr))
                 return;
             noteReading();
             Q_EMIT lost();
@@ -116,7 +94,6 @@ void GhostWalls::forget()
     m_labels.cells.reset();
     m_coverage.cells.reset();
     m_barriers.reset();
-    m_changed = {};
 }
 
 /// Silently: a picture or an edit will say why.
@@ -150,7 +127,6 @@ std::optional<GhostWalls::Read> GhostWalls::of(const Needs& needs, const core::C
             readBarriers(needs.plane, row);
             return std::nullopt;
         }
-        m_changed = {}; // seeds and growths leave barriers as they are
         read.barriers = m_barriers->cells;
     }
     return read;
@@ -219,28 +195,9 @@ void GhostWalls::readBarriers(std::uint8_t plane, core::RowId row)
 {
     if (m_looking && m_looking->plane == plane && m_looking->row == row)
         return;
-    if (m_barriers && m_barriers->plane != plane)
-        m_barriers.reset();
-    const core::BrickGrid grid{m_grid.volumeSize};
-    const core::VoxelBox box =
-        m_barriers ? m_changed : core::VoxelBox{glm::ivec3(0), m_grid.volumeSize};
-    m_looking = std::make_shared<Looking>(Looking{.plane = plane, .row = row});
+    m_looking = std::make_shared<Barriers>(Barriers{.plane = plane, .row = row, .cells = {}});
     noteReading();
-    for (const std::uint32_t brick : bricksIn(grid, box))
-        m_looking->keys.push_back({core::Field::SeedWords, plane, brick});
-    if (m_looking->keys.empty())
-        finishBarriers();
-    else
-        readBarriersOn();
-}
-
-void GhostWalls::readBarriersOn()
-{
-    const std::size_t first = m_looking->asked;
-    m_looking->asked = std::min(first + bricksAtOnce, m_looking->keys.size());
-    const auto keys = m_looking->keys.begin();
-    m_workspace.session()->questions().bricks(
-        {keys + std::ptrdiff_t(first), keys + std::ptrdiff_t(m_looking->asked)},
+    m_workspace.session()->questions().barriers(plane,
         [walls = QPointer<GhostWalls>(this), looking = m_looking](
             const core::Result<std::vector<core::BrickImage>>& bricks) {
             if (walls && walls->m_looking == looking)
@@ -254,53 +211,20 @@ void GhostWalls::takeBarriers(const core::Result<std::vector<core::BrickImage>>&
         return refuse();
     m_work.start(
         this,
-        [looking = m_looking, bricks = *bricks] {
-            const Bricks found = core::barriersIn(bricks);
-            looking->found.insert(looking->found.end(), found.begin(), found.end());
+        [looking = m_looking, bricks = *bricks, grid = m_grid] {
+            looking->cells =
+                std::make_shared<const core::CoarseBarriers>(grid, core::barriersIn(bricks));
         },
-        [this, looking = m_looking, count = bricks->size()](const core::Result<void>& taken) {
+        [this, looking = m_looking](const core::Result<void>& taken) {
             if (m_looking != looking)
                 return;
             if (!taken) // memory has run out
                 return refuse();
-            looking->taken += count;
-            if (looking->taken == looking->keys.size())
-                finishBarriers();
+            m_looking.reset();
+            noteReading();
+            m_barriers = *looking;
+            Q_EMIT read();
         });
-    if (m_looking->asked < m_looking->keys.size())
-        readBarriersOn();
-}
-
-void GhostWalls::finishBarriers()
-{
-    const auto work = [looking = m_looking, grid = m_grid,
-                          before = m_barriers ? m_barriers->bricks : nullptr] {
-        // Those of other bricks are as they were.
-        const auto isRead = [&looking](const core::BarrierListed::Brick& held) {
-            return std::binary_search(looking->keys.begin(), looking->keys.end(),
-                core::BrickKey{core::Field::SeedWords, looking->plane, held.brick});
-        };
-        Bricks bricks = looking->found;
-        if (before)
-            std::remove_copy_if(before->begin(), before->end(), std::back_inserter(bricks), isRead);
-        std::sort(bricks.begin(), bricks.end(),
-            [](const auto& a, const auto& b) { return a.brick < b.brick; });
-        return Barriers{.plane = looking->plane,
-            .row = looking->row,
-            .bricks = std::make_shared<const Bricks>(bricks),
-            .cells = std::make_shared<const core::CoarseBarriers>(grid, bricks)};
-    };
-    m_work.start(this, work, [this, looking = m_looking](const core::Result<Barriers>& found) {
-        if (m_looking != looking)
-            return;
-        if (!found)
-            return refuse();
-        m_looking.reset();
-        noteReading();
-        m_barriers = *found;
-        m_changed = {};
-        Q_EMIT read();
-    });
 }
 
 } // namespace ui

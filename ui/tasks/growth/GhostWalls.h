@@ -23,9 +23,9 @@ namespace ui {
 class Workspace;
 
 /// Reads for the ghost of a growth (GrowthGhost) where labels, sculpting and barriers close the
-/// volume to it: in portions, as questions between edits, and threads of its own put them into
-/// cells. What was read is kept until an edit changes it; of barriers only the bricks in which seed
-/// words have changed are read again. GUI thread.
+/// volume to it: labels and sculpting in portions, as questions between edits, and barriers, of
+/// which only the bricks are read that hold some; threads of its own put them into cells. What was
+/// read is kept until an edit changes it. GUI thread.
 class GhostWalls : public QObject {
     Q_OBJECT
 
@@ -65,7 +65,6 @@ Q_SIGNALS:
     void lost(); ///< what of() has returned, or is about to, has changed
 
 private:
-    using Bricks = std::vector<core::BarrierListed::Brick>;
     /// What the voxels of the cells hold in one plane, or the greatest that several layers hold.
     struct Planes {
         core::Field field = core::Field::Labels;
@@ -75,17 +74,7 @@ private:
     struct Barriers {
         std::uint8_t plane = 0;
         core::RowId row = 0; ///< core::lastBarrierRow() when they were read
-        std::shared_ptr<const Bricks> bricks; ///< ascending
-        std::shared_ptr<const core::CoarseBarriers> cells;
-    };
-    /// Bricks of seed words that are being read.
-    struct Looking {
-        std::uint8_t plane = 0;
-        core::RowId row = 0;
-        std::vector<core::BrickKey> keys; ///< ascending
-        std::size_t asked = 0; ///< of the keys
-        std::size_t taken = 0; ///< likewise
-        Bricks found; ///< only m_work uses it, until all are taken
+        std::shared_ptr<const core::CoarseBarriers> cells; ///< null: they are being read
     };
 
     void lose(Planes& planes);
@@ -94,9 +83,7 @@ private:
     void readPlaneOn();
     void takePlane(const core::Result<Cells>& cells);
     void readBarriers(std::uint8_t plane, core::RowId row);
-    void readBarriersOn();
     void takeBarriers(const core::Result<std::vector<core::BrickImage>>& bricks);
-    void finishBarriers();
     void refuse();
     void noteReading();
 
@@ -110,8 +97,7 @@ private:
     Cells m_greatest; ///< of those that were read; null: none yet
 
     std::optional<Barriers> m_barriers; ///< those that were read last
-    core::VoxelBox m_changed; ///< where seed words have changed since
-    std::shared_ptr<Looking> m_looking; ///< null: no barriers are being read
+    std::shared_ptr<Barriers> m_looking; ///< null: no barriers are being read
     /// VoxelQuestions::beginReading(); null: neither of both is being read.
     std::shared_ptr<const void> m_reading;
 

@@ -41,6 +41,8 @@ private Q_SLOTS:
             BrickField& words = m_fixture->edits.fields->seedWords(0);
             for (BarrierBricks* const each : {&byKernel, &byProcessor})
                 each->noteAll(changed);
+            const std::vector<std::uint32_t> before = byKernel.bricks(words);
+            QCOMPARE(byProcessor.bricks(words), before);
             const core::VoxelBox one = byKernel.update(words);
             const core::VoxelBox other = byProcessor.update(words);
             QCOMPARE(one.minimum, other.minimum);
@@ -52,6 +54,13 @@ private Q_SLOTS:
                     for (int x = 0; x < size.x; ++x)
                         if (state.seedWords(0).at({x, y, z}) == core::seedWord::barrier)
                             wanted[std::size_t(grid.brickOf({x, y, z}))] = 1;
+            std::vector<std::uint32_t> held;
+            for (std::uint32_t brick = 0; brick < wanted.size(); ++brick) {
+                if (wanted[brick] != 0)
+                    held.push_back(brick);
+            }
+            QCOMPARE(before, held); // though those that changed had not been looked through
+            QCOMPARE(byKernel.bricks(words), held);
             for (const BarrierBricks* const each : {&byKernel, &byProcessor}) {
                 std::vector<std::uint8_t> texels(wanted.size(), 0);
                 if (each->texture())
