@@ -154,8 +154,8 @@ int runMesh(const Arguments& arguments)
         if (arguments.has("segment") && segment.name != arguments.value("segment"))
             continue;
         // By the newest rules, as the window lays it: it never passes through itself.
-        constexpr bool keepsApart = true;
-        const auto fit = core::measuredFit(segment.voxels, geometry, vertices, {}, keepsApart);
+        const auto fit = core::measuredFit(segment.voxels, geometry, vertices, {},
+            {.keepsApart = true, .mostVertices = core::mostVertices});
         if (!fit)
             return reportFailure(fit.error());
         const core::SimplexMesh& mesh = fit->mesh;

@@ -27,7 +27,7 @@ template <class Visitor> void visitRules(Visitor& visit, SurfaceRules& rules)
     visit.maybe("rules", rules, editFields::WholeNumber{1, newestSurfaceRules},
         "the version of the rules: from 2 on, the surface never passes through itself, and sphere "
         "and plane move only the sheet under the pen; from 3 on, a template may mix open and "
-        "closed contours",
+        "closed contours; from 4 on, as many vertices as it takes may be 400000",
         "1, the oldest rules");
 }
 
@@ -40,7 +40,9 @@ template <class Visitor> void visitFields(Visitor& visit, LaySurface& edit)
     visitSegment(visit, edit.segment);
     visit.field("vertices", Presence::Optional, edit.vertices, surfaceVertices,
         "about how many vertices the surface has, at least 100; 0 means as many as are needed to "
-        "enclose all but a thousandth of the segment's voxels, up to 200000");
+        "enclose all but a thousandth of the segment's voxels, up to 400000 (200000 by rules "
+        "before "
+        "4)");
     visitRules(visit, edit.rules);
     visit.maybe("onlyCrossings", edit.onlyCrossings, editFields::Flag{},
         "whether the present surface stays, except for parts that pass through themselves or each "

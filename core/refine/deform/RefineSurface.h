@@ -9,9 +9,11 @@
 namespace core {
 
 /// Limits for the number of vertices that is chosen automatically (MeasuredFit.h): fewer would be
-/// too coarse for the tools, and more would take longer than half a minute on two cores.
+/// too coarse for the tools, and more would take minutes on two cores.
 constexpr int leastVertices = 10'000;
-constexpr int mostVertices = 200'000;
+constexpr int mostVertices = 400'000;
+/// The most for surfaces that were laid by older rules (edits/kinds/surface/parts/SurfaceRules.h).
+constexpr int mostVerticesOnce = 200'000;
 
 /// Makes a first simplex mesh around a mask, with about @p vertices vertices: the dual of the voxel
 /// borders, on a lattice as much finer than the voxels as necessary, whose faces are then merged

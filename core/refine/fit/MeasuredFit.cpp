@@ -30,12 +30,13 @@ constexpr double mostGain = 4.0;
 
 class Fitting {
 public:
-    Fitting(const VoxelRuns& voxels, const VolumeGeometry& geometry, bool keepsApart,
+    Fitting(const VoxelRuns& voxels, const VolumeGeometry& geometry, const MeasuredFitRules& rules,
         const Progress& progress)
         : m_voxels(voxels)
         , m_mask(BoxMask::of(voxels, geometry.size))
         , m_geometry(geometry)
-        , m_keepsApart(keepsApart)
+        , m_keepsApart(rules.keepsApart)
+        , m_mostVertices(rules.mostVertices)
         , m_progress(progress)
     {
     }
@@ -59,7 +60,7 @@ public:
             const double vertices = std::max(fewestVertices, share * all);
             if (leastGain * vertices > std::max(double(leastVertices), all))
                 break;
-            Result<MeasuredFit> fit = ofAbout(int(std::min(vertices, double(mostVertices))));
+            Result<MeasuredFit> fit = ofAbout(int(std::min(vertices, double(m_mostVertices))));
             if (!fit || isGood(*fit))
                 return fit;
             if (double(fit->voxelsOff) > mostGain * mostOffShare * double(fit->voxels))
@@ -72,10 +73,10 @@ public:
     {
         const glm::u64vec3 faces = m_mask.borderFaces();
         const double all = double(faces.x + faces.y + faces.z);
-        const auto bounded = [](double vertices) {
-            return int(std::clamp(vertices, double(leastVertices), double(mostVertices)));
+        const auto bounded = [this](double vertices) {
+            return int(std::clamp(vertices, double(leastVertices), double(m_mostVertices)));
         };
-        if (leastGain * all > double(mostVertices))
+        if (leastGain * all > double(m_mostVertices))
             return ofAbout(bounded(all));
         // Mending takes long where it is of no use: in surfaces too coarse for their mask.
         Result<MeasuredFit> fit = ofAbout(bounded(all), false);
@@ -211,19 +212,20 @@ private:
     BoxMask m_mask;
     const VolumeGeometry& m_geometry;
     bool m_keepsApart;
+    int m_mostVertices;
     const Progress& m_progress;
 };
 
 } // namespace
 
 Result<MeasuredFit> measuredFit(const VoxelRuns& mask, const VolumeGeometry& geometry,
-    std::optional<int> vertices, const Progress& progress, bool keepsApart)
+    std::optional<int> vertices, const Progress& progress, const MeasuredFitRules& rules)
 {
-    const Fitting fitting(mask, geometry, keepsApart, progress);
+    const Fitting fitting(mask, geometry, rules, progress);
     Result<MeasuredFit> fit = vertices ? fitting.ofAbout(*vertices)
-        : keepsApart                   ? fitting.asFewAsItTakes()
+        : rules.keepsApart             ? fitting.asFewAsItTakes()
                                        : fitting.asTheMaskTakes();
-    return fit && keepsApart ? fitting.withoutCrossings(*std::move(fit)) : fit;
+    return fit && rules.keepsApart ? fitting.withoutCrossings(*std::move(fit)) : fit;
 }
 
 } // namespace core

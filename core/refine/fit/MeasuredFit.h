@@ -4,6 +4,7 @@
 #include "core/base/Progress.h"
 #include "core/base/Result.h"
 #include "core/brick/VoxelRuns.h"
+#include "core/refine/deform/RefineSurface.h"
 #include "core/refine/mesh/SimplexMesh.h"
 #include "core/volume/VolumeGeometry.h"
 
@@ -22,6 +23,17 @@ struct MeasuredFit {
     std::size_t crossings = 0;
 };
 
+/// By which rules a surface is fitted; those of the first ones, unless others are named.
+struct MeasuredFitRules {
+    /// As in InitialFitSettings. If true, fewer vertices are tried first if none are given, and the
+    /// surface may not pass through itself for the sake of voxels. If it does so nevertheless and
+    /// cannot be repaired, all of it is laid again along the borders of its voxels, which never
+    /// cross (borderSurfaceOf()), and crossings are prevented in each step from there on. So
+    /// `crossings` is always 0 then.
+    bool keepsApart = false;
+    int mostVertices = mostVerticesOnce; ///< unless a number is given; at least leastVertices
+};
+
 /// The share of the mask's voxels that may differ.
 constexpr double mostOffShare = 0.001;
 
@@ -32,15 +44,10 @@ constexpr double mostOffShare = 0.001;
 /// background, then, if that is not enough, two, which suffices to follow every voxel. The
 /// structure of the latter is kept as it was laid, and where a voxel still differs, the vertices
 /// around it are moved back to where they were laid. Chosen in this way, the number is between
-/// leastVertices and mostVertices (RefineSurface.h). If more would be needed, the result is the
-/// best that was found, and the caller reports by how much it differs. Errors: those of
+/// leastVertices (RefineSurface.h) and that of the rules. If more would be needed, the result is
+/// the best that was found, and the caller reports by how much it differs. Errors: those of
 /// initialFit() and fillSurface().
-/// @param keepsApart as in InitialFitSettings. If true, fewer vertices are tried first if none are
-/// given with @p vertices, and the surface may not pass through itself for the sake of voxels. If
-/// it does so nevertheless and cannot be repaired, all of it is laid again along the borders of its
-/// voxels, which never cross (borderSurfaceOf()), and crossings are prevented in each step from
-/// there on. So `crossings` is always 0 then.
 [[nodiscard]] Result<MeasuredFit> measuredFit(const VoxelRuns& mask, const VolumeGeometry& geometry,
-    std::optional<int> vertices, const Progress& progress, bool keepsApart = false);
+    std::optional<int> vertices, const Progress& progress, const MeasuredFitRules& rules = {});
 
 } // namespace core

@@ -358,7 +358,8 @@ Result<SurfaceWork::Outcome> SurfaceWork::carryOut(const LaySurface& edit, Endin
             Clause::saying("'%1' has no voxels", m_segment.name));
     Result<MeasuredFit> fit = measuredFit(voxels, m_surface.geometry(),
         edit.vertices == 0 ? std::nullopt : std::optional(edit.vertices), m_progress,
-        keepsApart(edit.rules));
+        {.keepsApart = keepsApart(edit.rules),
+            .mostVertices = laysFiner(edit.rules) ? mostVertices : mostVerticesOnce});
     if (!fit)
         return tl::unexpected(fit.error());
     if (fit->crossings > 0)

@@ -11,6 +11,8 @@
 #include <QTest>
 
 #include <cmath>
+#include <utility>
+#include <vector>
 
 namespace measuredFitTest {
 
@@ -63,6 +65,7 @@ private Q_SLOTS:
     void asManyAsItTakes();
     void asManyAsAskedFor();
     void keptApartItCrossesNowhere();
+    void noMoreThanTheRulesAllow();
     void nothing();
 };
 
@@ -85,7 +88,7 @@ void MeasuredFitTest::asManyAsItTakes()
     QCOMPARE(fit.voxels, mask.voxels().voxelCount());
     QCOMPARE(fit.voxelsOff, off(fit.mesh, mask));
     QVERIFY(double(fit.voxelsOff) <= core::mostOffShare * double(fit.voxels));
-    QVERIFY(fit.mesh.vertexCount() <= std::size_t(core::mostVertices));
+    QVERIFY(fit.mesh.vertexCount() <= std::size_t(core::mostVerticesOnce));
     if (shape == QLatin1String("rough"))
         QVERIFY(core::identical(fit.mesh, fitted(mask, std::nullopt).mesh));
 }
@@ -108,7 +111,8 @@ void MeasuredFitTest::keptApartItCrossesNowhere()
         for (auto& label : mask.labels)
             label = test::randomInt(random, 0, 99) < share ? 1 : 0;
         for (const int vertices : {100, 600}) {
-            const auto fit = core::measuredFit(mask.voxels(), mask.geometry, vertices, {}, true);
+            const auto fit =
+                core::measuredFit(mask.voxels(), mask.geometry, vertices, {}, {.keepsApart = true});
             QVERIFY(fit.has_value());
             QVERIFY(core::checkSimplexMesh(fit->mesh));
             QCOMPARE(fit->crossings, std::size_t(0));
@@ -122,6 +126,26 @@ void MeasuredFitTest::keptApartItCrossesNowhere()
                 core::selfIntersections(before->mesh, mask.geometry).size());
         }
     }
+}
+
+/// Plates with 25 000 faces, which is more than either rule allows.
+void MeasuredFitTest::noMoreThanTheRulesAllow()
+{
+    test::ShapedMask plates({40, 40, 40});
+    plates.fill([](const glm::dvec3& at) {
+        const glm::ivec3 voxel(at);
+        return voxel.x > 1 && voxel.x < 38 && voxel.y > 1 && voxel.y < 38 && voxel.z % 5 < 2;
+    });
+    std::vector<core::MeasuredFit> fits;
+    for (const int most : {10'000, 20'000}) {
+        auto fit = core::measuredFit(
+            plates.voxels(), plates.geometry, std::nullopt, {}, {.mostVertices = most});
+        QVERIFY(fit.has_value());
+        QCOMPARE(fit->voxelsOff, off(fit->mesh, plates));
+        qInfo("%zu vertices where %d are allowed", fit->mesh.vertexCount(), most);
+        fits.push_back(*std::move(fit));
+    }
+    QVERIFY(fits[0].mesh.vertexCount() < fits[1].mesh.vertexCount());
 }
 
 void MeasuredFitTest::nothing()

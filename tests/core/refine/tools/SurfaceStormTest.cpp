@@ -431,7 +431,7 @@ void SurfaceStormTest::aNoisySegmentIsNotShattered()
     const BoundaryForce boundary(noisy.mask(), noisy.geometry, 4.0);
     for (const bool isGuarded : {false, true}) {
         Stopwatch timer;
-        auto fit = measuredFit(noisy.voxels(), noisy.geometry, {}, {}, isGuarded);
+        auto fit = measuredFit(noisy.voxels(), noisy.geometry, {}, {}, {.keepsApart = isGuarded});
         QVERIFY(fit.has_value());
         const qint64 laidMs = timer.restart();
         SimplexMesh mesh = std::move(fit->mesh);

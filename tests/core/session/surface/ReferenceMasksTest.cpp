@@ -229,7 +229,7 @@ void ReferenceMasksTest::untouchedAndPushed(
     constexpr double mostToldShare = 0.01;
     const std::uint64_t wanted = 2 * facesOf(segment.voxels, geometry);
     if (test::longRun())
-        QVERIFY2(share <= mostToldShare || wanted > std::uint64_t(mostVertices),
+        QVERIFY2(share <= mostToldShare || wanted > std::uint64_t(mostVerticesOnce),
             qPrintable(QStringLiteral("%1: %2 % off").arg(segment.name).arg(100.0 * share)));
     QVERIFY(writeBackOf(*untouched, labels, size, target).bricks.empty());
 

@@ -14,8 +14,10 @@ namespace core {
 ///   through itself is neither accepted when it is laid (LaySurface.h) nor written back.
 /// - 3: in addition, a template forms a body through any mixture of open and closed contours, and
 ///   evens out the unsteadiness of the hand.
+/// - 4: in addition, a surface that is laid with as many vertices as it takes may get twice as many
+///   as before (core/refine/deform/RefineSurface.h), so that it follows bones.
 using SurfaceRules = std::optional<int>;
-constexpr int newestSurfaceRules = 3;
+constexpr int newestSurfaceRules = 4;
 
 /// Argument 0 of the error InvalidField when a surface is refused because it passes through itself;
 /// argument 1 is the number of pairs of faces that do.
@@ -30,6 +32,12 @@ inline constexpr const char* crossingSurface = "surface.crossings";
 [[nodiscard]] inline bool mixesContours(const SurfaceRules& rules)
 {
     return rules.value_or(1) >= 3;
+}
+
+/// Whether a surface may be laid with mostVertices, not mostVerticesOnce.
+[[nodiscard]] inline bool laysFiner(const SurfaceRules& rules)
+{
+    return rules.value_or(1) >= 4;
 }
 
 } // namespace core
