@@ -52,6 +52,7 @@ GOALS = [
     (r"refine\.chunks\.click", None, "click on a chunk, without the pictures", AT_MOST, 50),
     (r"refine\.chunks\.click\.picture", None, "click on a chunk, to the pictures of all views",
      AT_MOST, 50),
+    (r"refine\.chunks\.large", None, "division of 17 million voxels into chunks", AT_MOST, 5000),
     (r"refine\.step\..*", None, "step of a deformation", AT_LEAST, 10),
     (r"segment\.large\..*\.picture", None,
      "margin or smoothing in 512 × 512 × 400, to the first pictures", AT_MOST, 1000),

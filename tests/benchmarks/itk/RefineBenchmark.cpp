@@ -159,33 +159,47 @@ QString measureFit(PeerReport& report, const Ring& ring, const char* id, int ver
     return {};
 }
 
-/// Two balls in noise, one of them owned.
-QString measureChunks(PeerReport& report)
-{
-    const glm::ivec3 size(80);
-    std::vector<std::uint16_t> codes;
-    std::vector<std::uint8_t> owners;
-    test::Random random(5);
-    for (int z = 0; z < size.z; ++z) {
-        for (int y = 0; y < size.y; ++y) {
-            for (int x = 0; x < size.x; ++x) {
-                const glm::dvec3 at(x, y, z);
-                const bool one = glm::distance(at, glm::dvec3(30, 38, 40)) < 22.0;
-                const bool other = glm::distance(at, glm::dvec3(60, 42, 40)) < 14.0;
-                codes.push_back(std::uint16_t(
-                    1000 + (one || other ? 200 : 0) + test::randomInt(random, -60, 60)));
-                owners.push_back(one ? 1 : 0);
+/// Two balls in noise, one of them owned, in a cube of voxels.
+struct Balls {
+    explicit Balls(int side)
+        : size(side)
+    {
+        test::Random random(5);
+        const double scale = side / 80.0;
+        for (int z = 0; z < side; ++z) {
+            for (int y = 0; y < side; ++y) {
+                for (int x = 0; x < side; ++x) {
+                    const glm::dvec3 at = glm::dvec3(x, y, z) / scale;
+                    const bool one = glm::distance(at, glm::dvec3(30, 38, 40)) < 22.0;
+                    const bool other = glm::distance(at, glm::dvec3(60, 42, 40)) < 14.0;
+                    codes.push_back(std::uint16_t(
+                        1000 + (one || other ? 200 : 0) + test::randomInt(random, -60, 60)));
+                    owners.push_back(one ? 1 : 0);
+                }
             }
         }
     }
+    [[nodiscard]] ChunkSource source() const
+    {
+        return {.size = size, .codes = codes, .owners = owners};
+    }
+
+    glm::ivec3 size;
+    std::vector<std::uint16_t> codes;
+    std::vector<std::uint8_t> owners;
+};
+
+QString measureChunks(PeerReport& report)
+{
+    const Balls balls(80);
     std::vector<double> times;
     std::optional<ChunkMap> map;
     for (int round = 0; round < rounds; ++round) {
         times.push_back(milliseconds([&] {
-            auto tree = ChunkTree::of({.size = size, .codes = codes, .owners = owners}, {});
+            auto tree = ChunkTree::of(balls.source(), {});
             if (tree)
-                map.emplace(
-                    size, VoxelBox{.minimum = {0, 0, 0}, .maximum = size}, *std::move(tree));
+                map.emplace(balls.size, VoxelBox{.minimum = {0, 0, 0}, .maximum = balls.size},
+                    *std::move(tree));
         }));
     }
     if (!map)
@@ -195,7 +209,7 @@ QString measureChunks(PeerReport& report)
     std::uint64_t given = 0;
     for (int round = 0; round < rounds; ++round) {
         times.push_back(milliseconds([&] {
-            given = map->toggled({{60, 42, 40}}, 40, owners, 1).given.voxelCount();
+            given = map->toggled({{60, 42, 40}}, 40, balls.owners, 1).given.voxelCount();
         }));
     }
     if (given < 1000)
@@ -203,6 +217,25 @@ QString measureChunks(PeerReport& report)
     std::fprintf(
         stderr, "refine.chunks.click: %llu voxels come\n", static_cast<unsigned long long>(given));
     report.add({"refine.chunks.click", "Ms", median(times)});
+    return {};
+}
+
+/// All that the window waits for once the values of the box are there: 17 million voxels.
+QString measureLargeChunks(PeerReport& report)
+{
+    const Balls balls(256);
+    std::vector<double> times;
+    for (int round = 0; round < 3; ++round) {
+        std::size_t borders = 0;
+        times.push_back(milliseconds([&] {
+            const auto tree = ChunkTree::of(balls.source(), {});
+            borders = tree ? ChunkSurvey::of(balls.source(), *tree).borders.size() : 0;
+        }));
+        RowTimes::ended("refine.chunks.large", times.back());
+        if (borders == 0)
+            return QStringLiteral("refine.chunks.large: no chunks");
+    }
+    report.add({"refine.chunks.large", "Ms", median(times)});
     return {};
 }
 
@@ -257,6 +290,8 @@ QString measureRefining(PeerReport& report)
     if (const QString why = measureFit(report, ring, "refine.fit.100k", 100'000); !why.isEmpty())
         return why;
     if (const QString why = measureChunks(report); !why.isEmpty())
+        return why;
+    if (const QString why = measureLargeChunks(report); !why.isEmpty())
         return why;
     return measureUploads(report);
 }
