@@ -16,6 +16,11 @@ std::shared_ptr<const ChunkMap> SessionChunks::map()
     return m_state.chunks->map(m_state.divisionRow());
 }
 
+std::shared_ptr<const CoarseChunks> SessionChunks::coarse() const
+{
+    return m_state.chunks->coarse(m_state.divisionRow());
+}
+
 std::optional<ChunkStage> SessionChunks::stage() const
 {
     return m_state.chunks->stage();

@@ -3,6 +3,7 @@
 
 #include "core/chunks/DoubtfulChunks.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace ui {
@@ -36,6 +37,14 @@ ChunkLeaves::ChunkLeaves(std::shared_ptr<const core::ChunkMap> chunks, int segme
     suggestedCount = core::DoubtfulChunks(
         map->tree(), map->survey(), label, core::DoubtfulChunks::ownedBy(map->tree(), label))
                          .suggestedCount();
+}
+
+int specksOf(const core::ChunkTree& tree, int voxelsOfCell)
+{
+    const std::size_t fewest = std::max<std::size_t>(speckVoxels / std::size_t(voxelsOfCell), 1);
+    const std::vector<core::ChunkTree::Chunk> roots = tree.division(tree.fewest());
+    return int(std::count_if(roots.begin(), roots.end(),
+        [&](core::ChunkTree::Chunk chunk) { return tree.voxels(chunk).size() < fewest; }));
 }
 
 } // namespace ui

@@ -4,6 +4,7 @@
 #include "core/chunks/ChunkColours.h"
 #include "core/chunks/ChunkMap.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -27,5 +28,12 @@ struct ChunkLeaves {
     /// (core::DoubtfulChunks); none: nothing is in doubt.
     std::optional<int> suggestedCount;
 };
+
+/// A chunk with fewer voxels that is joined with no other one is a speck; it is smaller than the
+/// pieces that chunks are joined of (core::ChunkPieces).
+constexpr std::size_t speckVoxels = 64;
+/// How many specks there are.
+/// @param voxelsOfCell for a tree of cells: how many voxels each of them stands for
+[[nodiscard]] int specksOf(const core::ChunkTree& tree, int voxelsOfCell = 1);
 
 } // namespace ui

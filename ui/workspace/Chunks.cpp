@@ -6,13 +6,14 @@
 #include "core/masks/ReadProbabilities.h"
 #include "core/session/SessionChunks.h"
 #include "core/session/questions/VoxelQuestions.h"
+#include "ui/settings/ChunkShades.h"
+#include "ui/settings/CoarseScene.h"
 #include "ui/texts/MaskTexts.h"
 #include "ui/workspace/Workspace.h"
 
 #include <QFileInfo>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -21,34 +22,9 @@ namespace ui {
 
 namespace {
 
-/// Light and dark, warm and cool, none near another.
-constexpr std::array<std::uint32_t, core::ChunkColours::colours> palette{0xE6553C, 0x3F7FE0,
-    0xE8D84A, 0xA970E0, 0x35A04F, 0xF2A134, 0x4FC3F7, 0xD63F86, 0x9BD64A, 0x6B5BD6, 0xF0A58A,
-    0x3CD0C0, 0xE07AD0, 0xA86B3F, 0xB9C8A4, 0x7F9BC8};
-
-/// Smaller than the pieces that chunks are joined of (core::ChunkPieces).
-constexpr std::size_t speckVoxels = 64;
-
-// Of 255: chunks that the segment has, has not, and those a tool is about.
-constexpr std::uint32_t ownShare = 255;
-constexpr std::uint32_t otherShare = 90;
-constexpr std::uint32_t litOwnShare = 255;
-constexpr std::uint32_t litOtherShare = 225;
-
 /// Rims of chunks that are likely to be added, and to be taken.
 constexpr std::uint32_t addRim = 0xFF8CFFA0;
 constexpr std::uint32_t takeRim = 0xFFFF8070;
-
-std::uint32_t mixed(std::uint32_t rgb, std::uint32_t other, int percent)
-{
-    std::uint32_t result = 0;
-    for (const int shift : {16, 8, 0}) {
-        const int from = int(rgb >> shift & 255U);
-        const int to = int(other >> shift & 255U);
-        result |= std::uint32_t(from + (to - from) * percent / 100) << shift;
-    }
-    return result;
-}
 
 } // namespace
 
@@ -122,12 +98,16 @@ void Chunks::follow()
 {
     const std::optional<core::ChunkDivision> now = division();
     std::shared_ptr<const core::ChunkMap> wanted;
+    std::shared_ptr<const core::CoarseChunks> coarse;
     if (now && m_look.shown) {
         core::SessionChunks& its = m_workspace.session()->chunks();
         wanted = its.map();
         if (!wanted && its.whyNot())
             return takeBack(); // the session says why
+        coarse = its.coarse();
     }
+    // Those of before stay while what is seen of the chunks is worked out.
+    const bool isCoarseNew = !wanted && std::exchange(m_coarse, coarse) != coarse;
     if (wanted != m_wanted || (now && now->segment != m_segment)) {
         m_segment = now ? now->segment : 0;
         m_wanted = std::move(wanted);
@@ -151,6 +131,8 @@ void Chunks::follow()
                     takeBack();
                     m_workspace.fail(leaves.error());
                 });
+    } else if (isCoarseNew) {
+        colour();
     }
     Q_EMIT changed();
 }
@@ -158,10 +140,9 @@ void Chunks::follow()
 void Chunks::take(const std::shared_ptr<const ChunkLeaves>& leaves)
 {
     m_leaves = leaves;
+    m_coarse.reset();
     const core::ChunkTree& tree = m_leaves->map->tree();
-    const std::vector<Chunk> roots = tree.division(tree.fewest());
-    m_specks = int(std::count_if(roots.begin(), roots.end(),
-        [&tree](Chunk chunk) { return tree.voxels(chunk).size() < speckVoxels; }));
+    m_specks = specksOf(tree);
     m_members.begin(m_leaves, m_segment);
     const bool takesSuggestion = std::exchange(m_takesSuggestion, false);
     const bool isNew = std::exchange(m_isAwaited, false) && isJustDivided();
@@ -301,6 +282,11 @@ void Chunks::countOwn()
         m_has[chunk] = lead[chunk] > 0;
 }
 
+bool Chunks::isHidden(int likelihood) const
+{
+    return m_look.bodies == Bodies::Own || (m_look.bodies == Bodies::Alike && likelihood >= 0);
+}
+
 std::vector<std::uint32_t> Chunks::argbOfLeaves(bool bodies) const
 {
     const core::ChunkTree& tree = m_leaves->map->tree();
@@ -314,14 +300,10 @@ std::vector<std::uint32_t> Chunks::argbOfLeaves(bool bodies) const
         const Chunk chunk = m_chunkOfLeaf[leaf];
         const bool isOwn = m_has[chunk];
         const bool isLit = std::find(m_lit.begin(), m_lit.end(), chunk) != m_lit.end();
-        const bool isHidden = bodies && !isOwn && !isLit && !isLikely(chunk)
-            && (m_look.bodies == Bodies::Own
-                || (m_look.bodies == Bodies::Alike && tree.likelihood(chunk) >= 0));
-        const std::uint32_t rgb = palette[m_colourOfLeaf[leaf]];
-        const std::uint32_t share = isHidden ? 0
-            : isLit                          ? (isOwn ? litOwnShare : litOtherShare)
-                                             : (isOwn ? ownShare : otherShare);
-        argb[leaf] = share << 24 | (isLit ? mixed(rgb, 0xFFFFFF, 55) : rgb);
+        const bool isUnseen =
+            bodies && !isOwn && !isLit && !isLikely(chunk) && isHidden(tree.likelihood(chunk));
+        argb[leaf] = argbOf(
+            {.colour = m_colourOfLeaf[leaf], .isOwn = isOwn, .isLit = isLit, .isHidden = isUnseen});
     }
     return argb;
 }
@@ -357,6 +339,13 @@ std::shared_ptr<const gpu::SceneChunks> Chunks::scene(
 
 void Chunks::colour()
 {
+    if (!m_leaves && m_coarse && m_look.shown) {
+        CoarseLook look{.segment = m_segment, .count = m_look.count, .opacity = m_look.opacity};
+        m_areas = coarseScene(*m_coarse, look);
+        look.isHidden = [this](int likelihood) { return isHidden(likelihood); };
+        m_bodies = coarseScene(*m_coarse, look);
+        return Q_EMIT pictureChanged();
+    }
     if (!m_leaves || !m_look.shown) {
         if (m_areas || m_bodies) {
             m_areas.reset();

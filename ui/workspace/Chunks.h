@@ -18,6 +18,7 @@
 #include <vector>
 
 namespace core {
+struct CoarseChunks;
 struct DivideSegment;
 class SessionChunks;
 } // namespace core
@@ -91,7 +92,8 @@ public:
     /// Sets the chunks that are drawn brightly because a tool points at them.
     void setLit(std::vector<Chunk> chunks);
 
-    /// What slices (areas) and the 3D view (bodies) draw of them; null if nothing.
+    /// What slices (areas) and the 3D view (bodies) draw of them; null if nothing. While those of a
+    /// large box are being computed, roughly what they will be, in cells of several voxels.
     [[nodiscard]] std::shared_ptr<const gpu::SceneChunks> areas() const { return m_areas; }
     [[nodiscard]] std::shared_ptr<const gpu::SceneChunks> bodies() const { return m_bodies; }
 
@@ -120,6 +122,8 @@ private:
     void take(const std::shared_ptr<const ChunkLeaves>& leaves);
     void countOwn();
     void colour();
+    /// Whether the 3D view leaves out a chunk of others that looks so much like the segment.
+    [[nodiscard]] bool isHidden(int likelihood) const;
     [[nodiscard]] std::vector<std::uint32_t> argbOfLeaves(bool bodies) const;
     [[nodiscard]] std::vector<std::uint32_t> rimsOfLeaves() const;
     [[nodiscard]] bool isJustDivided() const;
@@ -134,6 +138,7 @@ private:
     /// The chunks from which m_leaves are made or being made.
     std::shared_ptr<const core::ChunkMap> m_wanted;
     std::shared_ptr<const ChunkLeaves> m_leaves;
+    std::shared_ptr<const core::CoarseChunks> m_coarse; ///< null: not known, or those are there
     int m_segment = 0; ///< the segment that they belong to
     core::RowId m_dividedAfter = 0; ///< a division after this row comes from divide()
     bool m_isAwaited = false; ///< a division that divide() asked for

@@ -46,12 +46,23 @@ struct ChunkWorker::Job {
     void note(ProgressStep now, int done, int total)
     {
         const std::lock_guard lock(mutex);
+        if (isRough)
+            return; // its steps come again
         if (now != stage.step) {
             stage.step = now;
             step = std::min(step + 1, stepEnds.size() - 1);
         }
         const int from = stepEnds[step - 1];
         stage.percent = from + int(std::int64_t(stepEnds[step] - from) * done / std::max(1, total));
+    }
+
+    [[nodiscard]] ChunkSource source() const
+    {
+        return {.size = owned.box.maximum - owned.box.minimum,
+            .codes = codes,
+            .owners = owned.owners,
+            .probabilities = owned.probabilities,
+            .likely = owned.segment};
     }
 
     OwnedBox owned; ///< the thread's until it is prepared
@@ -62,15 +73,18 @@ struct ChunkWorker::Job {
     std::mutex mutex;
     bool prepared = false; ///< under mutex, like the rest: the codes can be asked for
     std::optional<Result<Map>> outcome;
+    Coarse coarse;
+    bool isRough = false; ///< coarse chunks are being computed
     ChunkStage stage;
     std::size_t step = 0; ///< of stepEnds
 };
 
-ChunkWorker::ChunkWorker(
-    EditEngine& engine, const VolumeGeometry& geometry, std::function<void()> wakeUp)
+ChunkWorker::ChunkWorker(EditEngine& engine, const VolumeGeometry& geometry,
+    std::function<void()> wakeUp, std::int64_t coarseFrom)
     : m_engine(engine)
     , m_geometry(geometry)
     , m_wakeUp(std::move(wakeUp))
+    , m_coarseFrom(coarseFrom)
 {
 }
 
@@ -85,6 +99,7 @@ void ChunkWorker::drop()
         m_job->progress.cancel();
     m_job.reset();
     m_map.reset();
+    m_coarse.reset();
     m_failure.reset();
     m_isUnreported = false;
     m_row = 0;
@@ -169,7 +184,35 @@ bool ChunkWorker::take(const EngineResult& result)
 
 void ChunkWorker::workOut(Job& job)
 {
+    workOutRoughly(job);
     setOutcome(job, mapOf(job));
+}
+
+/// If it fails, nothing is seen until the chunks are there.
+void ChunkWorker::workOutRoughly(Job& job) const
+{
+    if (std::int64_t(job.codes.size()) < m_coarseFrom)
+        return;
+    {
+        const std::lock_guard lock(job.mutex);
+        job.isRough = true;
+    }
+    Coarse coarse;
+    try {
+        Result<CoarseChunks> made = CoarseChunks::of(job.source(), job.owned.box, job.progress);
+        if (made)
+            coarse = std::make_shared<const CoarseChunks>(*std::move(made));
+    } catch (const std::bad_alloc&) {
+        coarse.reset();
+    }
+    const bool isMade = coarse != nullptr;
+    {
+        const std::lock_guard lock(job.mutex);
+        job.isRough = false;
+        job.coarse = std::move(coarse);
+    }
+    if (isMade && m_wakeUp && !job.progress.cancelled())
+        m_wakeUp();
 }
 
 void ChunkWorker::setOutcome(Job& job, Result<Map> outcome) const
@@ -186,11 +229,7 @@ Result<ChunkWorker::Map> ChunkWorker::mapOf(Job& job) const
 {
     const VoxelBox& box = job.owned.box;
     try {
-        const ChunkSource source{.size = box.maximum - box.minimum,
-            .codes = job.codes,
-            .owners = job.owned.owners,
-            .probabilities = job.owned.probabilities,
-            .likely = job.owned.segment};
+        const ChunkSource source = job.source();
         Result<ChunkTree> tree = ChunkTree::of(source, job.progress);
         if (!tree)
             return tl::unexpected(tree.error());
@@ -214,8 +253,10 @@ bool ChunkWorker::collect()
         return std::exchange(m_news, false);
     std::optional<Result<Map>> outcome;
     bool prepared = false;
+    Coarse coarse;
     {
         const std::lock_guard lock(m_job->mutex);
+        coarse = std::exchange(m_job->coarse, nullptr);
         outcome = std::exchange(m_job->outcome, std::nullopt);
         prepared = std::exchange(m_job->prepared, false);
     }
@@ -227,8 +268,12 @@ bool ChunkWorker::collect()
             return true;
         }
     }
-    if (!outcome)
+    if (!outcome && !coarse)
         return false;
+    m_coarse = std::move(coarse);
+    if (!outcome)
+        return true;
+    m_coarse.reset();
     if (*outcome) {
         m_job.reset();
         m_map = **std::move(outcome);
@@ -241,6 +286,7 @@ bool ChunkWorker::collect()
 void ChunkWorker::fail(const Error& error)
 {
     m_job.reset();
+    m_coarse.reset();
     m_failure = error;
     m_isUnreported = true;
 }
@@ -271,6 +317,11 @@ void ChunkWorker::cancel()
 ChunkWorker::Map ChunkWorker::map(RowId row) const
 {
     return row == m_row ? m_map : nullptr;
+}
+
+ChunkWorker::Coarse ChunkWorker::coarse(RowId row) const
+{
+    return row == m_row ? m_coarse : nullptr;
 }
 
 std::optional<Error> ChunkWorker::whyNot(RowId row) const
