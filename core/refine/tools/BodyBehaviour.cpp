@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "core/base/ParallelFor.h"
 #include "core/refine/tools/TemplateShape.h"
 #include "core/refine/tools/ToolBehaviour.h"
 
@@ -74,18 +75,20 @@ public:
         }
         if (region.empty())
             return;
-        double missedMm = 0.0;
-        for (const glm::dvec3& point : m_shape->pointsLps()) {
-            double least = 1e300;
+        const std::vector<glm::dvec3>& points = m_shape->pointsLps();
+        std::vector<double> squared(points.size(), 1e300); // of each point, to the nearest
+        parallelFor(int(points.size()), [&](int i) {
             for (const glm::dvec3& place : region) {
-                const glm::dvec3 way = place - point;
-                least = std::min(least, glm::dot(way, way));
+                const glm::dvec3 way = place - points[std::size_t(i)];
+                squared[std::size_t(i)] = std::min(squared[std::size_t(i)], glm::dot(way, way));
             }
-            missedMm += std::sqrt(least);
-        }
+        });
+        double missedMm = 0.0;
+        for (const double nearest : squared)
+            missedMm += std::sqrt(nearest);
         ++m_looks;
         m_leftMm = offMm / double(region.size())
-            + missedMm / double(std::max<std::size_t>(m_shape->pointsLps().size(), 1));
+            + missedMm / double(std::max<std::size_t>(points.size(), 1));
     }
 
     std::optional<double> leftMm() const override { return m_leftMm; }
