@@ -14,7 +14,7 @@ set -euo pipefail
 # A program and its tests a line. Where two tests draw a picture, that of the first one stays.
 drawers="
 app_figures_test ManualPicturesUiTest SegmentPicturesUiTest SlicePicturesUiTest ToolPicturesUiTest
-app_figures_test GrowthFiguresGlTest ReenactmentGlTest RefinementFiguresUiTest RefinementTableFiguresGlTest
+app_figures_test GrowthFiguresGlTest OrganFiguresGlTest ReenactmentGlTest RefinementFiguresUiTest RefinementTableFiguresGlTest
 app_window_test AuditUiTest
 ui_frame_test SessionOffersUiTest
 ui_pacs_test PacsBrowserUiTest
