@@ -5,6 +5,8 @@
 #include "core/edits/document/DocumentEdits.h"
 #include "ui/base/NumberText.h"
 #include "ui/base/RowTitleText.h"
+#include "ui/models/ViewStepText.h"
+#include "ui/workspace/ViewSteps.h"
 #include "ui/workspace/Workspace.h"
 
 #include <QLocale>
@@ -44,7 +46,7 @@ RowText shownOf(const core::HistoryRow& row)
 bool isSameEntry(const HistoryEntry& a, const HistoryEntry& b)
 {
     return a.row == b.row && a.branch == b.branch && a.depth == b.depth
-        && a.isHeading() == b.isHeading();
+        && a.isHeading() == b.isHeading() && a.viewStep == b.viewStep;
 }
 
 } // namespace
@@ -65,6 +67,7 @@ HistoryModel::HistoryModel(Workspace& workspace, QObject* parent)
                 || change.what == core::DocumentChange::What::Segments)
                 refresh();
         });
+    connect(&workspace.viewSteps(), &ViewSteps::changed, this, &HistoryModel::refresh);
     reset();
 }
 
@@ -78,9 +81,14 @@ void HistoryModel::reset()
 {
     const core::History* rows = history();
     m_unfolded.clear();
-    m_outline = rows ? HistoryOutline::of(*rows, m_unfolded) : HistoryOutline();
+    m_outline = rows ? outlined(*rows) : HistoryOutline();
     m_position = rows ? rows->position() : 0;
     findPosition();
+}
+
+HistoryOutline HistoryModel::outlined(const core::History& rows) const
+{
+    return HistoryOutline::of(rows, m_unfolded, m_workspace.viewSteps().counts());
 }
 
 void HistoryModel::refresh()
@@ -89,7 +97,7 @@ void HistoryModel::refresh()
     if (!rows)
         return;
     m_position = rows->position();
-    list(HistoryOutline::of(*rows, m_unfolded));
+    list(outlined(*rows));
     Q_EMIT currentRowChanged(currentRow());
 }
 
@@ -126,10 +134,17 @@ void HistoryModel::list(HistoryOutline outline)
 void HistoryModel::findPosition()
 {
     const std::vector<HistoryEntry>& entries = m_outline.entries;
-    const auto found = std::find_if(entries.begin(), entries.end(),
-        [this](const HistoryEntry& entry) { return entry.depth == 0 && entry.row == m_position; });
-    m_currentRow = found == entries.end() ? -1 : int(found - entries.begin());
+    const auto isThere = [this](const HistoryEntry& entry) {
+        return entry.depth == 0 && entry.row == m_position;
+    };
+    auto found = std::find_if(entries.begin(), entries.end(), isThere);
     m_linePosition = found == entries.end() ? -1 : found->lineIndex;
+    // Its changes of the view follow it, those that are done first.
+    const int done = m_workspace.viewSteps().at(m_position).done;
+    for (auto next = found; next != entries.end() && isThere(*next) && next->viewStep <= done;
+         ++next)
+        found = next;
+    m_currentRow = found == entries.end() ? -1 : int(found - entries.begin());
 }
 
 int HistoryModel::rowCount(const QModelIndex& parent) const
@@ -146,9 +161,12 @@ QVariant HistoryModel::data(const QModelIndex& index, int role) const
     case CurrentRole:
         return index.row() == m_currentRow;
     case UndoneRole:
-        return entry.depth == 0 && entry.lineIndex > m_linePosition;
+        return entry.viewStep > 0 ? entry.viewStep > m_workspace.viewSteps().at(entry.row).done
+                                  : entry.depth == 0 && entry.lineIndex > m_linePosition;
     case RowIdRole:
         return qlonglong(entry.row);
+    case ViewStepRole:
+        return entry.viewStep;
     case DepthRole:
         return entry.depth;
     case HeadingRole:
@@ -158,9 +176,11 @@ QVariant HistoryModel::data(const QModelIndex& index, int role) const
     case LastRole:
         return entry.last;
     case DoneBelowRole:
-        return entry.lineIndex < m_linePosition;
+        return index.row() < m_currentRow;
     default:
-        return entry.isHeading() ? headingData(entry, role) : rowData(entry, role);
+        return entry.isHeading() ? headingData(entry, role)
+            : entry.viewStep > 0 ? viewStepData(entry, role)
+                                 : rowData(entry, role);
     }
 }
 
@@ -207,6 +227,31 @@ QVariant HistoryModel::rowData(const HistoryEntry& entry, int role) const
     }
 }
 
+QVariant HistoryModel::viewStepData(const HistoryEntry& entry, int role) const
+{
+    const ViewSteps::Steps steps = m_workspace.viewSteps().at(entry.row);
+    // While the list is on its way to what the steps are now.
+    if (entry.viewStep > int(steps.all.size()))
+        return {};
+    const QString text = viewStepText(
+        steps.all[std::size_t(entry.viewStep - 1)], &m_workspace.session()->document());
+    switch (role) {
+    case Qt::AccessibleTextRole:
+        return tr("%1, a way of viewing").arg(text);
+    case Qt::DisplayRole:
+        return text;
+    case DetailRole:
+        return tr("view");
+    case Qt::ToolTipRole:
+        return tr("%1\nA way of viewing: undo takes it back, but it is no step of the session")
+            .arg(text);
+    case VoxelsRole:
+        return false;
+    default:
+        return {};
+    }
+}
+
 bool HistoryModel::setData(const QModelIndex& index, const QVariant& value, int role)
 {
     if (role != FoldedRole || !history() || !checkIndex(index, CheckIndexOption::IndexIsValid))
@@ -218,7 +263,7 @@ bool HistoryModel::setData(const QModelIndex& index, const QVariant& value, int 
         m_unfolded.erase(entry.branch);
     else
         m_unfolded.insert(entry.branch);
-    list(HistoryOutline::of(*history(), m_unfolded));
+    list(outlined(*history()));
     return true;
 }
 

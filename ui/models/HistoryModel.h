@@ -10,8 +10,9 @@ namespace ui {
 class Workspace;
 
 /// The history, oldest first: the study as it was opened, then one row per command of the current
-/// line, the undone ones last. Old futures stand under the row they fork off, each behind a heading
-/// that unfolds (HistoryOutline); setData(FoldedRole) folds and unfolds.
+/// line, the undone ones last. What was changed of the view at a row, and can be taken back with
+/// it, stands under it (ViewSteps). Old futures stand under the row they fork off, each behind a
+/// heading that unfolds (HistoryOutline); setData(FoldedRole) folds and unfolds.
 class HistoryModel : public QAbstractListModel {
     Q_OBJECT
 
@@ -22,6 +23,7 @@ public:
         UndoneRole, ///< bool: redo brings it back
         VoxelsRole, ///< bool: a step that changed voxels and nothing else
         RowIdRole, ///< qlonglong: core::RowId, 0 for the opened study; of a heading: the last row
+        ViewStepRole, ///< int: 1, 2 …: a change of the view that was made at the row; 0: none
         DepthRole, ///< int: 0 on the current line, 1 on a branch, 2 on a branch of a branch …
         HeadingRole, ///< bool: the heading of a branch
         FoldedRole, ///< bool: a heading whose rows are not listed
@@ -55,11 +57,13 @@ Q_SIGNALS:
 private:
     void reset();
     void refresh();
+    [[nodiscard]] HistoryOutline outlined(const core::History& rows) const;
     void list(HistoryOutline outline);
     void findPosition();
     [[nodiscard]] const core::History* history() const;
     [[nodiscard]] QVariant headingData(const HistoryEntry& entry, int role) const;
     [[nodiscard]] QVariant rowData(const HistoryEntry& entry, int role) const;
+    [[nodiscard]] QVariant viewStepData(const HistoryEntry& entry, int role) const;
 
     Workspace& m_workspace;
     HistoryOutline m_outline; ///< empty while no study is open

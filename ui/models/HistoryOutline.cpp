@@ -10,9 +10,11 @@ using core::RowId;
 /// Lists lines of the tree: each row belongs to exactly one.
 class Lister {
 public:
-    Lister(const core::History& history, const std::set<RowId>& unfolded, HistoryOutline& outline)
+    Lister(const core::History& history, const std::set<RowId>& unfolded,
+        const std::map<RowId, int>& viewSteps, HistoryOutline& outline)
         : m_history(history)
         , m_unfolded(unfolded)
+        , m_viewSteps(viewSteps)
         , m_outline(outline)
         , m_firstFork(history.rows().size() + 1, 0)
         , m_nextFork(history.rows().size() + 1, 0)
@@ -39,11 +41,16 @@ public:
     }
 
 private:
-    /// A row and what forks off it.
+    /// A row, what was changed of the view there, and what forks off it.
     void listRow(HistoryEntry entry)
     {
-        entry.last = m_history.childLastVisited(entry.row) == 0;
-        m_outline.entries.push_back(entry);
+        const auto found = m_viewSteps.find(entry.row);
+        const int viewSteps = entry.depth == 0 && found != m_viewSteps.end() ? found->second : 0;
+        const bool last = m_history.childLastVisited(entry.row) == 0;
+        for (entry.viewStep = 0; entry.viewStep <= viewSteps; ++entry.viewStep) {
+            entry.last = last && entry.viewStep == viewSteps;
+            m_outline.entries.push_back(entry);
+        }
         for (RowId fork = m_firstFork[std::size_t(entry.row)]; fork != 0;
              fork = m_nextFork[std::size_t(fork)])
             listBranch(fork, entry.depth + 1, entry.lineIndex);
@@ -67,6 +74,7 @@ private:
 
     const core::History& m_history;
     const std::set<RowId>& m_unfolded;
+    const std::map<RowId, int>& m_viewSteps;
     HistoryOutline& m_outline;
     std::vector<RowId> m_firstFork; ///< by row: the first child that is not on the row's own line
     std::vector<RowId> m_nextFork; ///< by such a child: the next one of the same parent
@@ -74,10 +82,11 @@ private:
 
 } // namespace
 
-HistoryOutline HistoryOutline::of(const core::History& history, const std::set<RowId>& unfolded)
+HistoryOutline HistoryOutline::of(const core::History& history, const std::set<RowId>& unfolded,
+    const std::map<RowId, int>& viewSteps)
 {
     HistoryOutline outline;
-    Lister(history, unfolded, outline).listCurrentLine();
+    Lister(history, unfolded, viewSteps, outline).listCurrentLine();
     return outline;
 }
 

@@ -3,18 +3,21 @@
 
 #include "core/history/History.h"
 
+#include <map>
 #include <set>
 #include <vector>
 
 namespace ui {
 
-/// One entry of the history's list: the opened study, a row, or the heading of a branch.
+/// One entry of the history's list: the opened study, a row, a way of viewing that was changed at a
+/// row, or the heading of a branch.
 struct HistoryEntry {
     core::RowId row = 0; ///< 0: the study as opened; of a heading: the branch's last row
     core::RowId branch = 0; ///< first row of the branch that it belongs to; 0: the current line
     int depth = 0; ///< 0: the current line, 1: a branch of it, 2: a branch of a branch …
     int lineIndex = 0; ///< its place on the current line, or that of the row its branch hangs under
     int steps = 0; ///< of a heading: rows of the branch; 0: no heading
+    int viewStep = 0; ///< 1, 2 …: the change of what is shown that was made at the row; 0: none
     bool folded = false; ///< a heading whose rows are not listed
     bool last = false; ///< nothing comes after it on its own line
 
@@ -30,9 +33,12 @@ struct HistoryOutline {
     std::vector<core::RowId> line; ///< the current line, the beginning (0) first
     int branches = 0; ///< of any depth, folded away or not
 
-    /// @param unfolded first rows of branches. Cost: linear in the rows of the history.
-    [[nodiscard]] static HistoryOutline of(
-        const core::History& history, const std::set<core::RowId>& unfolded);
+    /// @param unfolded first rows of branches
+    /// @param viewSteps how many changes of what is shown stand under a row, where it is on the
+    /// current line (ViewSteps)
+    /// Cost: linear in the rows of the history.
+    [[nodiscard]] static HistoryOutline of(const core::History& history,
+        const std::set<core::RowId>& unfolded, const std::map<core::RowId, int>& viewSteps = {});
 };
 
 } // namespace ui

@@ -6,6 +6,7 @@
 #include "ui/dialogs/AuthorDialog.h"
 #include "ui/dialogs/session/HistoryMemoryDialog.h"
 #include "ui/input/Tool.h"
+#include "ui/models/ViewStepText.h"
 #include "ui/tasks/UndoOnly.h"
 #include "ui/window/MainWindow.h"
 #include "ui/workspace/ViewSteps.h"
@@ -20,15 +21,10 @@ bool drawsStepwise(const Workspace& workspace)
     return workspace.activeTool() && workspace.activeTool()->canTakeStepBack();
 }
 
-QString nameOfStep(ViewSteps::What what)
+QString nameOfStep(const ViewSteps::Step& step, const Workspace& workspace)
 {
-    switch (what) {
-    case ViewSteps::What::Clip:
-        return QObject::tr("Clip");
-    case ViewSteps::What::Segments:
-        break;
-    }
-    return QObject::tr("Show and hide segments");
+    const core::EditSession* session = workspace.session();
+    return menuText(viewStepText(step, session ? &session->document() : nullptr));
 }
 
 void carryOut(Workspace& workspace, core::Result<void> (core::EditSession::*step)())
@@ -72,7 +68,7 @@ void addEditActions(MainWindow& window)
                 if (drawsStepwise(workspace))
                     return Actions::tr("Undo: %1").arg(workspace.activeTool()->stepText());
                 if (const auto shown = workspace.viewSteps().undoable())
-                    return Actions::tr("Undo: %1").arg(nameOfStep(*shown));
+                    return Actions::tr("Undo: %1").arg(nameOfStep(*shown, workspace));
                 if (!workspace.session() || !workspace.session()->history().canUndo())
                     return Actions::tr("Undo");
                 const core::History& history = workspace.session()->history();
@@ -99,7 +95,7 @@ void addEditActions(MainWindow& window)
         .currentText =
             [&workspace] {
                 if (const auto shown = workspace.viewSteps().redoable())
-                    return Actions::tr("Redo: %1").arg(nameOfStep(*shown));
+                    return Actions::tr("Redo: %1").arg(nameOfStep(*shown, workspace));
                 if (!workspace.session() || !workspace.session()->history().canRedo())
                     return Actions::tr("Redo");
                 const core::History& history = workspace.session()->history();

@@ -9,9 +9,22 @@
 
 #include <algorithm>
 #include <chrono>
+#include <iterator>
 #include <utility>
 
 namespace ui {
+
+namespace {
+
+/// The labels of a that b has not; both are ascending.
+std::vector<int> without(const std::vector<int>& a, const std::vector<int>& b)
+{
+    std::vector<int> left;
+    std::set_difference(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(left));
+    return left;
+}
+
+} // namespace
 
 ViewSteps::ViewSteps(Workspace& workspace)
     : QObject(&workspace)
@@ -21,28 +34,53 @@ ViewSteps::ViewSteps(Workspace& workspace)
     m_rest.setInterval(std::chrono::milliseconds(400));
     connect(&m_rest, &QTimer::timeout, this, &ViewSteps::closeStep);
     connect(&workspace, &Workspace::sessionChanged, this, [this] {
+        const core::EditSession* session = m_workspace.session();
+        m_knownRows = session ? session->history().rows().size() : 0;
         m_hiddenBeforeAlone.reset();
-        forget();
+        // Who shows them begins anew with the session, too, and should not be told in between.
+        m_walks.clear();
+        closeStep();
     });
     connect(&workspace, &Workspace::clipChanged, this, [this] {
         if (!m_own)
             forget();
     });
-    // What was undone is gone once something else is done, and eyes that follow are another step,
-    // even if that is taken back.
-    connect(&workspace, &Workspace::documentChanged, this, [this] {
-        if (m_position == position())
-            return;
-        m_after.clear();
-        if (m_open == What::Segments)
-            closeStep();
-    });
+    connect(&workspace, &Workspace::documentChanged, this, &ViewSteps::followHistory);
 }
 
-std::optional<core::RowId> ViewSteps::position() const
+core::RowId ViewSteps::position() const
 {
     const core::EditSession* session = m_workspace.session();
-    return session ? std::optional(session->history().position()) : std::nullopt;
+    return session ? session->history().position() : 0;
+}
+
+const ViewSteps::Walk* ViewSteps::here() const
+{
+    const auto found = m_walks.find(position());
+    return found == m_walks.end() ? nullptr : &found->second;
+}
+
+void ViewSteps::followHistory()
+{
+    const core::EditSession* session = m_workspace.session();
+    if (!session)
+        return;
+    // Eyes that follow a step of the history are another step, even if that one is taken back.
+    if (m_open == What::Segments && m_openAt != position())
+        closeStep();
+    // What was undone is gone once something else is done.
+    const std::vector<core::HistoryRow>& rows = session->history().rows();
+    bool dropped = false;
+    for (std::size_t i = m_knownRows; i < rows.size(); ++i) {
+        const auto walk = m_walks.find(rows[i].parent);
+        if (walk == m_walks.end() || walk->second.undone.empty())
+            continue;
+        walk->second.undone.clear();
+        dropped = true;
+    }
+    m_knownRows = rows.size();
+    if (dropped)
+        Q_EMIT changed();
 }
 
 ViewSteps::Shown ViewSteps::shown() const
@@ -56,13 +94,6 @@ ViewSteps::Shown ViewSteps::shown() const
     }
     std::sort(now.hidden.begin(), now.hidden.end());
     return now;
-}
-
-void ViewSteps::show(const Shown& wanted)
-{
-    hideOnly(wanted.hidden);
-    const QScopedValueRollback own(m_own, true);
-    m_workspace.setClip(wanted.clip);
 }
 
 void ViewSteps::hideOnly(const std::vector<int>& hidden)
@@ -80,31 +111,39 @@ void ViewSteps::hideOnly(const std::vector<int>& hidden)
     session->display().setSegmentsVisible(changed);
 }
 
-/// The next change belongs to a step, the last one or a new one.
-void ViewSteps::begin(What what)
+ViewSteps::Change& ViewSteps::begin(What what)
 {
-    if (m_position != position())
-        forget();
-    m_position = position();
-    if (m_open != what) {
+    const core::RowId row = position();
+    Walk& walk = m_walks[row];
+    if (m_open != what || m_openAt != row) {
         closeStep();
-        m_before.push_back({what, shown()});
+        walk.done.push_back({.what = what, .before = shown(), .after = {}});
     }
     m_open = what;
-    m_after.clear();
+    m_openAt = row;
+    walk.undone.clear();
+    return walk.done.back();
 }
 
 void ViewSteps::change(const core::ClipRegion& clip)
 {
     if (clip == m_workspace.clip())
         return;
+    const bool goesOn = m_open == What::Clip && m_openAt == position();
     const bool held = m_held;
-    begin(What::Clip);
+    Change& step = begin(What::Clip);
+    step.after = step.before;
+    step.after.clip = clip;
     m_held = held;
     if (!m_held)
         m_rest.start();
-    const QScopedValueRollback own(m_own, true);
-    m_workspace.setClip(clip);
+    {
+        const QScopedValueRollback own(m_own, true);
+        m_workspace.setClip(clip);
+    }
+    // Who lists the steps need not hear of each movement of a drag.
+    if (!goesOn)
+        Q_EMIT changed();
 }
 
 void ViewSteps::hold()
@@ -121,10 +160,14 @@ void ViewSteps::release()
 void ViewSteps::cancelHold()
 {
     if (m_held && m_open == What::Clip) {
-        const core::ClipRegion before = m_before.back().shown.clip;
-        m_before.pop_back();
-        const QScopedValueRollback own(m_own, true);
-        m_workspace.setClip(before);
+        std::vector<Change>& done = m_walks[m_openAt].done;
+        const core::ClipRegion before = done.back().before.clip;
+        done.pop_back();
+        {
+            const QScopedValueRollback own(m_own, true);
+            m_workspace.setClip(before);
+        }
+        Q_EMIT changed();
     }
     closeStep();
 }
@@ -147,13 +190,16 @@ void ViewSteps::showSegment(int label, bool wanted)
 void ViewSteps::changeHidden(std::vector<int> hidden)
 {
     std::sort(hidden.begin(), hidden.end());
-    begin(What::Segments);
+    Change& step = begin(What::Segments);
+    step.after = step.before;
+    step.after.hidden = hidden;
     // Who is told of the change asks what can be undone.
-    if (m_before.back().shown.hidden == hidden) {
-        m_before.pop_back();
+    if (step.before.hidden == hidden) {
+        m_walks[m_openAt].done.pop_back();
         closeStep();
     }
     hideOnly(hidden);
+    Q_EMIT changed();
 }
 
 void ViewSteps::showAlone(int label)
@@ -195,47 +241,112 @@ void ViewSteps::closeStep()
     m_rest.stop();
 }
 
-std::optional<ViewSteps::What> ViewSteps::undoable() const
+ViewSteps::Step ViewSteps::named(const Change& change)
 {
-    if (m_before.empty() || m_position != position())
-        return std::nullopt;
-    return m_before.back().what;
+    if (change.what == What::Clip)
+        return {.what = What::Clip};
+    return {.what = What::Segments,
+        .hidden = without(change.after.hidden, change.before.hidden),
+        .shown = without(change.before.hidden, change.after.hidden)};
 }
 
-std::optional<ViewSteps::What> ViewSteps::redoable() const
+std::optional<ViewSteps::Step> ViewSteps::undoable() const
 {
-    if (m_after.empty() || m_position != position())
-        return std::nullopt;
-    return m_after.back().what;
+    const Walk* walk = here();
+    return walk && !walk->done.empty() ? std::optional(named(walk->done.back())) : std::nullopt;
+}
+
+std::optional<ViewSteps::Step> ViewSteps::redoable() const
+{
+    const Walk* walk = here();
+    return walk && !walk->undone.empty() ? std::optional(named(walk->undone.back())) : std::nullopt;
 }
 
 void ViewSteps::undo()
 {
-    if (undoable())
-        go(m_before, m_after);
+    if (!undoable())
+        return;
+    closeStep();
+    Walk& walk = m_walks[position()];
+    const Change change = walk.done.back();
+    walk.done.pop_back();
+    walk.undone.push_back(change);
+    show(change, change.before);
 }
 
 void ViewSteps::redo()
 {
-    if (redoable())
-        go(m_after, m_before);
+    if (!redoable())
+        return;
+    closeStep();
+    Walk& walk = m_walks[position()];
+    const Change change = walk.undone.back();
+    walk.undone.pop_back();
+    walk.done.push_back(change);
+    show(change, change.after);
 }
 
-void ViewSteps::go(std::vector<Step>& from, std::vector<Step>& to)
+void ViewSteps::goTo(int done)
 {
-    closeStep();
-    const Step step = from.back();
-    from.pop_back();
-    to.push_back({step.what, shown()});
-    show(step.shown);
+    while (undoable() && int(here()->done.size()) > done)
+        undo();
+    while (redoable() && int(here()->done.size()) < done)
+        redo();
+}
+
+/// Makes what a change is about as it was at one of its ends, and leaves everything else alone:
+/// other rows may have changed that since.
+void ViewSteps::show(const Change& change, const Shown& wanted)
+{
+    if (change.what == What::Clip) {
+        const QScopedValueRollback own(m_own, true);
+        m_workspace.setClip(wanted.clip);
+    } else {
+        const Step step = named(change);
+        std::vector<int> hidden = without(without(shown().hidden, step.hidden), step.shown);
+        for (const std::vector<int>* labels : {&step.hidden, &step.shown}) {
+            for (const int label : *labels) {
+                if (std::binary_search(wanted.hidden.begin(), wanted.hidden.end(), label))
+                    hidden.push_back(label);
+            }
+        }
+        hideOnly(hidden);
+    }
+    Q_EMIT changed();
+}
+
+ViewSteps::Steps ViewSteps::at(core::RowId row) const
+{
+    Steps steps;
+    const auto found = m_walks.find(row);
+    if (found == m_walks.end())
+        return steps;
+    const Walk& walk = found->second;
+    std::transform(
+        walk.done.begin(), walk.done.end(), std::back_inserter(steps.all), &ViewSteps::named);
+    std::transform(
+        walk.undone.rbegin(), walk.undone.rend(), std::back_inserter(steps.all), &ViewSteps::named);
+    steps.done = int(walk.done.size());
+    return steps;
+}
+
+std::map<core::RowId, int> ViewSteps::counts() const
+{
+    std::map<core::RowId, int> counts;
+    for (const auto& [row, walk] : m_walks) {
+        if (const int count = int(walk.done.size() + walk.undone.size()); count > 0)
+            counts[row] = count;
+    }
+    return counts;
 }
 
 void ViewSteps::forget()
 {
-    m_before.clear();
-    m_after.clear();
-    m_position.reset();
+    const bool any = !m_walks.empty();
+    m_walks.clear();
     closeStep();
+    if (any)
+        Q_EMIT changed();
 }
 
 bool isShownAlone(const core::Document& document, int label)

@@ -8,6 +8,7 @@
 #include <QObject>
 #include <QTimer>
 
+#include <map>
 #include <optional>
 #include <vector>
 
@@ -15,17 +16,31 @@ namespace ui {
 
 class Workspace;
 
-/// Undo for changes of what is shown since the last step of the history: the clip region, and which
-/// segments are visible. Both are ways of viewing and no steps of the session; but a user who
-/// presses undo right after hiding something means that. These steps are forgotten when the history
-/// goes on, or when something else sets the clip region (another study, a bookmark). Part of
-/// Workspace. GUI thread.
+/// Undo for changes of what is shown: the clip region, and which segments are visible. Both are
+/// ways of viewing and no steps of the session, so that they neither end a growth that runs nor
+/// part the history where somebody only looks around among undone steps, and work where a session
+/// cannot be written. But a user who presses undo right after hiding something means that, so each
+/// belongs to the row of the history at which it was made: undo takes it back before that row, redo
+/// brings it back after it, and the list of the history shows it there. They are forgotten with the
+/// session, and when something else sets the clip region. Part of Workspace. GUI
+/// thread.
 class ViewSteps : public QObject {
     Q_OBJECT
 
 public:
     /// What a step changes.
     enum class What { Clip, Segments };
+    /// A step, as it is named.
+    struct Step {
+        What what = What::Clip;
+        std::vector<int> hidden{}; ///< labels of the segments that it hides, ascending
+        std::vector<int> shown{}; ///< and of those that it shows
+    };
+    /// The steps that were made at one row of the history.
+    struct Steps {
+        std::vector<Step> all; ///< in the order in which they were made
+        int done = 0; ///< how many of them are done; redo() would bring back the others
+    };
 
     explicit ViewSteps(Workspace& workspace);
 
@@ -47,11 +62,22 @@ public:
     /// all.
     [[nodiscard]] bool knowsOthers(int label) const;
 
-    /// What undo() and redo() would change; none: nothing.
-    [[nodiscard]] std::optional<What> undoable() const;
-    [[nodiscard]] std::optional<What> redoable() const;
+    /// What undo() and redo() would take back and bring back; none: nothing.
+    [[nodiscard]] std::optional<Step> undoable() const;
+    [[nodiscard]] std::optional<Step> redoable() const;
     void undo();
     void redo();
+    /// Undoes or redoes until this many steps are done at the row at which the history stands.
+    void goTo(int done);
+
+    /// @param row 0: the study as it was opened
+    [[nodiscard]] Steps at(core::RowId row) const;
+    /// How many steps there are at each row, done or not; rows without any are missing.
+    [[nodiscard]] std::map<core::RowId, int> counts() const;
+
+Q_SIGNALS:
+    /// There are other steps, or others are done.
+    void changed();
 
 private:
     /// What was shown at one moment.
@@ -59,25 +85,33 @@ private:
         core::ClipRegion clip;
         std::vector<int> hidden; ///< labels, ascending
     };
-    struct Step {
+    struct Change {
         What what = What::Clip;
-        Shown shown; ///< state before the step; for an undone step, after it
+        Shown before;
+        Shown after;
     };
-    [[nodiscard]] std::optional<core::RowId> position() const;
+    struct Walk {
+        std::vector<Change> done; ///< oldest first
+        std::vector<Change> undone; ///< the last undone at the end
+    };
+    [[nodiscard]] core::RowId position() const;
+    [[nodiscard]] const Walk* here() const;
     [[nodiscard]] Shown shown() const;
-    void show(const Shown& wanted);
     void hideOnly(const std::vector<int>& hidden);
     void changeHidden(std::vector<int> hidden);
-    void begin(What what);
-    void go(std::vector<Step>& from, std::vector<Step>& to);
+    /// The change that what follows belongs to.
+    Change& begin(What what);
+    [[nodiscard]] static Step named(const Change& change);
+    void show(const Change& change, const Shown& wanted);
     void closeStep();
     void forget();
+    void followHistory();
 
     Workspace& m_workspace;
-    std::vector<Step> m_before; ///< oldest first
-    std::vector<Step> m_after; ///< undone steps, the last undone at the end
-    std::optional<core::RowId> m_position; ///< the history's position when the steps were made
+    std::map<core::RowId, Walk> m_walks; ///< by the row at which they were made
+    std::size_t m_knownRows = 0; ///< of the history
     std::optional<What> m_open; ///< a change of this kind still belongs to the last step
+    core::RowId m_openAt = 0; ///< the row at which that step was made
     /// The labels that were hidden before showAlone(); none: it was not called since.
     std::optional<std::vector<int>> m_hiddenBeforeAlone;
     bool m_held = false;

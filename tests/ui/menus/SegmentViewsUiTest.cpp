@@ -251,7 +251,7 @@ private Q_SLOTS:
         Fixture fixture(test::smallStudy(), 4);
         const QAction& undo = fixture.action("edit.undo");
         const QAction& redo = fixture.action("edit.redo");
-        const QString step = QStringLiteral("Undo: Show and hide segments");
+        const QString step = QStringLiteral("Undo: Hide 3 segments");
         const QString before = QStringLiteral("Undo: Add segment 'S4'");
         QTRY_COMPARE(undo.text(), before);
         const auto position = fixture.session().history().position();
@@ -265,7 +265,7 @@ private Q_SLOTS:
         QCOMPARE(fixture.shown(), (QList<int>{1, 2, 3, 4}));
         QCOMPARE(fixture.session().history().position(), position);
         QCOMPARE(undo.text(), before);
-        QCOMPARE(redo.text(), QStringLiteral("Redo: Show and hide segments"));
+        QCOMPARE(redo.text(), QStringLiteral("Redo: Hide 3 segments"));
         fixture.action("edit.redo").trigger();
         QCOMPARE(fixture.shown(), (QList<int>{4}));
         fixture.action("edit.undo").trigger();
@@ -290,7 +290,7 @@ private Q_SLOTS:
         fixture.clickEye(0);
         fixture.workspace.viewSteps().change(clip);
         fixture.clickEye(1);
-        QCOMPARE(undo.text(), QStringLiteral("Undo: Show and hide segments"));
+        QCOMPARE(undo.text(), QStringLiteral("Undo: Hide 'S2'"));
         fixture.action("edit.undo").trigger();
         QCOMPARE(fixture.shown(), (QList<int>{2, 3, 4}));
         QVERIFY(fixture.workspace.clip() == clip);
@@ -308,9 +308,73 @@ private Q_SLOTS:
         fixture.action("edit.undo").trigger();
         fixture.settle();
         QCOMPARE(fixture.shown(), (QList<int>{2, 3, 4}));
-        QTRY_COMPARE(undo.text(), QStringLiteral("Undo: Show and hide segments"));
+        QTRY_COMPARE(undo.text(), QStringLiteral("Undo: Hide 'S1'"));
         fixture.action("edit.undo").trigger();
         QCOMPARE(fixture.shown(), (QList<int>{1, 2, 3, 4}));
+    }
+
+    /// However many steps came since: undo takes back what was done last, each in its turn, and
+    /// redo brings it back in the same order.
+    void eyesBetweenStepsAreTakenBackInTheirTurn()
+    {
+        Fixture fixture(test::smallStudy(), 2);
+        const auto trigger = [&fixture](const char* id) {
+            fixture.action(id).trigger();
+            fixture.settle();
+        };
+        const auto segments = [&fixture] { return fixture.session().document().segments.size(); };
+        fixture.clickEye(0);
+        fixture.apply(test::newSegment(QStringLiteral("S3")));
+        fixture.clickEye(1);
+        fixture.clickEye(0);
+        fixture.apply(test::newSegment(QStringLiteral("S4")));
+        QCOMPARE(fixture.shown(), (QList<int>{1, 3, 4}));
+        const QAction& undo = fixture.action("edit.undo");
+        QTRY_COMPARE(undo.text(), QStringLiteral("Undo: Add segment 'S4'"));
+        trigger("edit.undo");
+        QTRY_COMPARE(undo.text(), QStringLiteral("Undo: Show and hide segments"));
+        trigger("edit.undo");
+        QCOMPARE(fixture.shown(), (QList<int>{2, 3}));
+        QTRY_COMPARE(undo.text(), QStringLiteral("Undo: Add segment 'S3'"));
+        trigger("edit.undo");
+        QCOMPARE(segments(), std::size_t(2));
+        QTRY_COMPARE(undo.text(), QStringLiteral("Undo: Hide 'S1'"));
+        trigger("edit.undo");
+        QCOMPARE(fixture.shown(), (QList<int>{1, 2}));
+        const QAction& redo = fixture.action("edit.redo");
+        QCOMPARE(redo.text(), QStringLiteral("Redo: Hide 'S1'"));
+        trigger("edit.redo");
+        QCOMPARE(fixture.shown(), (QList<int>{2}));
+        trigger("edit.redo");
+        QCOMPARE(segments(), std::size_t(3));
+        QTRY_COMPARE(redo.text(), QStringLiteral("Redo: Show and hide segments"));
+        trigger("edit.redo");
+        QCOMPARE(fixture.shown(), (QList<int>{1, 3}));
+        QTRY_COMPARE(redo.text(), QStringLiteral("Redo: Add segment 'S4'"));
+        // Who does something else instead has given up what was undone.
+        trigger("edit.undo");
+        fixture.apply(test::newSegment(QStringLiteral("Other")));
+        trigger("edit.undo");
+        QTRY_COMPARE(redo.text(), QStringLiteral("Redo: Add segment 'Other'"));
+    }
+
+    /// A clip that was set since is none of an eye's business.
+    void anEyeTakesBackNothingElse()
+    {
+        Fixture fixture(test::smallStudy(), 2);
+        core::ClipRegion clip = fixture.workspace.clip();
+        clip.box.on = true;
+        clip.box.maximum.x -= 5.0;
+        fixture.clickEye(0);
+        const core::RowId row = fixture.session().history().position();
+        fixture.apply(test::newSegment(QStringLiteral("S3")));
+        fixture.workspace.viewSteps().change(clip);
+        fixture.clickEye(1);
+        QVERIFY(fixture.session().goTo(row));
+        fixture.settle();
+        fixture.action("edit.undo").trigger();
+        QVERIFY(fixture.workspace.clip() == clip);
+        QCOMPARE(fixture.shown(), (QList<int>{1}));
     }
 
     /// Eyes before and after a step of the history that was taken back are two steps.
@@ -322,7 +386,7 @@ private Q_SLOTS:
         fixture.apply(test::newSegment(QStringLiteral("Later")));
         fixture.action("edit.undo").trigger();
         fixture.settle();
-        QTRY_COMPARE(undo.text(), QStringLiteral("Undo: Show and hide segments"));
+        QTRY_COMPARE(undo.text(), QStringLiteral("Undo: Hide 'S1'"));
         fixture.clickEye(1);
         QCOMPARE(fixture.shown(), (QList<int>{3, 4}));
         fixture.action("edit.undo").trigger();

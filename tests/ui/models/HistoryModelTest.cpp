@@ -7,6 +7,7 @@
 #include "tests/support/fixtures/WorkspaceFixture.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/PlainEdits.h"
+#include "ui/workspace/ViewSteps.h"
 
 #include <QAbstractItemModelTester>
 #include <QRandomGenerator>
@@ -302,6 +303,73 @@ private Q_SLOTS:
             QCOMPARE(mixed.summary(), unfolded.summary());
         }
         QVERIFY(core::branchesOf(history).size() > 20);
+    }
+
+    /// Clicks of eyes without anything between them are one row, and so is a clip. They lie on the
+    /// current line after the row at which they were made, and have no rows of the session.
+    void changesOfTheViewStandUnderTheirRow()
+    {
+        WorkspaceFixture fixture;
+        HistoryModel model(fixture.workspace);
+        QAbstractItemModelTester tester(
+            &model, QAbstractItemModelTester::FailureReportingMode::QtTest);
+        ui::ViewSteps& view = fixture.workspace.viewSteps();
+        const auto data = [&model](int row, int role) { return model.index(row).data(role); };
+        fixture.apply(test::newSegment(QStringLiteral("A"), 1));
+        fixture.apply(test::newSegment(QStringLiteral("B"), 2));
+        view.showSegment(1, false);
+        QCOMPARE(model.rowCount(), 4);
+        QCOMPARE(names(model)[3], QStringLiteral("Hide 'A'"));
+        view.showSegment(2, false);
+        QCOMPARE(model.rowCount(), 4);
+        QCOMPARE(names(model)[3], QStringLiteral("Hide 2 segments"));
+        QCOMPARE(model.currentRow(), 3);
+        QCOMPARE(model.linePosition(), 2);
+        QCOMPARE(rowOf(model.index(3)), core::RowId(2));
+        QCOMPARE(data(3, HistoryModel::ViewStepRole).toInt(), 1);
+        QCOMPARE(data(2, HistoryModel::ViewStepRole).toInt(), 0);
+        QVERIFY(
+            data(3, HistoryModel::LastRole).toBool() && !data(2, HistoryModel::LastRole).toBool());
+        QCOMPARE(fixture.session().history().rows().size(), std::size_t(2));
+        QCOMPARE(model.line(), (std::vector<core::RowId>{0, 1, 2}));
+
+        core::ClipRegion clip = fixture.workspace.clip();
+        clip.box.on = true;
+        view.change(clip);
+        QCOMPARE(names(model)[4], QStringLiteral("Clip"));
+        fixture.apply(test::newSegment(QStringLiteral("C"), 3));
+        QCOMPARE(model.rowCount(), 6);
+        QVERIFY(names(model)[5].contains(QStringLiteral("'C'")));
+        QCOMPARE(model.currentRow(), 5);
+        QCOMPARE(rowOf(model.indexOnLine(2)), core::RowId(2));
+        QCOMPARE(model.indexOnLine(3).row(), 5);
+
+        QVERIFY(fixture.session().undo());
+        fixture.settle();
+        QCOMPARE(model.currentRow(), 4);
+        QVERIFY(!data(4, HistoryModel::UndoneRole).toBool());
+        QVERIFY(data(5, HistoryModel::UndoneRole).toBool());
+        view.undo();
+        QCOMPARE(model.currentRow(), 3);
+        QVERIFY(data(4, HistoryModel::UndoneRole).toBool());
+        view.goTo(0);
+        QCOMPARE(model.currentRow(), 2);
+        QVERIFY(data(3, HistoryModel::UndoneRole).toBool());
+        view.goTo(1);
+        QCOMPARE(model.currentRow(), 3);
+
+        // What was undone goes when something else is done, and the old future is a branch below.
+        fixture.apply(test::newSegment(QStringLiteral("D"), 4));
+        QCOMPARE(model.rowCount(), 6);
+        QCOMPARE(names(model)[3], QStringLiteral("Hide 2 segments"));
+        QVERIFY(isHeading(model.index(4)));
+        QVERIFY(names(model)[5].contains(QStringLiteral("'D'")));
+        QCOMPARE(model.currentRow(), 5);
+        // Eyes that come to nothing leave none.
+        view.showSegment(1, true);
+        QCOMPARE(names(model)[6], QStringLiteral("Show 'A'"));
+        view.showSegment(1, false);
+        QCOMPARE(model.rowCount(), 6);
     }
 
     void isEmptyWithoutAStudy()

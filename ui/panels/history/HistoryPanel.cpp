@@ -8,6 +8,7 @@
 #include "ui/panels/history/HistoryTimeline.h"
 #include "ui/panels/history/StrokeRevision.h"
 #include "ui/workspace/Pieces.h"
+#include "ui/workspace/ViewSteps.h"
 #include "ui/workspace/Workspace.h"
 
 #include <QKeyEvent>
@@ -22,6 +23,16 @@ namespace {
 constexpr int rowsBesideTimeline = 4;
 constexpr int leastRows = 6;
 constexpr int timelineHeight = 40;
+
+core::RowId rowOf(const QModelIndex& index)
+{
+    return core::RowId(index.data(HistoryModel::RowIdRole).toLongLong());
+}
+
+int viewStepOf(const QModelIndex& index)
+{
+    return index.data(HistoryModel::ViewStepRole).toInt();
+}
 
 } // namespace
 
@@ -70,9 +81,9 @@ QString HistoryPanel::summary() const
 
 void HistoryPanel::followPosition(int row)
 {
-    std::optional<core::RowId> position;
+    std::optional<std::pair<core::RowId, int>> position;
     if (row >= 0)
-        position = core::RowId(m_model->index(row).data(HistoryModel::RowIdRole).toLongLong());
+        position.emplace(rowOf(m_model->index(row)), viewStepOf(m_model->index(row)));
     // What is only written to the list later (sizes, names) leaves it where the user looks, and
     // what the timeline passes on its way where its handle is.
     if (position && position != m_shownPosition && !m_timeline->isScrubbing())
@@ -126,7 +137,9 @@ void HistoryPanel::goTo(const QModelIndex& index)
     core::EditSession* session = m_workspace.session();
     if (!session || !index.isValid())
         return;
-    const auto row = core::RowId(index.data(HistoryModel::RowIdRole).toLongLong());
+    const core::RowId row = rowOf(index);
+    if (row == session->history().position() && !index.data(HistoryModel::HeadingRole).toBool())
+        m_workspace.viewSteps().goTo(viewStepOf(index));
     if (const auto gone = session->goTo(row); !gone)
         m_workspace.fail(gone.error());
 }
@@ -136,8 +149,7 @@ void HistoryPanel::undoOnly(const QModelIndex& index)
     core::EditSession* session = m_workspace.session();
     if (!session || !index.isValid())
         return;
-    const auto row = core::RowId(index.data(HistoryModel::RowIdRole).toLongLong());
-    if (const auto applied = session->apply(core::RevertRows{{row}}); !applied)
+    if (const auto applied = session->apply(core::RevertRows{{rowOf(index)}}); !applied)
         m_workspace.fail(applied.error());
 }
 
@@ -180,7 +192,8 @@ void HistoryPanel::showMenu(const QPoint& position)
             ->setEnabled(!current);
         menu.addAction(tr("Undo only this step"), this, [this, index] { undoOnly(index); })
             ->setEnabled(changedVoxels && done);
-        addStrokeActions(menu, core::RowId(index.data(HistoryModel::RowIdRole).toLongLong()));
+        if (viewStepOf(index) == 0)
+            addStrokeActions(menu, rowOf(index));
     }
     menu.exec(m_view->viewport()->mapToGlobal(position));
 }

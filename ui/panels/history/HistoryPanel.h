@@ -5,6 +5,7 @@
 #include "ui/frame/Panel.h"
 
 #include <optional>
+#include <utility>
 
 class QListView;
 class QMenu;
@@ -18,7 +19,8 @@ class StrokeRevision;
 class Workspace;
 
 /// The panel of the history: all steps, oldest first, with abandoned futures as branches that
-/// unfold (by a click on the arrow, or Right and Left). A double click or Return goes to a step.
+/// unfold (by a click on the arrow, or Right and Left), and what was changed of the view between
+/// them. A double click or Return goes to a step.
 /// The menu of a row also undoes that step alone, and changes or removes a stroke out of order.
 /// Below, the timeline moves along the current line.
 class HistoryPanel : public Panel {
@@ -50,8 +52,8 @@ private:
     QListView* m_view = nullptr;
     HistoryTimeline* m_timeline = nullptr;
     StrokeRevision* m_revision = nullptr;
-    /// The position to which the list was last scrolled.
-    std::optional<core::RowId> m_shownPosition;
+    /// The position to which the list was last scrolled: a row, and a change of the view there.
+    std::optional<std::pair<core::RowId, int>> m_shownPosition;
 };
 
 } // namespace ui

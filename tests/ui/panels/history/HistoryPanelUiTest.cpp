@@ -14,6 +14,7 @@
 #include "ui/panels/history/HistoryDelegate.h"
 #include "ui/panels/history/HistoryPanel.h"
 #include "ui/panels/history/HistoryTimeline.h"
+#include "ui/workspace/ViewSteps.h"
 
 #include <QApplication>
 #include <QDir>
@@ -73,6 +74,37 @@ private Q_SLOTS:
         QVERIFY(session.settle());
         QCOMPARE(session.history().position(), core::RowId(1));
         QCOMPARE(enabledIn(list, 2), QStringList{tr("Go to this step")}); // undone
+    }
+
+    /// A double click goes to what was shown then, before and after.
+    void changesOfTheViewAreWalkedTo()
+    {
+        Panel panel;
+        panel.applyAll({test::addSegment("Brain"), test::addSegment("Skull")});
+        panel.fixture.workspace.viewSteps().showSegment(1, false);
+        panel.fixture.workspace.viewSteps().showSegment(2, false);
+        QCoreApplication::sendPostedEvents(); // layouts are posted events
+        const auto shown = [&panel](int label) {
+            return panel.session().document().segment(label)->visible;
+        };
+        QCOMPARE(panel.index(3).data().toString(), QStringLiteral("Hide 2 segments"));
+        QCOMPARE(enabledIn(panel.list, 3), QStringList{});
+        panel.doubleClick(2);
+        panel.settle();
+        QVERIFY(shown(1) && shown(2));
+        QCOMPARE(panel.polledPosition(), core::RowId(2));
+        QCOMPARE(enabledIn(panel.list, 3), QStringList{tr("Go to this step")});
+        panel.doubleClick(3);
+        panel.settle();
+        QVERIFY(!shown(1) && !shown(2));
+        QCOMPARE(panel.polledPosition(), core::RowId(2));
+        QCOMPARE(panel.session().history().rows().size(), std::size_t(2));
+        // Under another step it leads to that step, and leaves what is shown.
+        panel.goTo(1);
+        panel.doubleClick(3);
+        panel.settle();
+        QCOMPARE(panel.polledPosition(), core::RowId(2));
+        QVERIFY(!shown(1) && !shown(2));
     }
 
     void aStrokeIsChangedAndRemovedOutOfOrder()
