@@ -9,6 +9,7 @@
 #include "tests/support/cases/SurfaceCases.h"
 #include "tests/support/faults/FailingLog.h"
 #include "tests/support/fixtures/Pen.h"
+#include "tests/support/fixtures/PointerStroke.h"
 #include "tests/support/fixtures/WindowFixture.h"
 #include "tests/support/fixtures/WorkspaceFixture.h"
 #include "tests/support/program/TestProgram.h"
@@ -128,6 +129,11 @@ public:
     void click(View& where, const glm::dvec3& lps, Qt::KeyboardModifiers keys = Qt::NoModifier)
     {
         QTest::mouseClick(&where, Qt::LeftButton, keys, at(where, lps).toPoint());
+        settle();
+    }
+    template <class View> void click(test::DrawnBy by, View& where, const glm::dvec3& lps)
+    {
+        test::drawStroke(by, where, {at(where, lps).toPoint()});
         settle();
     }
     [[nodiscard]] ui::Chunks::Chunk chunkAt(const glm::dvec3& lps)
@@ -446,8 +452,10 @@ private Q_SLOTS:
         QVERIFY(!bar->isVisibleTo(&fixture.panel));
     }
 
+    void aClickOnASliceIsTheEditOfARecipe_data() { test::addMouseAndPen(); }
     void aClickOnASliceIsTheEditOfARecipe()
     {
+        QFETCH(const test::DrawnBy, by);
         ChunkFixture fixture;
         fixture.divide(few);
         const std::int64_t before = fixture.voxels();
@@ -457,7 +465,7 @@ private Q_SLOTS:
         const core::ChunkToggle expected{.segment = 1,
             .chunks = few,
             .pointsLps = {geometry.toWorld(glm::round(geometry.toIndex(lps)))}};
-        fixture.click(fixture.slice, inBone);
+        fixture.click(by, fixture.slice, inBone);
         const core::ChunkToggle* click = fixture.lastClick();
         QVERIFY(click);
         core::ChunkToggle without = *click;
@@ -473,7 +481,7 @@ private Q_SLOTS:
         QCOMPARE(other.session().stateHash(), fixture.session().stateHash());
 
         // Once more, and it goes.
-        fixture.click(fixture.slice, inBone);
+        fixture.click(by, fixture.slice, inBone);
         QCOMPARE(fixture.voxels(), before);
         QCOMPARE(fixture.session().history().rows().size(), std::size_t(4));
     }
@@ -562,8 +570,10 @@ private Q_SLOTS:
             qPrintable(QString::number(own.x)));
     }
 
+    void chunksAreTakenWhereSegmentsAloneAreShown_data() { test::addMouseAndPen(); }
     void chunksAreTakenWhereSegmentsAloneAreShown()
     {
+        QFETCH(const test::DrawnBy, by);
         ChunkFixture fixture;
         fixture.divide(few);
         ui::Workspace::VolumeDisplay display = fixture.workspace.volumeDisplay();
@@ -571,9 +581,14 @@ private Q_SLOTS:
         fixture.workspace.setVolumeDisplay(display);
         QCoreApplication::processEvents();
         const std::int64_t before = fixture.voxels();
-        fixture.click(fixture.view, inVentricle);
+        const std::size_t rows = fixture.rows();
+        fixture.click(by, fixture.view, inVentricle);
+        QCOMPARE(fixture.rows(), rows + 1);
         QVERIFY(fixture.lastClick());
         QVERIFY(fixture.voxels() != before);
+        QVERIFY(fixture.session().undo());
+        fixture.settle();
+        QCOMPARE(fixture.voxels(), before);
     }
 
     void ctrlAndTheEraserOnlyTake()
