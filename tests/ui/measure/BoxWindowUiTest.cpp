@@ -2,6 +2,7 @@
 #include "ui/measure/BoxWindow.h"
 
 #include "core/session/EditSession.h"
+#include "tests/support/fixtures/PointerStroke.h"
 #include "tests/support/fixtures/WindowFixture.h"
 #include "tests/support/program/TestProgram.h"
 #include "ui/base/Actions.h"
@@ -61,6 +62,12 @@ public:
         QTest::mouseRelease(&view, button, keys, to);
         settle();
     }
+    /// With the left button, or with a pen.
+    void draw(test::DrawnBy by, ui::SliceView& view, const QPoint& from, const QPoint& to)
+    {
+        test::drawStroke(by, view, {from, QPointF(from + to) / 2.0, to});
+        settle();
+    }
     /// Until what was drawn is read.
     void settle()
     {
@@ -96,6 +103,7 @@ private Q_SLOTS:
     void theValuesInTheBoxSetTheGreyScale();
     void fewExtremeValuesDecideNothing();
     void itWorksWithAToolAndOnATurnedSlice();
+    void theLeftButtonDrawsOneBoxAfterTheMenu_data() { test::addMouseAndPen(); }
     void theLeftButtonDrawsOneBoxAfterTheMenu();
     void nothingHappensWhereThereIsNothingToSee();
     void itCanBeGivenUp();
@@ -150,6 +158,7 @@ void BoxWindowUiTest::itWorksWithAToolAndOnATurnedSlice()
 
 void BoxWindowUiTest::theLeftButtonDrawsOneBoxAfterTheMenu()
 {
+    QFETCH(const test::DrawnBy, by);
     Fixture fixture;
     CountingTool tool;
     fixture.workspace.setActiveTool(&tool);
@@ -160,12 +169,12 @@ void BoxWindowUiTest::theLeftButtonDrawsOneBoxAfterTheMenu()
     QVERIFY(!fixture.said.isEmpty());
     const QPoint from = fixture.at(axial, {19.6, 12.6, 20.0});
     const QPoint to = fixture.at(axial, {29.4, 33.4, 20.0});
-    fixture.drag(axial, Qt::LeftButton, {}, from, to);
+    fixture.draw(by, axial, from, to);
     QCOMPARE(fixture.workspace.windowLevel(), fixture.between(20, 29));
     QCOMPARE(tool.presses, 0);
     // Then the button is the tool's again.
     QVERIFY(!action.isChecked());
-    fixture.drag(axial, Qt::LeftButton, {}, from, to);
+    fixture.draw(by, axial, from, to);
     QCOMPARE(tool.presses, 1);
     QCOMPARE(fixture.workspace.windowLevel(), fixture.between(20, 29));
     fixture.workspace.setActiveTool(nullptr);

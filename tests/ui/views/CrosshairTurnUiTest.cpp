@@ -2,6 +2,7 @@
 #include "core/session/EditSession.h"
 #include "core/session/questions/VoxelQuestions.h"
 #include "tests/support/fixtures/Pen.h"
+#include "tests/support/fixtures/PointerStroke.h"
 #include "tests/support/fixtures/WindowFixture.h"
 #include "tests/support/fixtures/WorkspaceFixture.h"
 #include "tests/support/program/TestProgram.h"
@@ -64,6 +65,17 @@ void dragAround(
     QCoreApplication::processEvents();
 }
 
+/// The same with a mouse or a pen.
+void dragAround(test::DrawnBy by, SliceView& view, const QPoint& from, double degrees)
+{
+    std::vector<QPointF> way;
+    constexpr int steps = 8;
+    for (int step = 0; step <= steps; ++step)
+        way.push_back(turned(view, from, degrees * step / steps));
+    test::drawStroke(by, view, way);
+    QCoreApplication::processEvents();
+}
+
 /// A direction turned about the feet-head axis, from the patient's left towards the back.
 glm::dvec3 turnedAboutZ(const glm::dvec3& direction, double degrees)
 {
@@ -78,6 +90,7 @@ class CrosshairTurnUiTest : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
+    void aRingTurnsTheOtherTwo_data() { test::addMouseAndPen(); }
     void aRingTurnsTheOtherTwo();
     void withCtrlItTurnsOneAlone();
     void theLineFollowsThePointerHoweverTheSliceLies();
@@ -90,6 +103,7 @@ private Q_SLOTS:
 
 void CrosshairTurnUiTest::aRingTurnsTheOtherTwo()
 {
+    QFETCH(const test::DrawnBy, by);
     test::WindowFixture fixture(test::headFirstSupine());
     ui::ViewGrid& grid = fixture.window.views();
     const core::WindowLevel window = fixture.workspace.windowLevel();
@@ -98,7 +112,7 @@ void CrosshairTurnUiTest::aRingTurnsTheOtherTwo()
     const gpu::SliceScene coronal = sceneOf(fixture, grid.coronal());
     const gpu::SliceScene sagittal = sceneOf(fixture, grid.sagittal());
     // The coronal slice is seen as the line to the right.
-    dragAround(grid.axial(), ringAt(grid.axial(), {1.0, 0.0}), 30.0);
+    dragAround(by, grid.axial(), ringAt(grid.axial(), {1.0, 0.0}), 30.0);
     const auto isTurned = [](const gpu::SliceScene& now, const gpu::SliceScene& before) {
         return glm::length(now.rightLps - turnedAboutZ(before.rightLps, 30.0)) < 1e-6
             && glm::length(now.downLps - turnedAboutZ(before.downLps, 30.0)) < 1e-6;
