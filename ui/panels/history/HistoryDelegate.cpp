@@ -17,6 +17,7 @@ namespace {
 constexpr double indent = 18.0;
 constexpr int deepest = 4; ///< deeper branches are drawn like these: the panel is narrow
 constexpr double beadRadius = 4.0;
+constexpr double viewBeadRadius = 2.5; ///< of what is no step, but a way of viewing
 constexpr int arrowSize = 14;
 constexpr double strokeWidth = 1.5;
 
@@ -69,7 +70,10 @@ void drawBead(QPainter& painter, const QPointF& at, const QModelIndex& index)
             : current       ? theme::accent
             : undone        ? theme::faint
                             : theme::secondary);
-    const double radius = branch ? beadRadius - strokeWidth / 2.0 : beadRadius;
+    const bool view = index.data(HistoryModel::ViewStepRole).toInt() > 0;
+    const double radius = view ? viewBeadRadius
+        : branch               ? beadRadius - strokeWidth / 2.0
+                               : beadRadius;
     painter.drawEllipse(at, radius, radius);
 }
 

@@ -6,8 +6,9 @@
 namespace ui {
 
 /// Draws a row of the history: a bead on the line, the name, and a detail at the right. Undone rows
-/// are faint. Branches stand to the right of the line from which they fork off, on a side line that
-/// begins at their heading's arrow; a click on the arrow folds and unfolds them.
+/// are faint, and the bead of a way of viewing is smaller. Branches stand to the right of the line
+/// from which they fork off, on a side line that begins at their heading's arrow; a click on the
+/// arrow folds and unfolds them.
 class HistoryDelegate : public QStyledItemDelegate {
     Q_OBJECT
 

@@ -130,9 +130,9 @@ struct Case {
     std::function<bool(const core::Edit&)> isMade;
 };
 
-template <class Kind> bool isA(const core::Edit& edit)
+template <class Made> bool isA(const core::Edit& edit)
 {
-    return edit.is<Kind>();
+    return edit.is<Made>();
 }
 
 ui::ImageView& inSlice(HandFixture& fixture)
