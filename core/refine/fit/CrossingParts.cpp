@@ -243,7 +243,7 @@ Result<LaidAnew> layCrossingsAnew(
         if (!voxels)
             return tl::unexpected(voxels.error());
         const Result<MeasuredFit> fit =
-            measuredFit(*voxels, geometry, chosen.vertices(), progress, true);
+            measuredFit(*voxels, geometry, chosen.vertices(), progress, {.keepsApart = true});
         if (!fit)
             return tl::unexpected(fit.error());
         const std::vector<SurfaceMark> marks =
