@@ -13,6 +13,7 @@
 
 #include <array>
 #include <cstdint>
+#include <numeric>
 #include <optional>
 #include <set>
 
@@ -93,6 +94,7 @@ private Q_SLOTS:
     void anyErrorIsRefused();
     void aSessionGoesOn_data();
     void aSessionGoesOn();
+    void aVolumeThatDoesNotFit_data();
     void aVolumeThatDoesNotFit();
     void aPlaceIsMetAgain();
     void aVolumeThatIsTooLong();
@@ -291,29 +293,45 @@ void RefusedMemoryGlTest::aSessionGoesOn()
     QCOMPARE(history.done[mask] > 0, imports);
 }
 
+void RefusedMemoryGlTest::aVolumeThatDoesNotFit_data()
+{
+    QTest::addColumn<bool>("taken");
+    QTest::newRow("codes that are lent") << false;
+    QTest::newRow("codes that are given away") << true;
+}
+
 void RefusedMemoryGlTest::aVolumeThatDoesNotFit()
 {
-    const std::vector<std::uint16_t> codes(std::size_t(24 * 24 * 24), 7);
+    QFETCH(bool, taken);
+    const glm::ivec3 size(24, 24, 40); // so that codes are given back before textures are refused
+    std::vector<std::uint16_t> codes(std::size_t(size.x * size.y * size.z));
+    std::iota(codes.begin(), codes.end(), std::uint16_t(0));
+    const auto open = [&] {
+        return taken ? m_gpu.engine().takeVolume(size, codes)
+                     : m_gpu.engine().openVolume(size, codes);
+    };
     int calls = 0;
     {
         const RefusingGl counting(0);
-        QVERIFY(m_gpu.engine().openVolume({24, 24, 24}, codes));
+        QVERIFY(open());
         calls = counting.calls();
     }
     QVERIFY(calls >= 8);
     for (int first = 1; first <= calls; ++first) {
         {
             const RefusingGl refusing(first);
-            const auto opened = m_gpu.engine().openVolume({24, 24, 24}, codes);
+            const auto opened = open();
             QVERIFY(!opened);
             QCOMPARE(opened.error().code, ErrorCode::OutOfMemory);
         }
         // Nothing is open, and that is said.
         m_gpu.engine().submit(ReadBricks{{{Field::Labels, 0, 0}}});
         QVERIFY(test::lastResult(m_gpu.engine()).error);
-        QVERIFY(m_gpu.engine().openVolume({24, 24, 24}, codes));
-        m_gpu.engine().submit(ReadBricks{{{Field::Labels, 0, 0}}});
-        QVERIFY(!test::lastResult(m_gpu.engine()).error);
+        QVERIFY(open());
+        m_gpu.engine().submit(ReadCodes{.box = {glm::ivec3(0), size}});
+        const EngineResult read = test::lastResult(m_gpu.engine());
+        QVERIFY(!read.error);
+        QVERIFY(read.codes == codes);
     }
 }
 
