@@ -1,11 +1,12 @@
 #!/usr/bin/env bash
 # Runs tests again and again, several at a time and beside programs that only compute: what goes
 # wrong once in a hundred runs (two threads, memory that is given back twice as a window closes) does
-# so here, and is counted. The counts are those of every day.
+# so here, and is counted. Only tests of every day are run, and they do no more than they do then.
 #   packaging/repeat.sh REGEX            each class whose name matches, 100 times
 #   packaging/repeat.sh --times N REGEX  N times
 #   packaging/repeat.sh --at-once K …    K of them at a time (otherwise two a processor)
 #   packaging/repeat.sh --load L …       beside L programs that only compute (otherwise one a processor)
+#                                        unless there is one run of each, which has nothing beside it
 #   packaging/repeat.sh --memcheck …     under valgrind: memory that is used after its end, past its
 #                                        bounds or before it has a value is a run that failed. Runs are
 #                                        some thirty times as slow; without --times there is one of each

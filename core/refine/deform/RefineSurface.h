@@ -9,7 +9,7 @@
 namespace core {
 
 /// Limits for the number of vertices that is chosen automatically (MeasuredFit.h): fewer would be
-/// too coarse for the tools, and more would keep one waiting for minutes.
+/// too coarse for the tools, and with more laying would take too long to wait for.
 constexpr int leastVertices = 10'000;
 constexpr int mostVertices = 400'000;
 /// The most for surfaces that were laid by older rules (edits/kinds/surface/parts/SurfaceRules.h).
