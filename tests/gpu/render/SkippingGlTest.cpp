@@ -116,9 +116,15 @@ class SkippingGlTest : public test::GlTest {
         return clip;
     }
 
-    static void sculpt(test::FrameFixture& fixture)
+    enum class Sculpted { Nothing, Cuts, CutsAndSegment };
+
+    static void sculpt(test::FrameFixture& fixture, Sculpted sculpted)
     {
+        if (sculpted == Sculpted::Nothing)
+            return;
         fixture.fill(VolumeField::Radiation, {{20, 5, 12}, {33, 40, 30}}, 255);
+        if (sculpted == Sculpted::Cuts)
+            return;
         const core::VoxelBox box{{8, 20, 16}, {17, 27, 25}};
         fixture.fill(VolumeField::Labels, box, 1);
         fixture.fill(VolumeField::Segmentation, box, 255);
@@ -162,7 +168,7 @@ class SkippingGlTest : public test::GlTest {
     static void addColumns()
     {
         QTest::addColumn<int>("mode");
-        QTest::addColumn<bool>("sculpted");
+        QTest::addColumn<int>("sculpted"); // Sculpted
         QTest::addColumn<bool>("clipped");
         QTest::addColumn<bool>("pieces");
         QTest::addColumn<int>("context");
@@ -173,30 +179,31 @@ private Q_SLOTS:
     {
         addColumns();
         for (const bool clipped : {false, true}) {
-            for (const bool sculpted : {false, true}) {
-                const char* how = clipped ? (sculpted ? ", sculpted, clipped" : ", clipped")
-                    : sculpted            ? ", sculpted"
-                                          : "";
+            const char* clip = clipped ? ", clipped" : "";
+            for (const Sculpted sculpted :
+                {Sculpted::Nothing, Sculpted::Cuts, Sculpted::CutsAndSegment}) {
+                const char* how = sculpted == Sculpted::Nothing ? ""
+                    : sculpted == Sculpted::Cuts                ? ", cut"
+                                                                : ", sculpted";
                 const auto row = [&](const char* name, RenderMode mode) {
-                    QTest::addRow("%s%s", name, how)
-                        << int(mode) << sculpted << clipped << false << int(Context::Opaque);
+                    QTest::addRow("%s%s%s", name, how, clip)
+                        << int(mode) << int(sculpted) << clipped << false << int(Context::Opaque);
                 };
                 row("surface", RenderMode::Surface);
                 row("DVR", RenderMode::Dvr);
                 row("MIP", RenderMode::Mip);
                 row("X-ray", RenderMode::Xray);
             }
-            const char* how = clipped ? ", pieces, clipped" : ", pieces";
             for (int mode = 0; mode < int(renderModes); ++mode)
-                QTest::addRow("mode %d%s", mode, how)
-                    << mode << false << clipped << true << int(Context::Opaque);
+                QTest::addRow("mode %d, pieces%s", mode, clip)
+                    << mode << int(Sculpted::Nothing) << clipped << true << int(Context::Opaque);
         }
     }
 
     void leavesNothingOut()
     {
         QFETCH(int, mode);
-        QFETCH(bool, sculpted);
+        QFETCH(int, sculpted);
         QFETCH(bool, clipped);
         QFETCH(bool, pieces);
         QFETCH(int, context);
@@ -206,8 +213,9 @@ private Q_SLOTS:
         const glm::ivec2 size = pieces ? glm::ivec2(40, 34) : glm::ivec2(72, 60);
         SegmentDisplay segments;
         segments.rgb[1] = 0x4AA3FF;
-        segments.visible[1] = sculpted;
-        std::mt19937 random(unsigned(mode) * 2 + (sculpted ? 1 : 0) + 5);
+        segments.visible[1] = Sculpted(sculpted) == Sculpted::CutsAndSegment;
+        std::mt19937 random(
+            unsigned(mode) * 2 + (Sculpted(sculpted) != Sculpted::Nothing ? 1 : 0) + 5);
         const bool plain = !pieces && Context(context) == Context::Opaque;
         const int rounds = qEnvironmentVariableIsSet("BURIN_LONG") ? 40 : plain ? 5 : 2;
         int lit = 0;
@@ -216,8 +224,7 @@ private Q_SLOTS:
             const auto geometry = test::centredGeometry({45, 50, 38}, {1.0, 0.9, 1.3});
             for (test::FrameFixture* fixture : {&quick, &thorough}) {
                 fixture->open(geometry, matter);
-                if (sculpted)
-                    sculpt(*fixture);
+                sculpt(*fixture, Sculpted(sculpted));
                 if (pieces)
                     cutPieces(*fixture);
             }
@@ -258,14 +265,17 @@ private Q_SLOTS:
     {
         addColumns();
         const auto row = [](const char* name, RenderMode mode, bool clipped, bool pieces,
-                             Context context) {
-            QTest::newRow(name) << int(mode) << true << clipped << pieces << int(context);
+                             Context context, Sculpted sculpted = Sculpted::CutsAndSegment) {
+            QTest::newRow(name) << int(mode) << int(sculpted) << clipped << pieces << int(context);
         };
         row("alone", RenderMode::Surface, false, false, Context::Hidden);
         row("alone, clipped", RenderMode::Surface, true, false, Context::Hidden);
         row("alone, pieces", RenderMode::Surface, false, true, Context::Hidden);
         row("surface, translucent", RenderMode::Surface, false, false, Context::Translucent);
         row("surface, pieces", RenderMode::Surface, false, true, Context::Translucent);
+        row("MIP, translucent", RenderMode::Mip, false, false, Context::Translucent);
+        row("MIP, cut, translucent", RenderMode::Mip, false, false, Context::Translucent,
+            Sculpted::Cuts);
         row("DVR, cut away", RenderMode::Dvr, false, false, Context::CutAway);
         row("DVR, pieces, clipped", RenderMode::Dvr, true, true, Context::Translucent);
     }
