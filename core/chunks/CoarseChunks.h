@@ -14,8 +14,8 @@
 namespace core {
 
 /// Roughly what the chunks of a large box will be, known in a fraction of the time: pictures show
-/// it until the chunks themselves are there. The box is divided in cells of several voxels, each of
-/// which is taken for as its middle voxel. It decides no voxel. Immutable.
+/// it until the chunks themselves are there. The box is divided into cells of several voxels, each
+/// of which is treated as if all of it were like its middle voxel. It decides no voxel. Immutable.
 struct CoarseChunks {
     static constexpr std::int64_t mostCells = std::int64_t(1) << 21;
 
@@ -26,9 +26,10 @@ struct CoarseChunks {
     std::shared_ptr<const std::vector<std::uint16_t>> leaves;
     ChunkColours colours;
 
-    /// Divides in the smallest cells, of two voxels or more, of which there are no more than that.
-    /// Cost: that of ChunkTree::of() for the cells. Errors: as there.
+    /// Cells have as few voxels as @p most allows, but at least two along each axis. Cost: that of
+    /// ChunkTree::of() for the cells. Errors: as there.
     /// @param box where the source lies in the volume
+    /// @param most the greatest number of cells
     [[nodiscard]] static Result<CoarseChunks> of(const ChunkSource& source, const VoxelBox& box,
         const Progress& progress, std::int64_t most = mostCells);
 };
