@@ -94,6 +94,7 @@ private Q_SLOTS:
     void anyErrorIsRefused();
     void aSessionGoesOn_data();
     void aSessionGoesOn();
+    void changesAreReadInParts();
     void aVolumeThatDoesNotFit_data();
     void aVolumeThatDoesNotFit();
     void aPlaceIsMetAgain();
@@ -291,6 +292,47 @@ void RefusedMemoryGlTest::aSessionGoesOn()
     QVERIFY(refusing.refused() > 10);
     QVERIFY(done > 20);
     QCOMPARE(history.done[mask] > 0, imports);
+}
+
+/// What an edit has changed in thousands of bricks is read bit by bit before it is committed.
+void RefusedMemoryGlTest::changesAreReadInParts()
+{
+    const glm::ivec3 bricks(48, 43, 1); // more than make up one part
+    const glm::ivec3 size(16 * bricks.x, 16 * bricks.y, 1);
+    const std::vector<std::uint16_t> codes(std::size_t(size.x * size.y), 7);
+    int calls = 0;
+    int refused = 0;
+    int refusedEdits = 0;
+    std::size_t changed = 0;
+    const auto wrongWhereRefused = [&](int first) {
+        RefusingGl refusing(first);
+        WatchedEngine watched(m_gpu, refusing);
+        {
+            const RefusingGl::Pause pause(refusing);
+            if (!watched.openVolume(size, codes))
+                return QStringLiteral("no volume");
+        }
+        watched.submit(BeginEdit{LabelThreshold{.target = {.plane = 0, .label = 1}}});
+        watched.submit(EndEdit{Ending::Commit});
+        const std::vector<EngineResult> results = watched.collect();
+        calls = refusing.calls();
+        refused += refusing.refused();
+        refusedEdits += watched.refusedEdits;
+        changed = results.empty() ? 0 : results.back().changes.size();
+        return watched.lost > 0 ? QStringLiteral("the content is lost") : watched.found;
+    };
+    const QString wrong = wrongWhereRefused(0);
+    QVERIFY2(wrong.isEmpty(), qPrintable(wrong));
+    QCOMPARE(refusedEdits, 0);
+    QVERIFY(changed >= std::size_t(bricks.x * bricks.y));
+    const int asked = calls;
+    for (const int first : evenly(asked, test::longRun() ? 64 : 12)) {
+        const QString found = wrongWhereRefused(first);
+        QVERIFY2(found.isEmpty(),
+            qPrintable(QStringLiteral("call %1 of %2: %3").arg(first).arg(asked).arg(found)));
+    }
+    QVERIFY(refused > 0 && refusedEdits > 0);
+    qInfo("%d storages, %d refused: %d edits refused", asked, refused, refusedEdits);
 }
 
 void RefusedMemoryGlTest::aVolumeThatDoesNotFit_data()
