@@ -84,6 +84,7 @@ private Q_SLOTS:
         run(test::ballMask(geometry.size, 9.0));
     }
     void whoNamesNoneWritesNone();
+    void eachVersionKeepsItsRules();
     void whatCrossesIsNotWrittenBack();
     void whatCrossesIsLaidAnew();
     void aDragStopsBeforeTheWall();
@@ -124,6 +125,17 @@ void SurfaceRulesTest::whoNamesNoneWritesNone()
     const QJsonObject anew = editToJson(LaySurface{.segment = 1, .onlyCrossings = true});
     QVERIFY(anew.value(QLatin1String("onlyCrossings")).toBool());
     QCOMPARE(editToJson(*editFromJson(anew)), anew);
+}
+
+/// Rows of before are carried out by the rules that they name, whichever have come since.
+void SurfaceRulesTest::eachVersionKeepsItsRules()
+{
+    for (const SurfaceRules& first : {SurfaceRules(), SurfaceRules(1)})
+        QVERIFY(!keepsApart(first) && !laysFiner(first));
+    for (const int apart : {2, 3})
+        QVERIFY(keepsApart(apart) && !laysFiner(apart));
+    for (int finer = 4; finer <= newestSurfaceRules; ++finer)
+        QVERIFY(keepsApart(finer) && laysFiner(finer));
 }
 
 void SurfaceRulesTest::whatCrossesIsNotWrittenBack()
