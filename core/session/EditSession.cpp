@@ -221,6 +221,11 @@ Result<void> EditSession::endWork()
     return m_queue->endWork();
 }
 
+void EditSession::endUnheard()
+{
+    m_queue->endUnheard();
+}
+
 QByteArray EditSession::stateHash() const
 {
     const SessionState& state = m_queue->state();

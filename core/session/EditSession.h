@@ -33,8 +33,8 @@ class VoxelQuestions;
 /// results in the history and the session file.
 ///
 /// It owns the document and the history of one open volume; the engine is lent. At most one stroke
-/// is open at a time, and whoever began it ends it. Only settle(), endWork() and the destructor
-/// block. All members, including those of the parts, are called from one thread.
+/// is open at a time, and whoever began it ends it. Only settle(), endWork(), endUnheard() and
+/// the destructor block. All members, including those of the parts, are called from one thread.
 class EditSession {
 public:
     struct Options {
@@ -122,6 +122,9 @@ public:
     /// without a pen (closeOpen()), aborts work of minutes as the destructor does, and settles. If
     /// the disk does not take the last steps, listeners hear of it, and the session can go on.
     Result<void> endWork();
+    /// Does at once what the destructor would begin with: neither listeners nor whoever asked hear
+    /// of anything any more. Whether the disk took the last steps, SessionStorage::trouble() says.
+    void endUnheard();
     /// hex, of a settled session; core/session/README.md defines it
     [[nodiscard]] QByteArray stateHash() const;
 

@@ -144,9 +144,7 @@ std::optional<core::Error> Workspace::dropSession()
     m_retry.stop();
     std::optional<core::Error> lost;
     if (m_session) {
-        m_session->setListener({});
-        m_session->setErrorListener({});
-        static_cast<void>(m_session->endWork());
+        m_session->endUnheard();
         lost = m_session->storage().trouble();
     }
     m_session.reset();

@@ -53,6 +53,13 @@ OperationQueue::OperationQueue(EditEngine& engine, Volume volume, std::unique_pt
 
 OperationQueue::~OperationQueue()
 {
+    endUnheard();
+    if (m_wakeUp)
+        m_state.engine.setWakeUp({});
+}
+
+void OperationQueue::endUnheard()
+{
     m_listener = {};
     m_errorListener = {};
     m_answers.clear();
@@ -63,8 +70,6 @@ OperationQueue::~OperationQueue()
     });
     abortLongWork();
     static_cast<void>(settle());
-    if (m_wakeUp)
-        m_state.engine.setWakeUp({});
 }
 
 /// A smoothing with a large ball may have minutes to go, and nobody could abort it any more.

@@ -45,10 +45,13 @@ public:
     void waitForEngine() override;
     /// Blocks until nothing is left to do. @return the first failure since the last call
     Result<void> settle();
-    /// What the destructor begins with, while there is still somebody to be told: ends what stands
-    /// open without a pen, aborts work that a session which ends does not wait for (errors about
-    /// that are not told), and settles.
+    /// Like endUnheard(), while there is still somebody to be told: ends what stands open without a
+    /// pen, aborts work that a session which ends does not wait for (errors about that are not
+    /// told), and settles.
     Result<void> endWork();
+    /// What the destructor begins with, when nobody is to hear of anything any more: neither
+    /// listeners nor whoever asked.
+    void endUnheard();
 
     /// Blocks until the file holds all that it was given so far, or the disk does not take it; then
     /// reports that.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/steps/SessionFiles.h"
 #include "core/session/EditSession.h"
+#include "core/session/questions/VoxelQuestions.h"
 #include "core/sessionfile/SessionFile.h"
 #include "core/sessionfile/database/SessionUse.h"
 #include "core/sessionfile/records/RowText.h"
@@ -500,11 +501,14 @@ private Q_SLOTS:
         open(path("case/ct"));
         edit(test::drillAt(0));
         std::optional<core::Error> lost;
+        int heard = 0;
         {
             const test::FileSizeLimit limit(1);
             QVERIFY(session().apply(test::drillAt(3)));
+            session().questions().afterAll([&heard] { ++heard; });
             lost = workspace().dropSession();
         }
+        QCOMPARE(heard, 0); // whoever asked may be gone
         QVERIFY(lost);
         QCOMPARE(lost->code, core::ErrorCode::FileUnwritable);
         m_fixture->close();
