@@ -20,6 +20,11 @@ Document EditSession::foreseenDocument() const
     return m_queue->foreseen();
 }
 
+std::optional<RowId> EditSession::foreseenPosition() const
+{
+    return m_queue->foreseenPosition();
+}
+
 const Document& EditSession::document() const
 {
     return m_queue->state().document;

@@ -14,6 +14,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 
 namespace core {
 
@@ -66,6 +67,9 @@ public:
     /// The document after the edits that are waiting (undo and redo are not taken into account).
     [[nodiscard]] Document foreseenDocument() const;
     [[nodiscard]] const History& history() const;
+    /// Where the history will stand once the walks that are waiting or running have arrived. None:
+    /// an edit is under way that may become a row; previews are not.
+    [[nodiscard]] std::optional<RowId> foreseenPosition() const;
     [[nodiscard]] GrowthProgress growthProgress() const;
     [[nodiscard]] QString file() const; ///< empty: history in memory only
     [[nodiscard]] QString whyReadOnly() const; ///< why edits are refused; empty: they are allowed

@@ -51,7 +51,14 @@ ViewSteps::ViewSteps(Workspace& workspace)
 core::RowId ViewSteps::position() const
 {
     const core::EditSession* session = m_workspace.session();
-    return session ? session->history().position() : 0;
+    return session ? session->foreseenPosition().value_or(session->history().position()) : 0;
+}
+
+/// Whether an edit is under way, which undo would take back.
+bool ViewSteps::isEditing() const
+{
+    const core::EditSession* session = m_workspace.session();
+    return session && !session->foreseenPosition();
 }
 
 const ViewSteps::Walk* ViewSteps::here() const
@@ -114,10 +121,11 @@ void ViewSteps::hideOnly(const std::vector<int>& hidden)
 ViewSteps::Change& ViewSteps::begin(What what)
 {
     const core::RowId row = position();
+    const bool isBeside = isEditing();
     Walk& walk = m_walks[row];
-    if (m_open != what || m_openAt != row) {
+    if (m_open != what || m_openAt != row || walk.done.back().isBeside != isBeside) {
         closeStep();
-        walk.done.push_back({.what = what, .before = shown(), .after = {}});
+        walk.done.push_back({.what = what, .isBeside = isBeside, .before = shown(), .after = {}});
     }
     m_open = what;
     m_openAt = row;
@@ -253,7 +261,9 @@ ViewSteps::Step ViewSteps::named(const Change& change)
 std::optional<ViewSteps::Step> ViewSteps::undoable() const
 {
     const Walk* walk = here();
-    return walk && !walk->done.empty() ? std::optional(named(walk->done.back())) : std::nullopt;
+    if (!walk || walk->done.empty() || (isEditing() && !walk->done.back().isBeside))
+        return std::nullopt;
+    return named(walk->done.back());
 }
 
 std::optional<ViewSteps::Step> ViewSteps::redoable() const
@@ -264,8 +274,12 @@ std::optional<ViewSteps::Step> ViewSteps::redoable() const
 
 void ViewSteps::undo()
 {
-    if (!undoable())
-        return;
+    if (undoable())
+        takeBack();
+}
+
+void ViewSteps::takeBack()
+{
     closeStep();
     Walk& walk = m_walks[position()];
     const Change change = walk.done.back();
@@ -288,8 +302,8 @@ void ViewSteps::redo()
 
 void ViewSteps::goTo(int done)
 {
-    while (undoable() && int(here()->done.size()) > done)
-        undo();
+    while (here() && int(here()->done.size()) > std::max(done, 0))
+        takeBack();
     while (redoable() && int(here()->done.size()) < done)
         redo();
 }

@@ -62,12 +62,16 @@ public:
     /// all.
     [[nodiscard]] bool knowsOthers(int label) const;
 
-    /// What undo() and redo() would take back and bring back; none: nothing.
+    /// The row to which changes belong now: that at which the history stands, or will once the
+    /// walks that are under way have arrived.
+    [[nodiscard]] core::RowId position() const;
+    /// What undo() and redo() would take back and bring back; none: nothing. While an edit is under
+    /// way, what was done before it began is not next.
     [[nodiscard]] std::optional<Step> undoable() const;
     [[nodiscard]] std::optional<Step> redoable() const;
     void undo();
     void redo();
-    /// Undoes or redoes until this many steps are done at the row at which the history stands.
+    /// Undoes or redoes until this many steps are done at position().
     void goTo(int done);
 
     /// @param row 0: the study as it was opened
@@ -87,6 +91,7 @@ private:
     };
     struct Change {
         What what = What::Clip;
+        bool isBeside = false; ///< an edit was under way
         Shown before;
         Shown after;
     };
@@ -94,7 +99,7 @@ private:
         std::vector<Change> done; ///< oldest first
         std::vector<Change> undone; ///< the last undone at the end
     };
-    [[nodiscard]] core::RowId position() const;
+    [[nodiscard]] bool isEditing() const;
     [[nodiscard]] const Walk* here() const;
     [[nodiscard]] Shown shown() const;
     void hideOnly(const std::vector<int>& hidden);
@@ -103,6 +108,7 @@ private:
     Change& begin(What what);
     [[nodiscard]] static Step named(const Change& change);
     void show(const Change& change, const Shown& wanted);
+    void takeBack();
     void closeStep();
     void forget();
     void followHistory();

@@ -26,6 +26,10 @@ public:
         m_done = true;
     }
     [[nodiscard]] bool done() const override { return m_done; }
+    [[nodiscard]] bool foreseePosition(const History&, ForeseenPosition&) const override
+    {
+        return true;
+    }
 
 private:
     std::function<void()> m_submit;
@@ -399,6 +403,20 @@ Document OperationQueue::foreseen() const
     for (const std::unique_ptr<Operation>& operation : m_operations)
         static_cast<void>(operation->foresee(expected));
     return expected;
+}
+
+std::optional<RowId> OperationQueue::foreseenPosition() const
+{
+    ForeseenPosition position{.row = m_state.history.position()};
+    for (const std::unique_ptr<Operation>& operation : m_operations) {
+        // Whatever is done next takes it back.
+        const auto* open = dynamic_cast<const OpenOperation*>(operation.get());
+        const bool isPreview = open && open->open() && open->manner().withoutPen
+            && open->manner().usualEnding == Ending::Rollback;
+        if (!isPreview && !operation->foreseePosition(m_state.history, position))
+            return std::nullopt;
+    }
+    return position.row;
 }
 
 void OperationQueue::setListener(std::function<void(const DocumentChange&)> listener)

@@ -63,6 +63,8 @@ public:
     /// decided yet is accepted.
     [[nodiscard]] Result<void> check(const Edit& edit) const;
     [[nodiscard]] Document foreseen() const override;
+    /// As in EditSession.
+    [[nodiscard]] std::optional<RowId> foreseenPosition() const;
 
     [[nodiscard]] SessionState& state() { return m_state; }
     [[nodiscard]] const SessionState& state() const { return m_state; }

@@ -89,6 +89,10 @@ public:
     explicit ShowSurface(SurfaceState::Listener listener);
     void start(SessionState& state) override;
     [[nodiscard]] bool done() const override { return m_done; }
+    [[nodiscard]] bool foreseePosition(const History&, ForeseenPosition&) const override
+    {
+        return true;
+    }
 
 private:
     SurfaceState::Listener m_listener;

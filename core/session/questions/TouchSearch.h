@@ -24,6 +24,10 @@ public:
     void takeDifferences(SessionState& state, Result<RowDifferences>&& differences) override;
     [[nodiscard]] RowId awaitedRow() const override { return m_isLoading ? m_rows.back() : 0; }
     [[nodiscard]] bool done() const override { return m_done; }
+    [[nodiscard]] bool foreseePosition(const History&, ForeseenPosition&) const override
+    {
+        return true;
+    }
     [[nodiscard]] bool abandon(SessionState& state, const Error& error) override;
 
 private:

@@ -5,10 +5,18 @@
 #include "core/edits/open/OpenStroke.h"
 #include "core/session/state/SessionState.h"
 
+#include <map>
+
 namespace core {
 
 class Edit;
 struct StrokeExtension;
+
+/// Where the history will stand after operations that wait.
+struct ForeseenPosition {
+    RowId row = 0;
+    std::map<RowId, RowId> visited{}; ///< by parent: the child that was visited last by then
+};
 
 /// One thing that a session was asked to do. Operations wait in a queue; the first one is started,
 /// receives the answers of engine and worker, and is removed when it is done. Nothing here blocks.
@@ -37,6 +45,12 @@ public:
     /// Applies what it will change to a document, to check the operations that wait behind it.
     /// @return false if that is not known yet
     [[nodiscard]] virtual bool foresee(Document&) const { return true; }
+    /// Moves a position in the history as it will move it.
+    /// @return false if that is not known yet: it may become a row
+    [[nodiscard]] virtual bool foreseePosition(const History&, ForeseenPosition&) const
+    {
+        return false;
+    }
 };
 
 /// An operation is this, too, if its work may take long: it first works out on the side thread what

@@ -138,8 +138,14 @@ void HistoryPanel::goTo(const QModelIndex& index)
     if (!session || !index.isValid())
         return;
     const core::RowId row = rowOf(index);
-    if (row == session->history().position() && !index.data(HistoryModel::HeadingRole).toBool())
-        m_workspace.viewSteps().goTo(viewStepOf(index));
+    ViewSteps& view = m_workspace.viewSteps();
+    if (row == view.position() && !index.data(HistoryModel::HeadingRole).toBool()) {
+        const int viewStep = viewStepOf(index);
+        view.goTo(viewStep);
+        // A growth that runs goes on.
+        if (viewStep > 0)
+            return;
+    }
     if (const auto gone = session->goTo(row); !gone)
         m_workspace.fail(gone.error());
 }

@@ -88,6 +88,28 @@ void WalkOperation::takeResult(SessionState& state, EngineResult&& result)
         arrive(state, std::move(result));
 }
 
+bool WalkOperation::foreseePosition(const History& history, ForeseenPosition& position) const
+{
+    if (m_done)
+        return true;
+    if (m_aim == Aim::Undo) {
+        position.row = position.row == 0 ? 0 : history.row(position.row).parent;
+        return true;
+    }
+    const auto visited = position.visited.find(position.row);
+    const RowId child = visited == position.visited.end() ? history.childLastVisited(position.row)
+                                                          : visited->second;
+    const RowId target = m_aim == Aim::Row ? m_target : child;
+    if (target == 0) {
+        position.row = m_aim == Aim::Row ? 0 : position.row;
+        return true;
+    }
+    for (const RowId row : history.pathTo(target))
+        position.visited[history.row(row).parent] = row;
+    position.row = target;
+    return true;
+}
+
 bool WalkOperation::abandon(SessionState& state, const Error& error)
 {
     if (m_arriving || m_swapping)

@@ -18,6 +18,8 @@ public:
     [[nodiscard]] RowId awaitedRow() const override { return m_isLoading ? m_row : 0; }
     [[nodiscard]] bool done() const override { return m_done; }
     [[nodiscard]] bool foresee(Document&) const override { return m_done; }
+    [[nodiscard]] bool foreseePosition(
+        const History& history, ForeseenPosition& position) const override;
     [[nodiscard]] bool abandon(SessionState& state, const Error& error) override;
 
 private:
