@@ -6,7 +6,6 @@
 #include "tests/support/series/OpenedVolume.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace reenact {
@@ -142,18 +141,25 @@ OrganScene organPhantom(Organ organ, double scale)
     return scene;
 }
 
-std::optional<OrganScene> realOrgans(Organ organ)
+std::optional<OrganScene> realOrgans(Organ organ, Organ beside)
 {
     const test::SharedCase data = test::sharedCase(QStringLiteral("ct_totalseg_body_3mm"));
-    if (data.source.isEmpty() || organ == Organ::Lung || organ == Organ::Heart)
+    if (data.source.isEmpty() || organ == Organ::Lung || organ == Organ::Heart
+        || beside == Organ::Heart)
         return std::nullopt;
     OrganScene scene;
     const core::LoadedVolume whole =
         test::openVolume(data.source + QStringLiteral("/ct_3mm.nii.gz"));
     const core::LoadedVolume labels =
         test::openVolume(data.source + QStringLiteral("/ct_3mm_labels.nii.gz"));
-    constexpr std::array<std::pair<int, Organ>, 5> names{{{1, Organ::Spleen}, {2, Organ::None},
-        {3, Organ::Kidney}, {5, Organ::Liver}, {6, Organ::Stomach}}};
+    std::vector<std::pair<int, Organ>> names{
+        {1, Organ::Spleen}, {3, Organ::Kidney}, {5, Organ::Liver}, {6, Organ::Stomach}};
+    // These only where they are asked for: a fault runs along whatever is an organ.
+    for (const auto& [label, name] : {std::pair(14, Organ::Lung), std::pair(64, Organ::PortalVein),
+             std::pair(75, Organ::Femur), std::pair(77, Organ::Hip)}) {
+        if (name == organ || name == beside)
+            names.emplace_back(label, name);
+    }
     // The box around it and its neighbours, so that an edit takes no longer than it must.
     const glm::ivec3 size = whole.volume.geometry.size;
     const auto organAt = [&](const glm::ivec3& voxel) {
@@ -171,9 +177,10 @@ std::optional<OrganScene> realOrgans(Organ organ)
         for (int y = 0; y < size.y; ++y) {
             for (int x = 0; x < size.x; ++x) {
                 const Organ here = organAt({x, y, z}).first;
-                const bool beside = (organ == Organ::Spleen && here == Organ::Kidney)
-                    || (organ == Organ::Liver && here == Organ::Stomach);
-                if (here != organ && !beside)
+                const bool isBeside = (organ == Organ::Spleen && here == Organ::Kidney)
+                    || (organ == Organ::Liver && here == Organ::Stomach)
+                    || (beside != Organ::None && here == beside);
+                if (here != organ && !isBeside)
                     continue;
                 least = glm::min(least, glm::ivec3(x, y, z));
                 most = glm::max(most, glm::ivec3(x, y, z));

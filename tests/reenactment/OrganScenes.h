@@ -8,7 +8,18 @@
 
 namespace reenact {
 
-enum class Organ : std::uint8_t { None, Liver, Heart, Stomach, Spleen, Kidney, Lung };
+enum class Organ : std::uint8_t {
+    None,
+    Liver,
+    Heart,
+    Stomach,
+    Spleen,
+    Kidney,
+    Lung,
+    Hip,
+    Femur,
+    PortalVein
+};
 
 /// Organs in a volume of grey values that differ little, and whose they are.
 struct OrganScene {
@@ -25,7 +36,9 @@ struct OrganScene {
 [[nodiscard]] OrganScene organPhantom(Organ organ, double scale);
 
 /// That organ and what lies beside it in ct_totalseg_body_3mm; none: no shared data, or it is not
-/// in it (heart and lung).
-[[nodiscard]] std::optional<OrganScene> realOrgans(Organ organ);
+/// in it (heart and, but for what lies on the liver, lung).
+/// @param beside the neighbour that is to be in the scene; none: a liver's stomach, a spleen's
+/// kidney
+[[nodiscard]] std::optional<OrganScene> realOrgans(Organ organ, Organ beside = Organ::None);
 
 } // namespace reenact

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/reenactment/lobes/MissingLobe.h"
 
+#include "tests/reenactment/lobes/PlaneOutlines.h"
+
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 namespace reenact {
 
@@ -14,17 +15,6 @@ constexpr double gridMm = 1.0;
 constexpr double overlapMm = 3.0;
 /// Over which the trembling is alike.
 constexpr double trembleMm = 4.0;
-
-using Line = std::vector<glm::dvec3>;
-
-glm::dvec3 axisBeside(const glm::dvec3& normal)
-{
-    const glm::dvec3 slant = glm::abs(normal);
-    const glm::dvec3 axis = slant.x <= slant.y && slant.x <= slant.z ? glm::dvec3(1, 0, 0)
-        : slant.y <= slant.z                                         ? glm::dvec3(0, 1, 0)
-                                                                     : glm::dvec3(0, 0, 1);
-    return glm::normalize(axis - glm::dot(axis, normal) * normal);
-}
 
 /// Where the voxels that are missing lie along a direction, ascending.
 std::vector<double> placesAlong(const MissingLobe& lobe, const glm::dvec3& direction)
@@ -45,111 +35,23 @@ std::vector<double> placesAlong(const MissingLobe& lobe, const glm::dvec3& direc
 }
 
 /// The outlines of the organ on a plane.
-class PlaneOutlines {
-public:
-    PlaneOutlines(const MissingLobe& lobe, const Field& soft, const glm::dvec3& normal, double atMm)
-        : m_lobe(lobe)
-        , m_soft(soft)
-        , m_right(axisBeside(normal))
-        , m_down(glm::cross(normal, m_right))
-    {
-        const glm::dvec3 size(lobe.geometry.size);
-        const glm::dvec3 middle = lobe.geometry.toWorld(0.5 * (size - 1.0));
-        m_origin = middle + (atMm - glm::dot(middle, normal)) * normal;
-        const double extentMm =
-            glm::distance(lobe.geometry.toWorld(glm::dvec3(0.0)), lobe.geometry.toWorld(size));
-        m_half = int(0.5 * extentMm / gridMm) + 2;
-    }
-
-    [[nodiscard]] std::vector<Line> all()
-    {
-        const int count = 2 * m_half + 1;
-        std::vector<double> values;
-        for (int j = 0; j < count; ++j) {
-            for (int i = 0; i < count; ++i)
-                values.push_back(valueAt(placeOf(i, j)));
-        }
-        const auto valueOf = [&](int i, int j) { return values[std::size_t(j * count + i)]; };
-        // A border of a cell is named by its first corner, and whether it runs right or down.
-        const auto crossing = [&](int i, int j, bool isDown) {
-            const double one = valueOf(i, j);
-            const double other = isDown ? valueOf(i, j + 1) : valueOf(i + 1, j);
-            const int name = 2 * (j * count + i) + (isDown ? 1 : 0);
-            if ((one > 0.0) == (other > 0.0))
-                return -1;
-            const double share = one / (one - other);
-            const glm::dvec3 from = placeOf(i, j);
-            const glm::dvec3 to = isDown ? placeOf(i, j + 1) : placeOf(i + 1, j);
-            m_places[name] = from + share * (to - from);
-            return name;
-        };
-        for (int j = 0; j + 1 < count; ++j) {
-            for (int i = 0; i + 1 < count; ++i) {
-                std::vector<int> around;
-                for (const int name : {crossing(i, j, false), crossing(i + 1, j, true),
-                         crossing(i, j + 1, false), crossing(i, j, true)}) {
-                    if (name >= 0)
-                        around.push_back(name);
-                }
-                for (std::size_t pair = 0; pair + 1 < around.size(); pair += 2) {
-                    m_next[around[pair]].push_back(around[pair + 1]);
-                    m_next[around[pair + 1]].push_back(around[pair]);
-                }
-            }
-        }
-        return chained();
-    }
-
-private:
-    [[nodiscard]] glm::dvec3 placeOf(int i, int j) const
-    {
-        return m_origin + gridMm * (double(i - m_half) * m_right + double(j - m_half) * m_down);
-    }
-
-    /// Positive inside; what lies off the grid is outside.
-    [[nodiscard]] double valueAt(const glm::dvec3& place) const
-    {
-        const glm::dvec3 index = m_lobe.geometry.toIndex(place);
+std::vector<PlaneLine> organOn(
+    const MissingLobe& lobe, const Field& soft, const glm::dvec3& normal, double atMm)
+{
+    const CuttingPlane plane = CuttingPlane::through(lobe.geometry, atMm * normal, normal);
+    return outlinesOn(plane, gridMm, [&](const glm::dvec3& place) {
+        const glm::dvec3 index = lobe.geometry.toIndex(place);
+        // What lies off the grid is outside.
         for (int axis = 0; axis < 3; ++axis) {
-            if (index[axis] < -0.5 || index[axis] > double(m_lobe.geometry.size[axis]) - 0.5)
+            if (index[axis] < -0.5 || index[axis] > double(lobe.geometry.size[axis]) - 0.5)
                 return -0.5;
         }
-        return sampled(m_soft, index) - 0.5;
-    }
-
-    /// All of them close, since the grid ends outside.
-    [[nodiscard]] std::vector<Line> chained()
-    {
-        std::vector<Line> lines;
-        while (!m_next.empty()) {
-            Line line;
-            int here = m_next.begin()->first;
-            for (auto found = m_next.find(here); found != m_next.end(); found = m_next.find(here)) {
-                line.push_back(m_places[here]);
-                const std::vector<int> next = found->second;
-                m_next.erase(found);
-                for (const int name : next) {
-                    if (m_next.contains(name))
-                        here = name;
-                }
-            }
-            lines.push_back(std::move(line));
-        }
-        return lines;
-    }
-
-    const MissingLobe& m_lobe;
-    const Field& m_soft;
-    glm::dvec3 m_right;
-    glm::dvec3 m_down;
-    glm::dvec3 m_origin{0.0};
-    int m_half = 0;
-    std::map<int, glm::dvec3> m_places;
-    std::map<int, std::vector<int>> m_next;
-};
+        return sampled(soft, index) - 0.5;
+    });
+}
 
 /// The longest part of an outline that a hand would draw.
-core::TemplateContour inLobe(const MissingLobe& lobe, const Line& line)
+core::TemplateContour inLobe(const MissingLobe& lobe, const PlaneLine& line)
 {
     const auto isThere = [&](std::size_t i) {
         return glm::dot(line[i % line.size()], lobe.normalLps) > lobe.atMm - overlapMm;
@@ -160,7 +62,7 @@ core::TemplateContour inLobe(const MissingLobe& lobe, const Line& line)
     if (outside == line.size())
         return {.pointsLps = line, .isClosed = true};
     core::TemplateContour longest;
-    Line run;
+    PlaneLine run;
     for (std::size_t i = outside; i <= outside + line.size(); ++i) {
         if (isThere(i)) {
             run.push_back(line[i % line.size()]);
@@ -240,7 +142,7 @@ std::vector<core::TemplateContour> drawn(
             const double share = (double(i) + 0.5) / double(count);
             const double atMm = places[std::size_t(share * double(places.size()))];
             core::TemplateContour chosen;
-            for (const Line& line : PlaneOutlines(lobe, soft, normal, atMm).all()) {
+            for (const PlaneLine& line : organOn(lobe, soft, normal, atMm)) {
                 core::TemplateContour contour = inLobe(lobe, line);
                 if (contour.pointsLps.size() > chosen.pointsLps.size())
                     chosen = std::move(contour);
