@@ -4,6 +4,8 @@
 #include "core/base/ParallelFor.h"
 
 #include <algorithm>
+#include <iterator>
+#include <utility>
 
 namespace core {
 
@@ -54,7 +56,7 @@ SmoothOccupancy::SmoothOccupancy(const BoxMask& mask)
     m_bricksAlong = (mask.size() + 2 * reach + edge - 1) / edge;
     const std::size_t layer = std::size_t(m_bricksAlong.x) * std::size_t(m_bricksAlong.y);
     m_table.resize(layer * std::size_t(m_bricksAlong.z), Outside);
-    std::vector<std::vector<Brick>> made(std::size_t(m_bricksAlong.z));
+    std::vector<std::vector<std::unique_ptr<const Brick>>> made(std::size_t(m_bricksAlong.z));
     parallelFor(m_bricksAlong.z, [&](int bz) {
         for (std::size_t i = 0; i < layer; ++i) {
             const glm::ivec3 first =
@@ -76,7 +78,7 @@ SmoothOccupancy::SmoothOccupancy(const BoxMask& mask)
             }
             const Cube once = cube.smoothed();
             const Cube twice = once.smoothed();
-            Brick& brick = made[std::size_t(bz)].emplace_back();
+            auto brick = std::make_unique<Brick>();
             for (int v = 0; v < voxelsPerBrick; ++v) {
                 const int x = v % stored;
                 const int y = v / stored % stored;
@@ -84,11 +86,12 @@ SmoothOccupancy::SmoothOccupancy(const BoxMask& mask)
                 const std::int32_t value = 128 * once.values[once.place(x + 1, y + 1, z + 1)]
                     - twice.values[twice.place(x, y, z)];
                 const bool isInside = cube.values[cube.place(x + reach, y + reach, z + reach)] == 1;
-                brick[std::size_t(v)] =
+                (*brick)[std::size_t(v)] =
                     std::int16_t(isInside ? std::max<std::int32_t>(value, one / 2 + leastOff)
                                           : std::min<std::int32_t>(value, one / 2 - leastOff));
             }
-            entry = std::int32_t(made[std::size_t(bz)].size() - 1);
+            entry = std::int32_t(made[std::size_t(bz)].size());
+            made[std::size_t(bz)].push_back(std::move(brick));
         }
     });
     for (std::size_t bz = 0; bz < made.size(); ++bz) {
@@ -96,7 +99,7 @@ SmoothOccupancy::SmoothOccupancy(const BoxMask& mask)
             if (m_table[bz * layer + i] >= 0)
                 m_table[bz * layer + i] += std::int32_t(m_bricks.size());
         }
-        m_bricks.insert(m_bricks.end(), made[bz].begin(), made[bz].end());
+        std::move(made[bz].begin(), made[bz].end(), std::back_inserter(m_bricks));
     }
 }
 
@@ -110,7 +113,7 @@ double SmoothOccupancy::valueAt(const glm::ivec3& voxel) const
     if (entry < 0)
         return entry == Inside ? double(one) : 0.0;
     const glm::ivec3 in = voxel - edge * brick;
-    return m_bricks[std::size_t(entry)][std::size_t((in.z * stored + in.y) * stored + in.x)];
+    return (*m_bricks[std::size_t(entry)])[std::size_t((in.z * stored + in.y) * stored + in.x)];
 }
 
 SmoothOccupancy::Place SmoothOccupancy::placeOf(const glm::dvec3& index) const
@@ -149,7 +152,7 @@ SmoothOccupancy::Corners SmoothOccupancy::cornersAt(const glm::ivec3& first) con
     }
     constexpr int row = stored;
     constexpr int layer = stored * stored;
-    const std::int16_t* const corner = m_bricks[std::size_t(entry)].data() + first.z % edge * layer
+    const std::int16_t* const corner = m_bricks[std::size_t(entry)]->data() + first.z % edge * layer
         + first.y % edge * row + first.x % edge;
     return {double(corner[0]), double(corner[1]), double(corner[row]), double(corner[row + 1]),
         double(corner[layer]), double(corner[layer + 1]), double(corner[layer + row]),

@@ -6,6 +6,7 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <vector>
 
 namespace core {
@@ -75,7 +76,7 @@ private:
     glm::ivec3 m_first{0};
     glm::ivec3 m_bricksAlong{0};
     std::vector<std::int32_t> m_table;
-    std::vector<Brick> m_bricks;
+    std::vector<std::unique_ptr<const Brick>> m_bricks; ///< each by itself: none is copied
 };
 
 } // namespace core
