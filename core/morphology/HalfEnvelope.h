@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <algorithm>
+#include "core/morphology/LowerEnvelope.h"
+
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -28,9 +29,7 @@ public:
     {
         while (m_lowest + 1 < m_parabolas.size() && m_parabolas[m_lowest + 1].from <= place)
             ++m_lowest;
-        const Parabola& lowest = m_parabolas[m_lowest];
-        const std::int64_t step = place - lowest.place;
-        return lowest.least + m_curvature * step * step;
+        return m_parabolas[m_lowest].at(place, m_curvature);
     }
     void add(int place, std::int64_t least)
     {
@@ -43,11 +42,8 @@ public:
         // The one that is lowest here stays: the new one meets it beyond this place.
         std::int64_t from = place;
         while (true) {
-            const Parabola& last = m_parabolas.back();
-            const std::int64_t apart = place - last.place;
-            from = dividedUp(
-                least - last.least + m_curvature * apart * (std::int64_t(place) + last.place),
-                2 * m_curvature * apart);
+            const EnvelopeParabola& last = m_parabolas.back();
+            from = last.endBefore(place, least, m_curvature);
             if (from > last.from)
                 break;
             m_parabolas.pop_back();
@@ -57,22 +53,11 @@ public:
     }
 
 private:
-    struct Parabola {
-        int place = 0;
-        int from = 0; ///< the first place at which it is the lowest
-        std::int64_t least = 0;
-    };
     static constexpr std::int64_t never = std::int64_t(1) << 30;
-
-    /// @param divisor positive
-    [[nodiscard]] static std::int64_t dividedUp(std::int64_t number, std::int64_t divisor)
-    {
-        return number / divisor + (number % divisor > 0 ? 1 : 0);
-    }
 
     std::int64_t m_curvature = 1;
     std::size_t m_lowest = 0; ///< which one is the lowest at the place that was asked for last
-    std::vector<Parabola> m_parabolas;
+    std::vector<EnvelopeParabola> m_parabolas;
 };
 
 } // namespace core

@@ -7,6 +7,30 @@
 
 namespace core {
 
+/// One of the parabolas of an envelope. They differ in their lowest points only, so two of them
+/// meet once.
+struct EnvelopeParabola {
+    int place = 0; ///< where it is lowest
+    int from = 0; ///< the first place at which it is the lowest of all
+    std::int64_t least = 0;
+
+    [[nodiscard]] std::int64_t at(int where, std::int64_t curvature) const
+    {
+        const std::int64_t step = where - place;
+        return least + curvature * step * step;
+    }
+    /// The first place at which one that is lowest farther on is not above this one.
+    [[nodiscard]] std::int64_t endBefore(
+        int laterPlace, std::int64_t laterLeast, std::int64_t curvature) const
+    {
+        const std::int64_t apart = laterPlace - place;
+        const std::int64_t number =
+            laterLeast - least + curvature * apart * (std::int64_t(laterPlace) + place);
+        const std::int64_t divisor = 2 * curvature * apart;
+        return number / divisor + (number % divisor > 0 ? 1 : 0);
+    }
+};
+
 /// The lower envelope of parabolas that differ only in their lowest points. Along a line it gives
 /// the least squared distance to a set of places, each of which already has a squared distance
 /// across the line (Felzenszwalb and Huttenlocher; Meijster, Roerdink and Hesselink). In whole
@@ -35,11 +59,8 @@ public:
     {
         std::int64_t from = m_begin;
         while (!m_parabolas.empty()) {
-            const Parabola& last = m_parabolas.back();
-            const std::int64_t apart = place - last.place;
-            from = dividedUp(
-                least - last.least + m_curvature * apart * (std::int64_t(place) + last.place),
-                2 * m_curvature * apart);
+            const EnvelopeParabola& last = m_parabolas.back();
+            from = last.endBefore(place, least, m_curvature);
             if (from > last.from)
                 break;
             m_parabolas.pop_back();
@@ -56,29 +77,15 @@ public:
     {
         while (m_lowest + 1 < m_parabolas.size() && m_parabolas[m_lowest + 1].from <= place)
             ++m_lowest;
-        const Parabola& parabola = m_parabolas[m_lowest];
-        const std::int64_t step = place - parabola.place;
-        return parabola.least + m_curvature * step * step;
+        return m_parabolas[m_lowest].at(place, m_curvature);
     }
 
 private:
-    struct Parabola {
-        int place = 0;
-        int from = 0; ///< the first place at which it is the lowest
-        std::int64_t least = 0;
-    };
-
-    /// @param divisor positive
-    [[nodiscard]] static std::int64_t dividedUp(std::int64_t number, std::int64_t divisor)
-    {
-        return number / divisor + (number % divisor > 0 ? 1 : 0);
-    }
-
     std::int64_t m_curvature;
     int m_begin = 0;
     int m_end = 0;
     std::size_t m_lowest = 0;
-    std::vector<Parabola> m_parabolas; ///< from left to right
+    std::vector<EnvelopeParabola> m_parabolas; ///< from left to right
 };
 
 } // namespace core
