@@ -62,7 +62,11 @@ Chunks::Chunks(Workspace& workspace)
         colour();
         Q_EMIT changed();
     });
-    connect(&m_members, &ChunkMembers::counted, this, &Chunks::lookForLikely);
+    connect(&m_members, &ChunkMembers::counted, this, [this] {
+        if (std::exchange(m_coarse, nullptr))
+            colour();
+        lookForLikely();
+    });
     connect(&m_likely, &LikelyChunks::changed, this, [this] {
         colour();
         Q_EMIT changed();
@@ -106,8 +110,10 @@ void Chunks::follow()
             return takeBack(); // the session says why
         coarse = its.coarse();
     }
+    const int id = now ? now->id : 0;
+    const bool isOther = std::exchange(m_division, id) != id && std::exchange(m_coarse, nullptr);
     // Those of before stay while what is seen of the chunks is worked out.
-    const bool isCoarseNew = !wanted && std::exchange(m_coarse, coarse) != coarse;
+    const bool isCoarseNew = (!wanted && std::exchange(m_coarse, coarse) != coarse) || isOther;
     if (wanted != m_wanted || (now && now->segment != m_segment)) {
         m_segment = now ? now->segment : 0;
         m_wanted = std::move(wanted);
@@ -140,10 +146,11 @@ void Chunks::follow()
 void Chunks::take(const std::shared_ptr<const ChunkLeaves>& leaves)
 {
     m_leaves = leaves;
-    m_coarse.reset();
     const core::ChunkTree& tree = m_leaves->map->tree();
     m_specks = specksOf(tree);
     m_members.begin(m_leaves, m_segment);
+    if (!m_members.isCounting())
+        m_coarse.reset();
     const bool takesSuggestion = std::exchange(m_takesSuggestion, false);
     const bool isNew = std::exchange(m_isAwaited, false) && isJustDivided();
     if (const core::Segment* segment = m_workspace.session()->document().segment(m_segment);
@@ -339,7 +346,10 @@ std::shared_ptr<const gpu::SceneChunks> Chunks::scene(
 
 void Chunks::colour()
 {
-    if (!m_leaves && m_coarse && m_look.shown) {
+    // Whose a chunk is decides how it is drawn, so the coarse ones stay until that is counted.
+    if (m_coarse && m_look.shown && (!m_leaves || m_members.isCounting())) {
+        if (m_leaves)
+            countOwn();
         CoarseLook look{.segment = m_segment, .count = m_look.count, .opacity = m_look.opacity};
         m_areas = coarseScene(*m_coarse, look);
         look.isHidden = [this](int likelihood) { return isHidden(likelihood); };

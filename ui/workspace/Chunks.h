@@ -138,7 +138,8 @@ private:
     /// The chunks from which m_leaves are made or being made.
     std::shared_ptr<const core::ChunkMap> m_wanted;
     std::shared_ptr<const ChunkLeaves> m_leaves;
-    std::shared_ptr<const core::CoarseChunks> m_coarse; ///< null: not known, or those are there
+    std::shared_ptr<const core::CoarseChunks> m_coarse; ///< null: not known, or those are drawn
+    int m_division = 0; ///< to which that belongs
     int m_segment = 0; ///< the segment that they belong to
     core::RowId m_dividedAfter = 0; ///< a division after this row comes from divide()
     bool m_isAwaited = false; ///< a division that divide() asked for
