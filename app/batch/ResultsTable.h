@@ -11,8 +11,8 @@ namespace app {
 /// line for each study, and a column for each number about a segment that a recipe has exported as
 /// CSV statistics ("Bone volumeMl"); segments that share a name are told apart by their label
 /// ("Bone (2) volumeMl"). "attempts" counts those of earlier batches, too, since the study was last
-/// done. Results that were made otherwise than the task says (whyOther()) have the state "other",
-/// the reason as failure, and no numbers.
+/// done. Results that differ from what the task asks for (whyOther()) have the state "other", the
+/// reason as failure, and no numbers.
 [[nodiscard]] QByteArray resultsTable(const std::vector<StudyTask>& tasks);
 
 /// Whether a file, of which this is the beginning, can be such a table.

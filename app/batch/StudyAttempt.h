@@ -16,7 +16,7 @@ namespace app {
 /// leaves nothing but hidden folders, and the record names them.
 ///
 /// An existing file with the name of a result is replaced only if an earlier attempt at this study
-/// made it and nobody has changed it since. The record's checksums tell.
+/// made it and nobody has changed it since. The record's checksums show that.
 class StudyAttempt {
 public:
     /// @param folder of the study's results; it exists

@@ -24,10 +24,10 @@ struct StudyTask {
     int retries = 0;
 };
 
-/// Returns why what is finished in the task's folder was made otherwise than this task says, as a
-/// sentence: another study, recipe, series, repair, spacing, session file or option (another
-/// author's name changes nothing). Empty: it was not. What the record of an older batch does not
-/// tell counts as being the same.
+/// Returns as a sentence in what the finished results in the task's folder differ from what this
+/// task asks for: another study, recipe, series, repair, spacing, session file or option (another
+/// author's name changes nothing). Empty: they do not differ. What the record of an older batch
+/// does not contain counts as the same.
 [[nodiscard]] QString whyOther(const StudyTask& task, const QJsonObject& record);
 
 /// Works on one study in a child process (`burin run`), so a crash costs this study only. The child
@@ -71,7 +71,7 @@ private:
     bool m_stopped = false;
     bool m_mayBeTransient = false;
     bool m_succeeded = false;
-    /// Results of a study that was done lie there, which stay until it is done anew.
+    /// The folder holds finished results of an earlier job, which stay until new ones are complete.
     bool m_keepsDone = false;
     QString m_failure;
 };

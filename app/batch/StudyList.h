@@ -27,9 +27,9 @@ struct BatchStudy {
     QHash<QString, QString> cells{};
 };
 
-/// Reads the studies of a batch: from a list (CSV, TSV or JSON), or from a folder, each entry of
-/// which is a study, but for what lies beside studies by its name (scan.json, a.raw, readme.txt)
-/// and does not say that it is DICOM.
+/// Reads the studies of a batch: from a list (CSV, TSV or JSON), or from a folder. Every entry of a
+/// folder is a study, except files whose names mark them as accompanying files (scan.json, a.raw,
+/// readme.txt), unless they are marked as DICOM files (PS3.10 section 7.1).
 ///
 /// The first line of a table has the names of the columns; JSON is a list of objects with these
 /// names as keys, or of paths. "study" is required; "name", "session", "series", "repair" and
@@ -38,14 +38,15 @@ struct BatchStudy {
 /// ("0012" is a name). Paths are relative to the list. Without a name a study is named after its
 /// file, without extension. Errors: FileNotFound, FileUnreadable (with the line or entry),
 /// FolderEmpty.
-/// @param results the folder for the batch's results: the entry of a folder of studies that is it
-/// or has it inside is no study
-/// @param leftOut gets the names of files in a folder that lie beside studies
+/// @param results the folder for the batch's results: an entry that is this folder, or contains it,
+/// is not a study
+/// @param leftOut receives the names of the files in a folder that were left out as accompanying
+///     files
 [[nodiscard]] core::Result<std::vector<BatchStudy>> readStudyList(
     const QString& path, const QString& results = QString(), QStringList* leftOut = nullptr);
 
-/// Splits a table into rows of cells, with quotes as in RFC 4180. @p between separates cells. For
-/// lists, and for statistics. Errors: InvalidField with the line, counted from 1.
+/// Splits a table into rows of cells, with quotes as in RFC 4180. @p between separates cells. Used
+/// for lists of studies and for statistics. Errors: InvalidField with the line, counted from 1.
 [[nodiscard]] core::Result<std::vector<QStringList>> readTable(const QString& text, QChar between);
 
 } // namespace app

@@ -6,8 +6,8 @@
 namespace app {
 
 /// `burin info --gl`: prints the renderer, and the memory that a volume takes on it.
-/// `burin info PATH [--json]`: prints what a folder or file holds; decodes every volume to tell its
-/// value range and checksum.
+/// `burin info PATH [--json]`: prints what a folder or file holds; decodes every volume to report
+/// its value range and checksum.
 extern const Command infoCommand;
 
 } // namespace app

@@ -18,10 +18,10 @@ class Arguments;
 class CommandTermination;
 
 /// One run of `burin run`: opens the study and the session, carries out the recipe's steps, and
-/// writes its exports. What it has to say it prints as it goes on. To be used once.
+/// writes its exports. It prints its reports as it goes. Use it once.
 class RecipeRun {
 public:
-    /// @param arguments those of `burin run`, which fit together; must outlive this, as
+    /// @param arguments those of `burin run`, already checked; must outlive this, as
     /// @p termination
     RecipeRun(core::Recipe recipe, const Arguments& arguments, CommandTermination& termination);
 
@@ -41,7 +41,7 @@ private:
     /// Whether the recipe can be carried out from a document on.
     [[nodiscard]] core::Result<void> checkAgainst(const core::Document& document) const;
     [[nodiscard]] core::Result<core::LoadedVolume> load() const;
-    /// The study of a session, for the second time.
+    /// Reads the study of a session again.
     [[nodiscard]] core::Result<core::LoadedVolume> readStudy(const QString& session) const;
     [[nodiscard]] core::Result<SteadySession::Session> openFirst(gpu::GpuEngine& engine);
     [[nodiscard]] core::Result<SteadySession::Session> openAgain(gpu::GpuEngine& engine);
@@ -59,7 +59,8 @@ private:
     bool m_replaces = false;
     QString m_place; ///< where the session is made
     QString m_repair; ///< of the series, if the recipe was recorded on a repaired one
-    std::optional<core::SessionContents> m_goesOn; ///< of the session that goes on; none: a new one
+    /// of the session that is continued; none: a new one
+    std::optional<core::SessionContents> m_goesOn;
     core::Result<core::LoadedVolume> m_loaded; ///< handed over to the session
     core::SessionSource m_source;
     std::optional<core::FileInUse> m_sources;
@@ -67,8 +68,8 @@ private:
     /// Set if the recipe was recorded on another study.
     std::optional<core::RecipeElsewhere> m_elsewhere;
     std::vector<core::RecipeElsewhere::LeftOut> m_leftOut;
-    SessionPlan m_plan; ///< of a session that goes on
-    QString m_openFile; ///< of the session, closed or open
+    SessionPlan m_plan; ///< for a session that is continued
+    QString m_openFile; ///< the session's file, whether it is open or closed
     core::FollowedFile m_made; ///< that file
     bool m_isFirst = true; ///< nothing was opened yet
     SteadySession m_steady; ///< last: while it closes, its session uses some of the above

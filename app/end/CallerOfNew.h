@@ -6,9 +6,9 @@ namespace app {
 /// Loads what isLibraryCode() needs while there is memory. To be called once, at the beginning.
 void prepareToNameCallers() noexcept;
 
-/// Whether memory that operator new is asked for is wanted by the code of another library than the
-/// C++ library, which is taken to ask for its own caller.
-/// @param caller the return address of operator new, which must be under way on this thread
+/// Whether a request to operator new comes from the code of a library. Requests by the C++ library
+/// are attributed to the code that called it.
+/// @param caller the return address of operator new, which must be running on this thread
 [[nodiscard]] bool isLibraryCode(const void* caller) noexcept;
 
 } // namespace app

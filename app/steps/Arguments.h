@@ -53,8 +53,8 @@ private:
 /// Reports a failure in one line on stderr.
 /// @return the exit status of a command that failed
 int reportFailure(const core::Error& error, const QString& about = {});
-/// Whether the machine was at fault (no memory, no room on the disk, a graphics driver), not what
-/// it was asked for: when the same is tried again, the failure may have passed.
+/// Whether a failure lies with the machine (no memory, no room on the disk, a graphics driver) and
+/// not with the request, so that a new attempt may succeed.
 [[nodiscard]] bool mayPass(const core::Error& error);
 /// From here on failures are also printed as lines of JSON on stdout: which kind, and whether they
 /// may pass (mayPass()).

@@ -22,8 +22,8 @@ using ReadStudy = std::function<core::Result<core::LoadedVolume>()>;
 [[nodiscard]] core::Result<void> exportFiles(const std::vector<core::RecipeExport>& targets,
     SteadySession& session, bool force, const ReadStudy& readStudy, const core::Progress& progress);
 
-/// The same failure for a session that goes on: that a file exists already is no reason to name
-/// --force, which would replace the session, too, and is refused there.
+/// Returns the same failure for a session that is continued, without the advice to use --force,
+/// which would replace the session too and is refused there.
 [[nodiscard]] core::Result<void> withoutForce(const core::Result<void>& checked);
 
 } // namespace app

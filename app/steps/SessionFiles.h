@@ -12,7 +12,7 @@ namespace app {
 [[nodiscard]] QString sessionFolder();
 
 /// The file of a volume's working session: the same one whenever the same voxels of the same series
-/// are opened, from any place. Its name tells nothing about the patient.
+/// are opened, from any place. Its name reveals nothing about the patient.
 [[nodiscard]] QString sessionFile(const core::Volume& volume);
 
 /// Whether a file is in that folder: a working session, and not a file that the user has named.

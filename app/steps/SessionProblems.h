@@ -14,16 +14,16 @@ namespace app {
 // rest in one sentence on stderr, and end with 0 if nothing that was requested is lost, else with
 // 1.
 
-/// Reports what core::checkSession() found damaged, if anything, and what of another session lies
-/// beside the file.
+/// Reports what core::checkSession() found damaged, if anything, and which files of another session
+/// lie beside it.
 void reportProblems(const QString& file, const core::SessionContents& contents);
 
-/// Reports, of a session that goes on, what may be missing although nothing is damaged, and what of
-/// another one lies beside it.
+/// Reports for a session that is continued what may be missing although nothing is damaged, and
+/// which files of another session lie beside it.
 void reportLeft(const QString& file, const core::SessionContents& contents);
 
-/// Reports why a session could not be followed to its new name, and what of it lies beside the file
-/// that has its name now. @return the status with which the command ends
+/// Reports why a session could not be followed to its new name, and which of its files lie beside
+/// the file that has its name now. @return the status with which the command ends
 int reportUnfollowed(const core::Error& why, const QString& file);
 
 } // namespace app

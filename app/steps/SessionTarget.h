@@ -18,8 +18,8 @@ namespace app {
 /// would. Errors: FileNotFound (nothing to append to), FileExists, FileUnwritable.
 [[nodiscard]] core::Result<void> checkSessionTarget(const QString& file, bool force, bool append);
 
-/// Begins a session in a new file, which holds the study's images if that is wanted. If it cannot
-/// be begun there is none. Errors: those of EditSession::create() and core::stageImages().
+/// Begins a session in a new file, which holds the study's images if that is wanted. If that fails,
+/// no file is left. Errors: those of EditSession::create() and core::stageImages().
 [[nodiscard]] core::Result<std::unique_ptr<core::EditSession>> beginSession(
     core::EditEngine& engine, core::LoadedVolume loaded, const QString& file, bool withImages);
 

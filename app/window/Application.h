@@ -39,7 +39,7 @@ public:
 
 private:
     explicit Application(std::unique_ptr<gpu::GpuEngine> engine);
-    /// Listens to what the window and its session tell.
+    /// Connects to the signals of the window and its session.
     void follow();
     /// Opens a study with its own working session, which is continued or begun.
     void openStudy(const std::shared_ptr<core::LoadedVolume>& loaded, const QString& path);
@@ -66,14 +66,15 @@ private:
     /// holds steps that are on no disk, and the user keeps it open).
     core::Result<void> makeRoom();
     void showError(const core::Error& error);
-    /// That the images were read from the session file.
+    /// Returns the sentence that the images were read from the session file.
     [[nodiscard]] static QString whereImagesAre(
         const core::Error& whyNotFromStudy, const QString& file);
     void showWhyNot(
         const core::Error& error, const QString& file, const QString& path, const QString& series);
     /// Removes the file of a session that was opened and closed without an edit.
     void forgetUnusedSession();
-    /// Of the file of a session that was closed, and was made for it.
+    /// Whether the file of the session that was just closed was made for it and holds only the rows
+    /// it began with.
     [[nodiscard]] bool holdsNothingNew() const;
     void followSaved(const QString& before, const QString& now);
     void wake(); ///< any thread

@@ -18,8 +18,8 @@ public:
 
     bool notify(QObject* receiver, QEvent* event) override;
 
-    /// @param rescue closes what is open and tells why; must live until it is replaced or this
-    /// object ends
+    /// @param rescue closes what is open and tells the user why; must live until it is replaced or
+    /// this object ends
     void setRescue(std::function<void(const core::Error&)> rescue);
 
 private:
