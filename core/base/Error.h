@@ -38,15 +38,16 @@ enum class ErrorCode {
     NothingGrown, ///< at the places where a growth was to be removed
     EverythingGrown, ///< would be removed
     NoIslandThere, ///< at the place that was clicked; argument 0: the segment's name
-    /// than can become segments; argument 0: the segment's name, 1: how many there are beside the
-    /// largest, 2: how many segments more there can be
+    /// more than can become segments; argument 0: the segment's name, 1: how many there are beside
+    /// the largest, 2: how many more segments there can be
     TooManyIslands,
     StepsEntangled, ///< argument 0: why steps cannot be undone alone
     // Session: argument 0 is the file, argument 1 the reason.
     SessionDamaged,
     SessionMismatch,
     SessionUnwritten, ///< work continues in memory; argument 1: the error of the disk
-    SessionMoved, ///< another program took its name: it goes on here; argument 2: the file before
+    /// another program took its name, so it continues in this file; argument 2: the file before
+    SessionMoved,
     SessionReadOnly, ///< it was opened for viewing; argument 1: why
     StudyMissing, ///< argument 1: where the session's study was
     // Machine.
@@ -74,8 +75,9 @@ struct Error {
     Clauses arguments;
 };
 
-/// Whether what is said of it ends without a reason. Where such an error came up, an entry of a
-/// recipe, is an argument of its own, entryArgument; of all others it stands behind the reason.
+/// Whether the sentence for this code gives no reason. For these codes the entry of a recipe in
+/// which the error occurred is an argument of its own, entryArgument; for all others it follows the
+/// reason.
 [[nodiscard]] constexpr bool givesNoReason(ErrorCode code)
 {
     return code == ErrorCode::SegmentLocked || code == ErrorCode::SegmentProtected

@@ -3,16 +3,16 @@
 
 #include <cstdint>
 
-/// Arithmetic of whole numbers that stand for fractions: what decides about a voxel is reckoned in
-/// these and comes to the same on every machine.
+/// Fixed-point arithmetic. What decides about a voxel is computed with it, so that the result is
+/// the same on every machine.
 namespace core::fixedPoint {
 
-/// Divides by 2¹⁴, halves up: 2⁻³⁰ to 2⁻¹⁶.
+/// Divides by 2¹⁴, rounding halves up: from units of 2⁻³⁰ to units of 2⁻¹⁶.
 [[nodiscard]] constexpr std::int64_t round14(std::int64_t value)
 {
     return (value + (std::int64_t(1) << 13)) >> 14;
 }
-/// Divides by 2³⁰, halves up: 2⁻³⁰ to whole numbers.
+/// Divides by 2³⁰, rounding halves up: from units of 2⁻³⁰ to whole numbers.
 [[nodiscard]] constexpr std::int64_t round30(std::int64_t value)
 {
     return (value + (std::int64_t(1) << 29)) >> 30;

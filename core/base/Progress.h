@@ -8,7 +8,7 @@
 
 namespace core {
 
-/// How long work reports its progress and learns that it was cancelled.
+/// Through this class a long task reports its progress and learns that it was cancelled.
 ///
 /// The worker calls report() and asks cancelled(); any thread may call cancel().
 class Progress {

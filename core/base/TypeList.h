@@ -8,12 +8,12 @@ namespace core {
 /// Types that belong together.
 template <class... Ts> struct TypeList {
     using Variant = std::variant<Ts...>;
-    /// To a value of one of them, which is not copied; implicit from its address, and from that of
-    /// no other type.
+    /// A pointer to a value of one of these types; converts implicitly from such an address and
+    /// from no other.
     using Pointer = std::variant<const Ts*...>;
 };
 
-/// One list of the types of several.
+/// Joins the types of several lists into one.
 template <class... Lists> struct JoinedTypes;
 template <class... Ts> struct JoinedTypes<TypeList<Ts...>> {
     using List = TypeList<Ts...>;

@@ -15,7 +15,7 @@ namespace core {
 [[nodiscard]] VoxelBox boxOfLabel(
     std::span<const std::uint8_t> labels, const glm::ivec3& size, std::uint8_t label);
 
-/// The same for voxels that are known, at the cost of their runs.
+/// The same for voxels given as runs. Cost: proportional to the number of runs.
 /// @param size of the volume in which they lie
 [[nodiscard]] VoxelBox boxOfRuns(const VoxelRuns& voxels, const glm::ivec3& size);
 

@@ -13,8 +13,8 @@
 
 namespace core {
 
-/// One result of a search, in the JSON model of DICOM (PS3.18 F), with values as text. What is not
-/// there, or is of another form than it should be, is empty. Tags are written "0020000D".
+/// One result of a search, in the JSON model of DICOM (PS3.18 F), with values as text. What is
+/// missing or malformed is empty. Tags are written "0020000D".
 class JsonAnswer {
 public:
     explicit JsonAnswer(QJsonObject object)

@@ -25,8 +25,8 @@ struct WireState {
     bool connected = false;
     bool timedOut = false;
     Patience::Lost lost = Patience::Lost::No; ///< which limit was exceeded
-    bool clockRanOut =
-        false; ///< DCMTK's own, in whole seconds: it waits no more, and reads no more
+    /// DCMTK's own timeout, in whole seconds, has passed: it neither waits nor reads any more
+    bool clockRanOut = false;
     bool closed = false; ///< by the other side
     bool cancelled = false;
     QString trouble; ///< the system's message

@@ -5,7 +5,7 @@
 
 namespace core {
 
-/// A file that is known again after another program has renamed, moved, deleted or replaced it. It
+/// A file that is recognised after another program has renamed, moved, deleted or replaced it. It
 /// is not opened for reading or writing, so that locks which this process holds on it stay: closing
 /// any other descriptor of a file drops them (POSIX, fcntl).
 class FollowedFile {
@@ -17,8 +17,8 @@ public:
     FollowedFile& operator=(FollowedFile&& other) noexcept;
     ~FollowedFile();
 
-    /// Whether @p path leads to the file. A path that cannot be looked at just now counts as such.
-    /// Cost: one file system call.
+    /// Whether @p path leads to the file. A path that cannot be checked at the moment counts as
+    /// leading to it. Cost: one file system call.
     [[nodiscard]] bool isAt(const QString& path) const;
     /// Whether there is a file that is followed.
     [[nodiscard]] bool isValid() const { return m_descriptor >= 0; }

@@ -14,7 +14,7 @@ class StagedFile;
 /// Why something failed, and that what was in the file @p path is in the file @p left beside it.
 [[nodiscard]] Clause leftElsewhere(const Clause& why, const QString& path, const QString& left);
 
-/// Takes back a commit() that something followed which failed with @p error.
+/// Undoes a commit() because a later step failed with @p error.
 /// @return the error, with the place of the replaced file if that could not get its name back
 [[nodiscard]] Error takingBack(Error error, StagedFile& staged);
 

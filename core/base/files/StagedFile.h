@@ -51,9 +51,9 @@ public:
     void release() { m_path.clear(); }
     [[nodiscard]] bool isCommitted() const { return m_committed; }
     /// After commit(): undoes it, so that a file that was replaced has its name again and the new
-    /// one a temporary name, path(). If the disk does not let that happen, the new file keeps the
-    /// target's name, unless it replaced nothing and is no adopted one: then it is removed. What
-    /// another program has put in the place of the new one stays there.
+    /// one a temporary name, path(). If the disk prevents that, the new file keeps the target's
+    /// name, unless it replaced nothing and is no adopted one: then it is removed. What another
+    /// program has put in the place of the new one stays there.
     /// @return the name under which the replaced file is then left; empty: everything is as it was
     /// before commit()
     QString takeBack();

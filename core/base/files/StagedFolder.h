@@ -27,8 +27,8 @@ public:
     [[nodiscard]] const QString& path() const { return m_path; } ///< the hidden name
 
     /// Writes the files to the disk and gives the folder its name; to be called once. What it
-    /// replaces is kept until this is destroyed, and keeps its name if that fails; the error says
-    /// where it is if the disk does not let it.
+    /// replaces is kept until this is destroyed, and keeps its name if that fails; if the disk
+    /// prevents even that, the error says where it is.
     /// Errors: FileExists (something was created there in the meantime), FileUnwritable.
     Result<void> commit();
 

@@ -5,11 +5,12 @@
 
 namespace core {
 
-/// Takes a lock that is held for long, for which there is no time after which it is given up. All
-/// lock files are taken through this function.
+/// Takes a lock that may be held for long and never expires. All lock files are taken through this
+/// function.
 ///
-/// What a process left that has ended is taken over, as QLockFile does it; and also where that was
-/// killed before it wrote into the file who it is, which QLockFile alone would respect for ever.
+/// A lock file left behind by a process that has ended is taken over, as by QLockFile; also if that
+/// process was killed before it wrote its identity into the file, which QLockFile alone would
+/// respect for ever.
 /// @param waitMs how long to wait for a holder
 /// @return whether it is held now; if not, lock.error() says whether another holds it, and errno
 /// why it cannot be made

@@ -79,7 +79,7 @@ private:
     PreflightFacts m_facts;
 };
 
-/// The reason for which a file of none of the formats that are read is refused.
+/// The reason for refusing a file that is in none of the supported formats.
 [[nodiscard]] Clause ofNoKnownFormat();
 
 } // namespace core

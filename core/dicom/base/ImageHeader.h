@@ -26,7 +26,7 @@ struct PixelLayout {
     int bitsAllocated = 0;
     int bitsStored = 0;
     int highBit = 0;
-    /// What the file says where it leaves no room for the stored bits; highBit then leaves it.
+    /// The HighBit of the file if it is too low for the stored bits; highBit is then corrected.
     std::optional<int> falseHighBit{};
     bool isSigned = false;
     std::uint32_t overlayBits = 0; ///< those of a cell that hold overlays (60xx,0102)
@@ -66,7 +66,8 @@ struct ImageHeader {
     int frames = 1; ///< in the file
     int frame = 0; ///< which of them this is, 0-based
     bool framesUnplaced = false; ///< there are several frames without a position for each
-    /// This stands for so many frames of the file of which nothing is said; 0: for a single frame.
+    /// This header stands for this many frames of the file that have no functional group of their
+    /// own; 0: for a single frame.
     int framesWithoutGroup = 0;
     /// Number of frames for which there are pixel data; none if it cannot be determined beforehand.
     std::optional<int> framesPresent{};

@@ -11,8 +11,9 @@ enum class TagFate {
     Keep, ///< describes pixels, positions, acquisition or codes only
     Empty, ///< must be present (type 2), so it stays without a value
     Enter, ///< a sequence whose items are treated in the same way
-    OwnText, ///< kept in what Burin writes, where it was neutral before; removed from all else
-    OwnItems, ///< as Enter in what Burin writes; removed from all else
+    /// kept in objects that Burin makes, where the text is neutral; removed from all others
+    OwnText,
+    OwnItems, ///< as Enter in objects that Burin makes; removed from all others
     Date,
     Time,
     NeededDate, ///< must have a value (type 1)

@@ -76,8 +76,9 @@ private:
     QStringList m_words;
 };
 
-/// Whether a word of somebody's identity is looked for within other words too. Short ones are parts
-/// of ordinary words, but not in scripts that write a name and what follows it without a gap.
+/// Whether a word of the patient's identity is also searched for inside other words. Short words
+/// are not, because ordinary words contain them, except in scripts that write names without spaces
+/// around them.
 [[nodiscard]] bool isSoughtWithinWords(const QString& word);
 /// Whether a text holds that word: anywhere if it is sought within others, else as a whole word.
 [[nodiscard]] bool holdsWord(const QString& text, const QString& word);

@@ -28,9 +28,9 @@ struct MadeAt {
 /// @param from 1000 for SEG, 3000 for RTSTRUCT …
 [[nodiscard]] int madeSeriesNumber(int from, const StudyIdentity& source);
 
-/// An object whose series is numbered and described after the one that it is made of.
-/// @param from as of madeSeriesNumber()
-/// @param what of the series, in front of the source's description: "Contours"
+/// An object whose series is numbered and described after the series from which it was made.
+/// @param from as for madeSeriesNumber()
+/// @param what the kind of the series, placed before the source's description: "Contours"
 [[nodiscard]] MadeObject madeOf(const StudyIdentity& source, const char* sopClassUid,
     const char* modality, int from, const QString& what);
 

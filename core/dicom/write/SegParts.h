@@ -22,9 +22,9 @@ namespace core {
 /// Writes modifier and region of a segment into its item of SegmentSequence.
 void putSegDetails(DcmItem* segment, const SegCodes& codes, const ItemWriter& items);
 
-/// What the object is, and, in ASCII, how the series was repaired that it was drawn on.
+/// What the object is and, in ASCII, how the series on which it was drawn was repaired.
 [[nodiscard]] QString contentDescription(const SegContent& content);
-/// The same of each of its frames.
+/// The same for each of its frames.
 [[nodiscard]] QString derivationDescription(const SegContent& content);
 /// "MANUAL" …
 [[nodiscard]] std::string algorithmTypeText(const SegSettings& settings);

@@ -18,9 +18,10 @@ namespace core {
 [[nodiscard]] CodedConcept schemeCode(const char* scheme, const char* value, const char* meaning);
 /// A code of DICOM's own terminology, scheme DCM (PS3.16 annex D).
 [[nodiscard]] CodedConcept dicomCode(const char* value, const char* meaning);
-/// The UCUM code for the unit of the voxel values: those of DicomScan and the terms with which PET
-/// names its units, of which counts and the like have no UCUM unit but an annotation ("{counts}").
-/// Any other unit becomes an annotation, with its words as meaning; "no units" if there is none.
+/// The UCUM code for the unit of the voxel values. Known are the units that DicomScan reports and
+/// the terms that PET uses; of the latter, counts and the like have no UCUM unit and get an
+/// annotation ("{counts}"). Any other unit becomes an annotation, with its words as meaning; "no
+/// units" if there is none.
 [[nodiscard]] CodedConcept unitCode(const QString& unit);
 /// The code for the quantity that the voxel values measure, such as attenuation, standardised
 /// uptake or MR signal intensity.

@@ -51,7 +51,8 @@ private:
 
     QString m_target;
     QString m_gathering;
-    bool m_diskRefused = false; ///< to take what was gathered, of which nothing is trusted then
+    /// the disk refused the collected files, so none of them is trusted
+    bool m_diskRefused = false;
     std::unique_ptr<QLockFile> m_lock;
 };
 

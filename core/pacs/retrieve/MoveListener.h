@@ -30,7 +30,7 @@ public:
     MoveListener& operator=(const MoveListener&) = delete;
     ~MoveListener();
 
-    /// Ends it shortly. @return the first error that was not caused by stopping
+    /// Ends it soon. @return the first error that was not caused by stopping
     std::optional<Error> stop();
 
 private:

@@ -34,8 +34,8 @@ public:
     [[nodiscard]] Result<void> take(
         Association& association, std::uint8_t context, const T_DIMSE_C_StoreRQ& request);
 
-    /// To be called, on the thread that receives, for each piece of a requested object; while
-    /// nothing is received.
+    /// Sets a function that is called on the receiving thread for each piece of a requested object.
+    /// Call this while nothing is being received.
     void setOnPiece(std::function<void()> onPiece) { m_onPiece = std::move(onPiece); }
     /// How many pieces of requested objects have come.
     [[nodiscard]] std::int64_t pieces() const { return m_pieces; }

@@ -21,7 +21,8 @@ class DownloadFolder;
 struct RetrievePlan {
     struct Series {
         QString seriesUid;
-        int counted = -1; ///< what the node counts, where its lists may be cut; −1: unknown
+        /// the number of objects that the node counts, if its lists may be incomplete; −1: unknown
+        int counted = -1;
         std::vector<InstanceHit> instances; ///< empty: the node does not list them
         QStringList missing;
         bool isPart = false; ///< only some of it is requested
@@ -45,15 +46,16 @@ struct RetrievePlan {
         std::function<Result<std::vector<SeriesHit>>(const QString& study)> series;
         std::function<Result<std::vector<InstanceHit>>(const QString& study, const QString& series)>
             instances;
-        /// The node answers in pages. Those that know none give the first one only: a list that is
-        /// shorter than what is counted counts as cut.
+        /// The node can answer in pages. A server without paging returns only the first page, so a
+        /// list that is shorter than the node's count is taken as incomplete.
         bool hasPages = false;
     };
     /// Errors: NodeHasNone, and those of the queries.
     [[nodiscard]] static Result<RetrievePlan> make(
         const Listing& listing, const RetrieveWish& wish);
 
-    /// What is not listed completely is retrieved as a whole, and counts as missing.
+    /// Determines what is missing. A series that is not listed completely counts as missing and is
+    /// retrieved as a whole.
     void lookWhatIsMissing(const DownloadFolder& folder);
     /// Whether the node listed what to expect, of every series.
     [[nodiscard]] bool isKnown() const;

@@ -11,7 +11,7 @@ namespace core {
 
 /// SOP classes that Burin opens, writes, or encounters in studies.
 [[nodiscard]] const std::vector<QByteArray>& storageClasses();
-/// Whether objects of a SOP class may be stored, as far as its UID tells: it is one of DICOM's
+/// Whether objects of a SOP class may be stored, as far as its UID shows: it is one of DICOM's
 /// storage classes, known here or not, or of a manufacturer.
 [[nodiscard]] bool mayBeStorage(const QByteArray& classUid);
 /// Every transfer syntax in which Burin can read an object, the uncompressed ones first.
