@@ -8,7 +8,7 @@
 
 namespace core {
 
-// What is asked of the edit of a row.
+// Questions about the edit of a row.
 
 /// What the row says to people: "Drill 6.2 mm, 214 bricks", "Grow 'Skull' 41 steps, +18 204
 /// voxels", as a code with arguments.

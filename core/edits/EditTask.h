@@ -29,12 +29,12 @@ struct OpenManner;
 /// Errors: those of the conversion; InvalidField if the engine does not carry out the edit.
 [[nodiscard]] Result<EngineEdit> engineEditOf(const Edit& edit, const Document& document);
 
-/// What the edit can be told while it stands open. It refers to the edit, which must keep its kind.
-/// Null: the engine does not carry it out, or only whole.
+/// The object that takes further input for the edit while it stands open. It refers to the edit,
+/// which must keep its kind. Null: the engine does not carry the edit out, or only whole.
 [[nodiscard]] std::unique_ptr<OpenStroke> openStrokeOf(Edit& edit);
 
-/// How an edit stands open that is not the engine's alone: of the surface, or of a segment, where
-/// it is worked out first. Of others, OpenStroke says it.
+/// How an edit stands open that the engine does not carry out alone: an edit of the surface, or one
+/// of a segment that is computed before it is applied. For all others OpenStroke answers this.
 [[nodiscard]] OpenManner openMannerOf(const Edit& edit);
 
 } // namespace core

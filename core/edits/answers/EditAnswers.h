@@ -11,9 +11,9 @@ namespace core {
 // signatures. EditTask.h, EditRows.h and DocumentEdits.h call them for any edit.
 //
 //   Result<void> check(const X&, const Document&)
-//     Whether it may be carried out. It is asked when the edit is requested and again after it has
-//     waited: is the change of the document possible, does everything that it refers to exist, and
-//     can an engine's command be made of it?
+//     Whether it may be carried out: is the change of the document possible, does everything that
+//     it refers to exist, and can an engine's command be made of it? Called when the edit is
+//     requested and again after it has waited.
 //   Result<bool> apply(const X&, Document&)
 //     Changes the document's lists and their entries; returns whether anything differs now.
 //     Errors: UnknownSegment, SegmentLocked, InvalidField; then nothing was changed.
@@ -28,14 +28,15 @@ namespace core {
 //     Only for those that the engine carries out: the command, in integers, that begins it.
 //     Their effects name engineTask<X>(), which does not compile without this function.
 //   std::unique_ptr<OpenStroke> openStroke(X&)
-//     Only for those of these that can stand open until the user ends them: what they can be told
-//     meanwhile, and what the engine is told then (core/edits/open/OpenStroke.h). It refers to the
-//     edit. Null: this one is carried out whole, although others of its kind are not. Their effects
-//     name opens<X>() or opensIf<X>() (Opening.h), which do not compile without this function.
+//     Only for those of these that can stand open until the user ends them: takes their further
+//     input and passes it to the engine (core/edits/open/OpenStroke.h). It refers to the edit.
+//     Null: this one is carried out whole, although others of its kind are not. Their effects name
+//     opens<X>() or opensIf<X>() (Opening.h), which do not compile without this function.
 //   OpenManner openManner(const X&)
-//     Only for edits that are not the engine's alone and stand open otherwise than under a pen: of
-//     the surface, or of a segment, where they are worked out first. Tools of the surface are told
-//     further points of their path (SurfacePath), which needs no function.
+//     Only for edits that the engine does not carry out alone and that stand open otherwise than
+//     under a pen: edits of the surface, and those of a segment that are computed before they are
+//     applied. Tools of the surface receive further points of their path (SurfacePath), which needs
+//     no function.
 //   RowUse rowUse(const X&)
 //     Only for edits that name rows of the history: what it does with them (RowUse.h).
 //     EditNames.cpp does not compile without this function.

@@ -56,8 +56,8 @@ struct FilledSegments {
 /// No segment has its first voxels, or seeds, from it.
 inline const FilledSegments fillsNothing{.label = std::nullopt};
 
-/// What is known of an edit before it is carried out. The first two members and what it fills must
-/// be given for each edit; without the latter it does not compile.
+/// What is known of an edit before it is carried out. `task`, `standsOpen` and `fills` must be
+/// given for each edit; without `fills` it does not compile.
 struct EditEffects {
     EditTask task;
     /// Whether it can be begun and then continued until it ends. All other edits are carried out
@@ -72,7 +72,8 @@ struct EditEffects {
     /// The label whose voxels it is about; a surface around that segment differs from it
     /// afterwards. What a growth changes is not known in advance, nor what other segments lose.
     std::optional<int> writesTo{};
-    /// Who will have to be coded where it is exported with a code.
+    /// The segments that may get their first voxels or seeds from it. Recipes check that these have
+    /// a code before they are exported to a format that needs codes.
     FilledSegments fills;
     /// It refers to places of one study or to rows of one history, so it means nothing in a recipe
     /// for another study.

@@ -11,7 +11,7 @@ namespace core {
 
 struct SurfacePath;
 
-/// Whether it can stand open while the engine carries it out.
+/// Whether an edit can stand open while the engine carries it out.
 template <class E>
 concept hasOpenStroke = requires(E& edit)
 {
@@ -20,12 +20,13 @@ concept hasOpenStroke = requires(E& edit)
         } -> std::same_as<std::unique_ptr<OpenStroke>>;
 };
 
-/// Whether it is a tool of the surface, which stands open under the pen and is told further points
-/// of its path.
+/// Whether an edit is a tool of the surface, which stands open under the pen and receives further
+/// points of its path.
 template <class E>
 concept isSurfaceTool = std::is_same_v<decltype(E::path), SurfacePath>;
 
-/// Whether it is not the engine's alone and stands open in another manner than under a pen.
+/// Whether an edit is not carried out by the engine alone and stands open otherwise than under a
+/// pen.
 template <class E>
 concept hasOpenManner = requires(const E& edit)
 {
@@ -38,8 +39,8 @@ concept hasOpenManner = requires(const E& edit)
 void mustNameItsKind();
 
 /// Whether an edit can be begun and then continued until it ends: a stroke, a growth that is
-/// watched, a preview. Only a kind that says what it is told meanwhile can be such an edit, which
-/// the compiler checks; all others say `false`.
+/// watched, a preview. Only a kind that declares how it takes further input can be such an edit,
+/// which the compiler checks; all others say `false`.
 class Opening {
 public:
     consteval Opening(bool standsOpen)
@@ -49,7 +50,7 @@ public:
     }
     [[nodiscard]] explicit operator bool() const { return m_standsOpen; }
 
-    /// Of an edit of a kind that can stand open, though not each of them can.
+    /// For a kind of edit that can stand open. @p standsOpen says whether this edit can.
     template <class E> [[nodiscard]] static Opening of(bool standsOpen)
     {
         static_assert(hasOpenStroke<E> || isSurfaceTool<E> || hasOpenManner<E>,
@@ -64,12 +65,12 @@ private:
     bool m_standsOpen = false;
 };
 
-/// Of a kind of which every edit can stand open.
+/// For a kind of which every edit can stand open.
 template <class E> [[nodiscard]] Opening opens()
 {
     return Opening::of<E>(true);
 }
-/// Of a kind of which only some can.
+/// For a kind of which only some edits can stand open.
 template <class E> [[nodiscard]] Opening opensIf(bool standsOpen)
 {
     return Opening::of<E>(standsOpen);

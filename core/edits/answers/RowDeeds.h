@@ -8,10 +8,10 @@
 
 namespace core::rowWords {
 
-// Titles of rows that change what a list of the document says: all that is different then, "Rename
+// Titles of rows that change entries of the document's lists. They name every difference: "Rename
 // segment 1 to 'Bone', recolour it, lock it".
 
-/// What was done, one after the other; the first says to what.
+/// Collects what was done, in order. The first part also names the object.
 class Deeds {
 public:
     /// @param alone "Lock segment 'A'", @param further "lock it"

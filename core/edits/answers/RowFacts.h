@@ -14,12 +14,14 @@
 
 namespace core {
 
-/// Rows of the history, for titles that speak of them; the history itself lies above edits.
+/// Access to earlier rows of the history, for titles that mention them. The history itself belongs
+/// to a higher layer.
 class Past {
 public:
     virtual ~Past() = default;
 
-    /// Without the figures at its end: "Drill 6.2 mm, 214 bricks" → "Drill 6.2 mm".
+    /// The title of a row without the figures at its end: "Drill 6.2 mm, 214 bricks" → "Drill 6.2
+    /// mm".
     [[nodiscard]] virtual RowTitle headlineOf(std::int64_t row) const = 0;
     /// @pre the row's edit is a cut
     [[nodiscard]] virtual StrokeParameters cutOf(std::int64_t row) const = 0;
@@ -28,7 +30,8 @@ public:
 /// What became of sketched seeds (core/session/past/SketchedSeeds.h).
 struct SketchedTitle {
     RowTitle became; ///< "3 of 5 voxels (2 belong to 'Skull')"
-    bool isPlain = true; ///< no more than how many: all became seeds, of nobody else
+    /// it states only a number: all became seeds, and no other segment is involved
+    bool isPlain = true;
 };
 
 /// What a row's title is made from, beside its edit.
@@ -37,7 +40,7 @@ struct RowFacts {
     const ChangeFacts& facts; ///< of what it changed
     const Document& document; ///< as it is before the edit
     const Past& past; ///< before the row
-    std::optional<SketchedTitle> sketched{}; ///< of a SeedStroke; none: nobody asked
+    std::optional<SketchedTitle> sketched{}; ///< of a SeedStroke; none: not determined
 
     /// What a segment gained and lost; if there is no such segment, the changes of its label in the
     /// first plane.

@@ -15,11 +15,11 @@ struct SegmentChoice;
 
 namespace core::rowWords {
 
-// What titles of rows are put together from (rowTitle() of an edit).
+// Parts of which titles of rows are composed (rowTitle() of an edit).
 
-/// How many of what the code says: 2 and Voxels for "2 voxels".
+/// A count of what the code names: 2 and Voxels for "2 voxels".
 [[nodiscard]] RowTitle figure(RowTitleCode code, std::int64_t count);
-/// "+12 −3 voxels", or one of both; "−0 voxels" where there is none.
+/// "+12 −3 voxels", or one of both; "−0 voxels" if there is neither.
 [[nodiscard]] RowTitle flowTitle(std::int64_t gained, std::int64_t lost);
 /// "Mirror 'Liver', +12 −3 voxels": what was done to a segment, and what it gained and lost.
 [[nodiscard]] RowTitle segmentChanged(RowTitleCode code, int label, const RowFacts& row);
@@ -27,11 +27,11 @@ namespace core::rowWords {
 /// changed; then their number is stated.
 [[nodiscard]] RowTitle voxelsOrSeedsLost(bool erases, const RowFacts& row);
 
-// Names; the number where there is none.
+// The name of a segment, layer or piece; its number if there is no such object.
 [[nodiscard]] QString segmentName(int label, const Document& document);
 [[nodiscard]] QString layerName(int id, const Document& document);
 [[nodiscard]] QString pieceName(int id, const Document& document);
-/// Of a segment that receives voxels.
+/// The name of a segment that receives voxels.
 [[nodiscard]] QString targetName(const SegmentChoice& choice, const Document& document);
 
 } // namespace core::rowWords

@@ -6,8 +6,8 @@
 namespace core {
 
 /// The kinds of edits that a growth consists of: its seeds and barriers, its steps, and what takes
-/// some of them back. What is said and drawn of rows of growth is asked by overloads for all of
-/// them, so that a kind that is added does not compile until it answers.
+/// some of them back. Code that words or draws rows of growth has an overload for each of them, so
+/// that a new kind does not compile until it is handled.
 using GrowthKinds = EditKinds<SeedStroke, BarrierStroke, GrowSteps, ResumeGrowth, ChangeInterval,
     ShrinkSteps, ShrinkAt, PlugLeak, GrowFromSeeds>;
 template <class E>

@@ -9,8 +9,8 @@ namespace core {
 
 struct SurfacePath;
 
-/// Any edit that lays the surface that is refined, or works on it. What is asked of each of them
-/// is asked by overloads for all, so that a kind that is added does not compile until it answers.
+/// Any edit that creates the surface that is refined, or works on it. Code that handles them has an
+/// overload for each, so that a new kind does not compile until it is handled.
 using SurfaceKinds = EditKinds<LaySurface, DropSurface, FollowMask, MarkSurface, ChangeMarks,
     SpherePush, PlaneScrape, PointDrag, ApplyTemplate, SmoothSurface, AttractSurface, WriteBack,
     SurfaceBarrier>;

@@ -12,15 +12,15 @@ struct VolumeGeometry;
 /// How the path of a brush becomes that of the engine.
 struct BrushRule {
     bool followsEdges = false; ///< the engine must know the voxels under the pen (CapsulePath)
-    bool ofTolerance = false; ///< PartPressures has the same
+    bool ofTolerance = false; ///< as PartPressures::ofTolerance
 };
 
 /// The whole path of a brush in an engine's integers.
 [[nodiscard]] CapsulePath wholeBrushPath(
     const BrushPath& path, BrushRule rule, const VolumeGeometry& geometry);
 
-/// The open stroke of a brush that paints, carves or sets barriers. It is told further points of
-/// its path (PathPoints).
+/// The open stroke of a brush that paints, carves or sets barriers. It takes further points of its
+/// path (PathPoints).
 class OpenBrush final : public OpenStroke {
 public:
     explicit OpenBrush(BrushPath& path, BrushRule rule = {});

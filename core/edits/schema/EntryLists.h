@@ -16,8 +16,8 @@
 
 namespace core::editFields {
 
-// What kinds of fields that hold lists do alike, whatever their entries are: each takes a list
-// entry by entry, with the caller's word on one. A reason names the entry, counted from 1.
+// What all list fields share: each function processes a list entry by entry, with a function of the
+// caller for one entry. A reason for refusal names the entry, counted from 1.
 
 [[nodiscard]] inline Clause atEntry(std::size_t place, const Clause& reason)
 {
@@ -34,7 +34,7 @@ template <class Entry, class Write>
     return array;
 }
 
-/// @param noList the reason where it is no list
+/// @param noList the reason if the JSON is not a list
 /// @param read JSON of one entry, into that entry: the reason, or empty
 template <class Entry, class Read>
 [[nodiscard]] Clause readEach(
@@ -72,7 +72,7 @@ template <class Entry, class Round>
     return result;
 }
 
-/// The first reason that is none of those that are empty.
+/// The first reason that is not empty; empty if all are.
 [[nodiscard]] inline Clause firstOf(std::initializer_list<Clause> reasons)
 {
     const auto said = std::find_if(

@@ -7,9 +7,9 @@
 
 namespace core::editSchema {
 
-/// The base of visitors of an edit's fields (SchemaParts.h). It takes each value that is there as a
-/// field, enters each object and each condition that is there, and skips constants. What derives
-/// from it has field(), and its own form of what it treats otherwise.
+/// The base of visitors of an edit's fields (SchemaParts.h). By default it visits each given value
+/// as a field, enters each group and each condition that holds, and skips constants. A derived
+/// class provides field() and overrides what it treats differently.
 template <class Visitor> class FieldVisitor {
 public:
     template <class Kind>

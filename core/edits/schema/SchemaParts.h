@@ -70,14 +70,14 @@ template <class Visitor> void visitName(Visitor& visit, QString& name)
         "name", Presence::Required, name, editFields::Text{}, "the name that the list shows");
 }
 
-/// Whose voxels an edit takes that gives some to a segment.
+/// Whether an edit that gives voxels to a segment may take them from other segments.
 template <class Visitor> void visitOverwrite(Visitor& visit, bool& overwriteUnlocked)
 {
     visit.field("overwriteUnlocked", Presence::Optional, overwriteUnlocked, editFields::Flag{},
         "whether voxels of other segments that are not locked are taken");
 }
 
-/// Which values voxels have that an edit gives to a segment.
+/// The interval of values to which an edit is limited.
 template <class Visitor>
 void visitOnlyValues(Visitor& visit, std::optional<double>& lower, std::optional<double>& upper)
 {
@@ -136,7 +136,7 @@ template <class Visitor> void visitHidden(Visitor& visit, ClipHalfSpaces& hidden
         "nothing");
 }
 
-/// What a cut leaves uncut.
+/// The segments that a cut leaves unchanged.
 template <class Visitor> void visitProtected(Visitor& visit, ProtectedSegments& protectedSegments)
 {
     visit.maybe("spared", protectedSegments, editFields::SegmentList{},

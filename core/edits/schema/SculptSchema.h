@@ -27,7 +27,7 @@ template <class Visitor> void visitCarvedLayer(Visitor& visit, int& layer)
         "the sculpt layer that is carved; it must not be muted");
 }
 
-/// What a cut leaves as it is: what is not seen, and segments.
+/// What a cut leaves unchanged: hidden places and protected segments.
 template <class Visitor, class Cut> void visitLeftAlone(Visitor& visit, Cut& edit)
 {
     visitHidden(visit, edit.hidden);

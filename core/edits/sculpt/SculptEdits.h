@@ -69,7 +69,7 @@ void addProtected(Edit& edit, const Document& document);
 /// Whether an edit writes the coverage of a layer in another way than by a cut, so that cuts alone
 /// do not give its content. A kind that names a layer does not compile until this is known of it.
 [[nodiscard]] bool writesLayer(const Edit& edit, int layer);
-/// The same of whatever layer.
+/// The same for any layer.
 [[nodiscard]] bool writesSomeLayer(const Edit& edit);
 
 } // namespace core

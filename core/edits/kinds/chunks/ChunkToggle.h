@@ -28,7 +28,7 @@ struct ChunkToggle {
     /// dependencies().
     std::optional<std::vector<std::int64_t>> bricks{};
     /// Which voxels may change; none: any. Whether the segment has more than half of a chunk is
-    /// asked of the whole chunk.
+    /// decided for the whole chunk.
     std::optional<EditableRange> editable{};
 };
 

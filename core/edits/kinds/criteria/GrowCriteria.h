@@ -28,7 +28,7 @@ struct GrowCriteria {
     std::optional<int> majority{};
     /// The weighted median of these 27 (GrowLimits) is compared with the interval, instead of the
     /// voxel's own value: holes and specks of noise vanish, borders and walls stay where they are.
-    /// What else is asked of values is asked of the voxels' own.
+    /// All other criteria use the voxels' own values.
     std::optional<bool> smoothing{};
     /// mm: growth only goes where a ball of this diameter can roll to from a seed (Passage.h). A
     /// ball that contains no voxel but its centre has no effect.

@@ -54,7 +54,7 @@ struct GrowGuard;
 [[nodiscard]] std::optional<GuardRule> guardRule(
     const GrowGuard& guard, const VolumeGeometry& geometry);
 
-/// What a cut of a growth is made of, beside what only one kind of it knows.
+/// What all kinds of edits that cut a growth have in common.
 struct CutPlaces {
     std::vector<glm::dvec3> pointsLps;
     std::optional<int> plane; ///< GrowthPlane.h
@@ -67,7 +67,7 @@ struct CutPlaces {
 
 struct GrownSegments {
     std::int64_t count = 0; ///< 0: only seeds became members
-    QString name{}; ///< of the one, where it is one
+    QString name{}; ///< its name, if it is a single one
 };
 [[nodiscard]] GrownSegments grownSegments(const ChangeFacts& facts, const Document& document);
 /// "120 … 300 HU"

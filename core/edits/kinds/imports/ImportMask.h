@@ -80,7 +80,7 @@ struct ImportPlan {
 /// Errors: those of importTargets(), InvalidField (voxels of another grid).
 [[nodiscard]] Result<ImportPlan> importPlan(const ImportMask& edit, const Document& document);
 
-/// What it writes. Cost: that of all its voxels; it asks @p progress after each segment. Any
+/// What it writes. Cost: that of all its voxels; it checks @p progress after each segment. Any
 /// thread. Errors: InvalidField (voxels that cannot be unpacked), Cancelled.
 [[nodiscard]] Result<LabelPlanes> labelPlanes(
     const ImportPlan& plan, const std::vector<ImportedSegment>& segments, const Progress& progress);

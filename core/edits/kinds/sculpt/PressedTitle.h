@@ -22,7 +22,8 @@ template <class Stroke> [[nodiscard]] double deepestMm(const Stroke& stroke)
     return stroke.depthMm * std::pow(pressure, stroke.pressureExponent);
 }
 
-/// By depth and, of those that cut for as long as they are held, by depth a second.
+/// Title codes of a tool: for cuts of a given depth, and for mode Rate, where the depth is per
+/// second.
 struct PressedCodes {
     RowTitleCode carve;
     RowTitleCode carveByRate;
@@ -30,7 +31,7 @@ struct PressedCodes {
     RowTitleCode restoreByRate;
 };
 
-/// "Drill 6.2 mm, 214 bricks". @param verbs for carving and for restoring
+/// "Drill 6.2 mm, 214 bricks". @param codes of the tool
 template <class Stroke>
 [[nodiscard]] RowTitle pressedTitle(
     const Stroke& stroke, const PressedCodes& codes, const EditStatistics& statistics)

@@ -14,6 +14,7 @@ namespace core {
 enum class EditTask;
 struct SegmentChoice;
 
+/// Add a segment without voxels to the end of the list.
 struct AddSegment {
     QString name{};
     std::uint32_t rgb = 0;
@@ -34,7 +35,7 @@ Result<bool> apply(const AddSegment& edit, Document& document);
 Result<bool> addNewSegment(const SegmentChoice& choice, Document& document);
 /// Whether there is room for it, if it is a new one.
 [[nodiscard]] Result<void> checkNewSegment(const SegmentChoice& choice, const Document& document);
-/// The effects of an edit that gives it voxels, and is carried out whole.
+/// The effects of an edit that gives voxels to the chosen segment and is carried out whole.
 [[nodiscard]] EditEffects effectsOn(const SegmentChoice& choice, EditTask task, bool boundToStudy);
 
 } // namespace core

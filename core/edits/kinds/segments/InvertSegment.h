@@ -9,8 +9,8 @@ namespace core {
 struct MapLabels;
 
 /// The segment receives what no segment has, in the whole volume, and what it had becomes free.
-/// Others keep their voxels; carved or hidden ones count as all others. It can stand open as a
-/// preview.
+/// Other segments keep their voxels; carved or hidden voxels count like all others. It can stand
+/// open as a preview.
 struct InvertSegment {
     int segment = 0; ///< label
     std::optional<EditableRange> editable{}; ///< which voxels may change at all; none: any

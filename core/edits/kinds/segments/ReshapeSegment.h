@@ -50,8 +50,8 @@ struct ReshapeSegment {
     /// (jointGaussianChange()): in each label plane those that lie there, beside what is free in
     /// it.
     std::optional<std::vector<int>> with{};
-    /// Only for Median: in a study of a single slice the ball is a disc (flatBallOf()). Sessions of
-    /// before count the whole ball.
+    /// Only for Median: in a study of a single slice the ball is a disc (flatBallOf()). Older
+    /// sessions use the whole ball.
     std::optional<bool> flat{};
     SideMargins sides{}; ///< only for Grow and Shrink (core/morphology/SidedMargin.h)
     std::optional<EditableRange> editable{}; ///< which voxels may change; none: any
@@ -78,7 +78,7 @@ Result<bool> apply(const ReshapeSegment& edit, Document& document);
 [[nodiscard]] Result<LabelListed> labelListed(const ReshapeSegment& edit, const Document& document,
     std::span<const std::uint8_t> labels, const Progress& progress);
 
-/// The same wherever they lie.
+/// The same for segments in any planes.
 /// @param planes those in which they lie, ascending, each once
 [[nodiscard]] Result<LabelPlanes> labelPlanes(const ReshapeSegment& edit, const Document& document,
     std::span<const LabelPlane> planes, const Progress& progress);

@@ -54,9 +54,9 @@ Result<bool> apply(const SplitByCurve& edit, Document& document);
 [[nodiscard]] EditDependencies dependencies(const SplitByCurve& edit, const DependencyFacts& row);
 
 /// Which voxels of its segment the edit would give to the new one if all of them might change: its
-/// editable range is not asked.
-/// @param voxels all those of the segment
-/// Any thread. Errors: those of check() (but locks are not asked), Cancelled.
+/// editable range is ignored.
+/// @param voxels all those of the segment Any thread. Errors: those of check() (but locks are
+/// ignored), Cancelled.
 [[nodiscard]] Result<SplitSides> sidesOf(const SplitByCurve& edit, const Document& document,
     const VoxelRuns& voxels, const Progress& progress);
 

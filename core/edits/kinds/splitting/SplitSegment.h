@@ -37,7 +37,7 @@ Result<bool> apply(const SplitSegment& edit, Document& document);
 [[nodiscard]] EditDependencies dependencies(const SplitSegment& edit, const DependencyFacts& row);
 
 /// Which voxels of its segment the edit would give to the new one if all of them might change: its
-/// editable range is not asked.
+/// editable range is ignored.
 /// @param voxels all those of the segment
 /// Any thread. Errors: InvalidField (a normal of length 0), Cancelled.
 [[nodiscard]] Result<SplitSides> sidesOf(const SplitSegment& edit, const Document& document,

@@ -15,8 +15,8 @@ namespace core {
 /// not moved changes none. core/session/surface/SurfaceWriteBack.h has the exact rule, also for the
 /// rim of what was moved and for changes of the mask in the meantime.
 ///
-/// With a range that leaves voxels out, mask and surface do not agree afterwards: the next one asks
-/// again for everything that the surface was moved over since they did.
+/// If the editable range leaves voxels out, mask and surface do not agree afterwards, and the next
+/// write-back covers again everything that the surface was moved over since they last agreed.
 struct WriteBack {
     bool overwriteUnlocked = false;
     SurfaceRules rules{};
