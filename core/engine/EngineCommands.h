@@ -14,23 +14,28 @@ namespace core {
 
 // All commands of an engine: the sum of the headers of its families.
 //
-// A command that cannot be carried out changes nothing and yields ErrorCode::InvalidField:
-// BeginEdit while a transaction is open; ExtendEdit or EndEdit while none is, or an extension of
-// another kind of edit; a peel's depth below 0; SwapBricks, XorBricks or MuteLayers while a
-// transaction is open; a brick or voxel that the volume does not have; an image that is neither
-// empty nor whole; a connectivity other than 6, 18 and 26; a shrinking to more than there is, also
-// by ShrinkTo; a cut, also by CutFurther, of no step; a segment label of 0; a mask's frame whose
-// pitch, rampHalfWidth or gapSamples is below 1; a laser, a brush's frame or edges, what is hidden,
-// a list of labels or places, a growth or groups of seeds that are not sound (isSound()); bounds
-// that are not (areSound()); a layer folded into itself; a table of opacities of another length
-// than 256; growing from seeds that is not sound (isSound()) or with seeds of fewer than two
-// labels; TraceTolerance while a transaction is open, by a rule that is not sound (isSound()) or of
-// a label without seeds; PreviewCut while a transaction is open, or of a cut that could not begin;
-// CompareGrowth while no GrowBurst is open; a box of codes that is empty or not within the volume.
+// A command that cannot be carried out changes nothing and yields ErrorCode::InvalidField. That is
+// so for
+// - BeginEdit, SwapBricks, XorBricks, MuteLayers, TraceTolerance and PreviewCut while a transaction
+//   is open; ExtendEdit and EndEdit while none is; CompareGrowth while no GrowBurst is open;
+// - an extension that belongs to another kind of edit;
+// - parts that are not sound (isSound(), areSound()): a laser, the frame or edges of a brush,
+//   hidden half-spaces, a list of labels or places, a growth, groups of seeds, a rule of
+//   TraceTolerance, bounds;
+// - numbers out of range: a peel's depth below 0; a connectivity other than 6, 18 and 26; a shrink
+//   to more than there is, also by ShrinkTo; a cut of no step, also by CutFurther; a segment label
+//   of 0; a mask's frame whose pitch, rampHalfWidth or gapSamples is below 1; a table of opacities
+//   of another length than 256;
+// - a brick or voxel outside the volume; a box of codes that is empty or not within the volume; an
+//   image of a brick that is neither empty nor complete;
+// - a layer folded into itself; growing from seeds with seeds of fewer than two labels;
+//   TraceTolerance for a label without seeds; PreviewCut of a cut that could not begin.
+//
 // ReadBricks, ReadBarriers, ReadSeedWords, ReadCodes, ProbeVoxels, ProbeSeeds, PickVoxels,
-// CountGenerations, DropTolerance and DropCutPreview are served while a transaction is open too. A
-// CutGrowth over seeds yields ErrorCode::SeedsStay, one where nothing has grown NothingGrown, one
-// backwards that would take everything EverythingGrown (growth/cut/GrowthCut.h), and so does a
+// CountGenerations, DropTolerance and DropCutPreview are also served while a transaction is open.
+//
+// A CutGrowth over seeds yields ErrorCode::SeedsStay, one where nothing has grown NothingGrown, and
+// one backwards that would remove everything EverythingGrown (growth/cut/GrowthCut.h). So does a
 // PreviewCut of it.
 
 /// Opens a transaction. At most one is open; its ticket identifies it until EndEdit.

@@ -21,9 +21,10 @@ struct ScreenshotRequest {
 [[nodiscard]] Result<ExportReport> exportScreenshot(
     const Volume& volume, const ScreenshotRequest& request, const Progress& progress);
 
-/// Checks that a picture may take the place of what has that name: of nothing, or of another
-/// picture of its kind (.dcm: a Secondary Capture; else PNG). To be asked before anything is open:
-/// it reads the file. Errors: those of checkFileTarget(); FileUnwritable (it is something else).
+/// Checks that a picture may be written under a name: the name must be free, or belong to another
+/// picture of the same kind (.dcm: a Secondary Capture; else PNG). Call this before anything else
+/// is open, because it reads the file. Errors: those of checkFileTarget(); FileUnwritable (it is
+/// something else).
 [[nodiscard]] Result<void> checkPictureTarget(const QString& file);
 
 } // namespace core

@@ -63,10 +63,9 @@ struct ForgetSpread { };
 /// label is in both, and the box is not empty and within the volume.
 [[nodiscard]] bool isSound(const SpreadLabels& spread, const glm::ivec3& volumeSize);
 
-/// The box of the rule above, from the bounding box of all seeds.
 [[nodiscard]] Result<void> checkSound(const SpreadLabels& spread, const BrickGrid& grid);
 
-/// The box, from the one around all seeds.
+/// The box of the rule above, from the bounding box of all seeds.
 [[nodiscard]] VoxelBox spreadBox(
     const SpreadLabels& spread, const VoxelBox& seeds, const glm::ivec3& volumeSize);
 

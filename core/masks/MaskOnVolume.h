@@ -40,8 +40,8 @@ struct MaskOnVolume {
 ///
 /// A folder is read as the mask of all its mask files (maskFilesIn()), as networks write them: one
 /// for each structure. A file with a single segment gives it its name. Files without a voxel in the
-/// study are left out, and so are images, such as the study itself beside its masks; notes tell it.
-/// A file that cannot be read is an error.
+/// study are left out, and so are images, such as the study itself beside its masks; the notes say
+/// so. A file that cannot be read is an error.
 [[nodiscard]] Result<MaskOnVolume> readMask(
     const QString& path, const Volume& volume, const Progress& progress);
 

@@ -52,8 +52,8 @@ constexpr std::size_t mostSegments = 255;
 /// @param value the first of them
 [[nodiscard]] tl::unexpected<Error> holdsNoLabels(const QString& path, double value);
 
-/// The failure of a file whose values cannot be labels and are as many as those of an image. In a
-/// folder such a file is left out, and so is one of the following.
+/// The failure of a file whose values cannot be labels and are as varied as those of an image. In a
+/// folder such a file is left out, and so is one that fails as the next function says.
 [[nodiscard]] tl::unexpected<Error> holdsImage(const QString& path);
 
 /// The failure of a file with more labels than a session has segments.

@@ -17,8 +17,8 @@ struct VolumeGeometry;
 /// between the voxels' centres, and never less than 0; on a sheared grid it is measured between the
 /// facing corners of the cells. Where slices are unevenly spaced, corners are where they truly lie
 /// (worldBetweenSlices()). Squared distances are whole numbers of a unit of the grid's own, so that
-/// equal ones are equal: that of MillimetreBall.h, and between uneven slices one in which a way
-/// across the whole volume is right to a hundred-millionth.
+/// equal ones are equal: that of MillimetreBall.h or, for unevenly spaced slices, one in which the
+/// distance across the whole volume is exact to a hundred-millionth.
 class CellDistances {
 public:
     explicit CellDistances(const VolumeGeometry& geometry);

@@ -39,7 +39,7 @@ struct JointChange {
 ///
 /// Cost: a blurring of the box around each segment, and one of the box around all.
 /// @param segments their labels, ascending
-/// @param number which part it is of work that has @p of such parts, for its progress
+/// @param number for progress: which part of the work this is, of @p of parts
 /// Any thread outside a parallelFor(). Errors: OutOfMemory, Cancelled.
 [[nodiscard]] Result<JointChange> jointGaussianChange(std::span<const std::uint8_t> labels,
     const glm::ivec3& size, std::span<const std::uint8_t> segments, const GridGaussian& gaussian,

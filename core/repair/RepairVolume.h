@@ -23,10 +23,10 @@ namespace core {
 [[nodiscard]] Result<LoadedVolume> repairVolume(
     LoadedVolume loaded, const SeriesRepair& repair, const Progress& progress = Progress());
 
-/// What of its repair changed a loaded volume, in the form of Volume::repair: a repair may also ask
-/// for what the series does not need, such as `gap=fill` where no slice is missing; empty if all
-/// slices are where they were. For sentences about what was done; a volume's name is its whole
-/// repair.
+/// The part of Volume::repair that actually changed a loaded volume, in the same form. (A repair
+/// may also request what the series does not need, such as `gap=fill` where no slice is missing.)
+/// Empty if all slices are where they were. For sentences about what was done; the name of a volume
+/// contains its whole repair.
 [[nodiscard]] QString repairMade(const Volume& volume);
 
 } // namespace core

@@ -12,7 +12,7 @@ namespace core {
 /// Removes a shell of even thickness from a region of a surface (seed A §4.4). It lies on the plane
 /// of CutFrame.h and continues with rules 2 to 6 of that header. The paper moves each point along
 /// its own normal, which piles up under convex surfaces and leaves gaps under concave ones; here
-/// the surface is moved inwards as a whole: everything within `byRate` of it is cut.
+/// the surface is moved inwards as a whole: everything within the depth of it is cut.
 ///
 /// 1. A ray is cast for each element with m = `mask`(a, b) > 0.
 /// 2. Sheet. Two elements that met a surface and share a side are connected if their zSurface

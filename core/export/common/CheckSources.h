@@ -29,8 +29,8 @@ Result<std::vector<SourceHeader>> checkedSourceHeaders(
 /// The difference between two patients, as a clause; empty if there is none.
 [[nodiscard]] Clause differenceOfPatients(const HeaderPatient& a, const HeaderPatient& b);
 
-/// The same for an object that was written and its source, of whose name and ID it has what DICOM
-/// can hold; the report says what was normalised or left out.
+/// The same for a written object and its source. The object holds name and ID as far as DICOM
+/// allows; the report says what was normalised or left out.
 [[nodiscard]] Clause differenceFromSource(
     const HeaderPatient& written, const HeaderPatient& source);
 

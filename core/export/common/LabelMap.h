@@ -21,8 +21,8 @@ struct LabelMap {
 [[nodiscard]] ReportSentence gridName(const Volume& volume);
 
 /// The reason why a volume cannot be written to a file with one step for all slices: they are so
-/// uneven that they would lie more than a tenth of it off. Empty if it can be; if they lie off at
-/// all, a caution is added that says how far.
+/// uneven that some would be displaced by more than a tenth of the step. Empty if it can be; if
+/// slices are displaced at all, a caution that says how far is added.
 /// @param format its name, for the sentences
 /// @param instead what keeps the slices in their places, as a clause
 [[nodiscard]] Clause oneStepObstacle(

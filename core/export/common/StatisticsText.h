@@ -14,12 +14,12 @@ struct StatisticsNumber {
     double value = 0.0;
 };
 
-/// A text as it may stand in a table that is opened as a spreadsheet, which takes one that begins
-/// like a formula (=, +, -, @) for one: with an apostrophe in front, also if it has some already.
+/// Makes a text safe for a table that may be opened as a spreadsheet. A text that begins like a
+/// formula (=, +, -, @), even behind apostrophes, gets an apostrophe in front.
 [[nodiscard]] QString noFormula(const QString& text);
 
-/// All numbers, in the order of the columns. Those that tell what was changed since an import come
-/// last, and only of a segment that was imported.
+/// All numbers, in the order of the columns. Those about changes since an import come last, and
+/// only for a segment that was imported.
 [[nodiscard]] std::vector<StatisticsNumber> numbersOf(const SegmentStatistics& statistics);
 
 /// RFC 4180, UTF-8: a line of names, then one line per segment; texts by noFormula(). Where the

@@ -14,7 +14,8 @@
 
 namespace core {
 
-/// What bounds a flood beside codes and box. By cell are the voxels that represent them.
+/// What limits a flood besides codes and box. Values "by cell" are those of the voxels that
+/// represent the cells.
 struct CoarseWalls {
     std::span<const std::uint8_t> labels{}; ///< by cell; empty: all 0
     std::span<const std::uint8_t> coverage{}; ///< by cell, 128 or more: closed; empty: all 0
@@ -23,8 +24,9 @@ struct CoarseWalls {
 
 /// A seed with the code of its voxel.
 struct CoarseSeed {
-    /// Whose it is. Who comes first takes what several reach at the same time, as the lower label
-    /// does in a growth.
+    /// The segment to which the seed belongs: the growth itself, or a rival with a lower or a
+    /// higher label. Of segments that reach a cell at the same time the first in this order takes
+    /// it, as the lower label does in a growth.
     enum class Of : std::uint8_t { RivalBefore, Own, RivalAfter };
     glm::ivec3 voxel{0};
     int code = 0;
@@ -32,27 +34,27 @@ struct CoarseSeed {
     bool operator==(const CoarseSeed&) const = default;
 };
 
-/// Finds out about what a growth from seeds to closure would take, in little time: instead of
-/// voxels it goes through cells (CoarseGrid), each of which is taken for as its middle voxel. If
-/// the grid is exact, this is what a GrowBurst would take by the interval, box, connectivity and
+/// Estimates quickly what a growth from seeds to closure would take: it works on cells (CoarseGrid)
+/// instead of voxels, and treats each cell as if all of it were like its middle voxel. If the grid
+/// is exact, the result is what a GrowBurst would take by the interval, box, connectivity and
 /// labels of the rule, the means around its seeds, and by coverage (GrowLimits::onlyVisible) and
-/// barriers; else structures and necks thinner than a cell may be missed, or passed.
+/// barriers. Otherwise structures thinner than a cell may be missed, and gaps narrower than a cell
+/// passed.
 ///
-/// A cell is open if the code of its middle voxel is in the interval (and `among`), that voxel in
-/// the box and not carved, and its label not closed. Only seeds count whose own voxel is in
-/// interval and box, and whose cell is neither carved nor has a closed label. Each reaches its own
-/// cell, and goes on from there, or, if that is not open, from the open ones of the 26 cells around
-/// it.
+/// A cell is open if its middle voxel lies in the box and is not carved, the code there is in the
+/// interval (and in `among`), and its label is not closed. Seeds count only if their own voxel is
+/// in interval and box, and their cell is neither carved nor has a closed label. The flood starts
+/// from the cell of each seed or, if that cell is not open, from the open ones of the 26 cells
+/// around it; the cell itself is reached in both cases.
 ///
-/// Barriers may be one voxel thin, and nothing passes them: an open cell that holds some is gone
-/// through voxel by voxel, and of such a cell as many voxels are counted as were reached.
+/// Barriers may be one voxel thin, and nothing passes them: an open cell with barriers is flooded
+/// voxel by voxel, and only the voxels reached in it are counted.
 ///
-/// Rivals, the segments that grow in the same burst, are at each place sooner or later than the
-/// growth itself, by voxels on the way; what they reach first is not taken. They are told from each
-/// other nowhere.
+/// Rivals are the segments that grow in the same burst. A cell that a rival reaches earlier,
+/// counted in voxels along the path, is not taken. Rivals are not distinguished from one another.
 ///
-/// With a passage width only those cells are gone through around which a ball has room, and what
-/// such balls cover is reached; cells with barriers then count as closed.
+/// With a passage width the flood goes only through cells around which a ball has room, and
+/// everything that such balls cover is reached; cells with barriers then count as closed.
 ///
 /// Errors: Cancelled. Cost ∝ the cells, and the voxels of those with barriers; two million cells
 /// take some tens of milliseconds.

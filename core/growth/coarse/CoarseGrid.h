@@ -37,7 +37,7 @@ struct CoarseGrid {
     {
         return glm::min(place * cell + cell / 2, volumeSize - 1);
     }
-    /// How many voxels of the volume are in a cell.
+    /// The number of voxels of the volume in a cell.
     [[nodiscard]] std::int64_t voxelsIn(const glm::ivec3& place) const;
 };
 

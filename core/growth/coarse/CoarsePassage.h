@@ -9,26 +9,28 @@
 
 namespace core {
 
-/// Where a ball has room to roll, in cells (Passage.h has the rule in voxels). If the grid is
-/// exact, a ball is that of the rule. In cells the border of what is open is known to half a cell,
-/// and so is the width of a passage.
+/// Where a ball has room to roll, in cells (Passage.h has the rule in voxels). On an exact grid the
+/// balls are those of the rule; on a coarser one the width of a passage is known only to half a
+/// cell.
 class CoarsePassage {
 public:
     CoarsePassage(const Passage& passage, const CoarseGrid& grid);
 
-    /// Whether a width is asked for, and a ball of it reaches further than its own cell along all
-    /// axes. Else the cells are too large, and nothing below makes sense.
+    /// Whether a width is requested and its ball extends beyond its own cell along all axes. If
+    /// not, the cells are too large and the functions below must not be used.
     [[nodiscard]] bool isTold() const { return m_isTold; }
     /// The cells around which a ball has room. Cost ∝ the cells, and the width in cells.
     /// @param open by cell: 1 or 0
     [[nodiscard]] std::vector<std::uint8_t> centres(const std::vector<std::uint8_t>& open) const;
-    /// The cells in the balls around these, of which some may not be open. Cost as above.
+    /// The cells covered by the balls around these centres; some of them may not be open. Cost as
+    /// above.
     [[nodiscard]] std::vector<std::uint8_t> covered(const std::vector<std::uint8_t>& centres) const;
-    /// From a cell to those whose balls hold it.
+    /// The steps from a cell to the centres whose balls contain it.
     [[nodiscard]] const std::vector<glm::ivec3>& steps() const { return m_steps; }
 
 private:
-    /// The square of each cell's distance from the nearest of these, as far as @p most.
+    /// For each cell the squared distance to the nearest of these, in units of the passage; @p most
+    /// + 1 if it is greater than @p most.
     [[nodiscard]] std::vector<std::uint32_t> squaresFrom(
         const std::vector<std::uint8_t>& cells, std::uint32_t most) const;
 

@@ -15,20 +15,21 @@ struct CoarseReach {
     enum State : std::uint16_t {
         Beyond,
         Reached,
-        /// Of several voxels, and touches a reached cell: the border may run through it.
+        /// Not reached, larger than a voxel, and touches a reached cell: the border may run through
+        /// it.
         Rim,
     };
     static constexpr int margin = 2; ///< cells, so that bodies can be drawn smoothly
 
-    /// Holds all that are Reached, with the margin as far as the volume goes; empty: nothing was.
+    /// Contains all reached cells, extended by the margin within the volume; empty: nothing was
+    /// reached.
     VoxelBox cells;
     std::vector<std::uint16_t> states; ///< State of each cell of that box, x fastest
     std::int64_t voxels = 0; ///< about how many voxels were reached
 };
 
-/// Makes Rim of what touches a reached cell, along the axes along which cells are of several
-/// voxels.
-/// @param mayBe whether a cell, by its place in the grid, may be one
+/// Marks as Rim the cells that touch a reached cell along axes on which cells have several voxels.
+/// @param mayBe whether a cell, given by its index in the grid, may become Rim
 void addRim(CoarseReach& reach, const CoarseGrid& grid,
     const std::function<bool(const glm::ivec3& cell)>& mayBe);
 

@@ -14,7 +14,7 @@
 
 namespace core {
 
-/// What a coarse flood asks of voxels: the part of a GrowBurst that a cell can answer.
+/// The conditions of a coarse flood: those of a GrowBurst that can be tested on a cell.
 struct CoarseRule {
     int lowCode = 0;
     int highCode = -1;
@@ -24,15 +24,16 @@ struct CoarseRule {
     /// Codes must lie in one of these too, as around the seeds of a stroke; none: no such
     /// condition.
     std::optional<std::vector<CodeInterval>> among{};
-    std::optional<std::vector<CodeInterval>> rivalsAmong{}; ///< the same for segments that grow too
-    std::bitset<256> closed{}; ///< labels that it does not enter
-    std::bitset<256> closedToRivals{}; ///< and those that segments that grow with it do not
-    Passage passage{}; ///< left out where cells are too large to tell it (CoarsePassage.h)
+    std::optional<std::vector<CodeInterval>> rivalsAmong{}; ///< the same for its rivals
+    std::bitset<256> closed{}; ///< labels that the flood does not enter
+    std::bitset<256> closedToRivals{}; ///< labels that its rivals do not enter
+    Passage passage{}; ///< ignored where cells are too large for it (CoarsePassage.h)
     bool operator==(const CoarseRule&) const = default;
 };
 
-/// By code, for all codes that there can be: 1 where it lies in the interval of a rule, and in one
-/// of these. Whoever asks about millions of cells asks this: strokes may have given many intervals.
+/// A table with an entry for every possible code: 1 if it lies in the interval of the rule and in
+/// one of these, else 0. For code that tests millions of cells, because strokes may yield many
+/// intervals.
 /// @param among CoarseRule::among or CoarseRule::rivalsAmong
 [[nodiscard]] std::vector<std::uint8_t> codesWithin(
     const CoarseRule& rule, const std::optional<std::vector<CodeInterval>>& among);

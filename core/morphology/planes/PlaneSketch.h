@@ -40,10 +40,10 @@ struct PlaneSketch {
         std::array<std::int64_t, 2> columnPerRight{};
         std::array<std::int64_t, 2> columnPerUp{};
     };
-    /// How a plane lies to another one.
+    /// The position of a plane relative to another one.
     struct Meeting {
         std::int64_t cosine = 0; ///< of the angle between their normals, · 2³⁰
-        /// Whether the angle is so large that the line matters in which they meet. If not, the
+        /// Whether the angle is large enough for the line in which they meet to matter. If not, the
         /// members below are 0.
         bool crosses = false;
         /// The direction in this plane at right angles to that line, to where the other plane's

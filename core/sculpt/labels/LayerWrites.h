@@ -72,8 +72,8 @@ struct LabelListed {
     std::optional<EditableVoxels> editable{}; ///< none: any; neither given nor freed elsewhere
 };
 
-/// LabelListed in several planes, one after another: what `editable` says of other planes is asked
-/// when the edit comes to a plane.
+/// LabelListed in several planes, one after another: what `editable` says of other planes is
+/// evaluated when the edit comes to a plane.
 struct LabelPlanes {
     std::vector<LabelListed> planes{}; ///< ascending by plane, each once; at least one
 };
@@ -116,7 +116,7 @@ struct MapLabels {
 };
 
 /// MapLabels in several planes, one after another in this order: what `editable` says of other
-/// planes is asked when the edit comes to a plane.
+/// planes is evaluated when the edit comes to a plane.
 struct MapPlanes {
     std::vector<MapLabels> planes{}; ///< each plane once; at least one
 };
@@ -143,7 +143,7 @@ struct FoldLayer {
 [[nodiscard]] Result<void> checkSound(const LabelListed& edit, const BrickGrid& grid);
 [[nodiscard]] Result<void> checkSound(const LabelPlanes& edit, const BrickGrid& grid);
 [[nodiscard]] Result<void> checkSound(const RelabelListed& edit, const BrickGrid& grid);
-/// There is no table that is not.
+/// Every table is sound; only the bounds are checked.
 [[nodiscard]] inline Result<void> checkSound(const MapLabels& edit, const BrickGrid&)
 {
     return checkSound(edit.editable);
@@ -154,7 +154,7 @@ struct FoldLayer {
 
 struct LabelOutlined; ///< LabelOutlined.h
 
-/// Those that give or take labels at once.
+/// Commands that give or take labels in one go.
 using LabelWrites =
     TypeList<LabelCarved, LabelSeen, LabelListed, LabelPlanes, RelabelListed, LabelOutlined>;
 
