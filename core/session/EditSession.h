@@ -94,20 +94,21 @@ public:
     /// begin(), undo() and others do this themselves.
     void closeOpen();
     [[nodiscard]] bool transactionOpen() const;
-    /// The edit that stands open, with what it was told; null: none.
+    /// The edit that stands open, with its input so far; null: none.
     [[nodiscard]] const Edit* openEdit() const;
     template <isEdit E> [[nodiscard]] bool isOpen() const
     {
         const Edit* open = openEdit();
         return open && open->is<E>();
     }
-    /// Whether what stands open is a preview, which whatever is done next takes back.
+    /// Whether what stands open is a preview, which any next action takes back.
     [[nodiscard]] bool openIsPreview() const;
     /// Whether it is a preview of an edit that was complete when it began, and of which the engine
     /// keeps nothing: the preview of another edit may take its place.
     [[nodiscard]] bool openIsReplaceable() const;
-    /// Whether an edit stands open that questions asked from now on are answered with. One of a
-    /// whole segment is worked out before that (SegmentWork), or may wait in line.
+    /// Whether an edit stands open whose effect is included in the answers to questions asked from
+    /// now on. An edit of a whole segment may still be computed (SegmentWork) or wait in line
+    /// before that.
     [[nodiscard]] bool openHasBegun() const;
     /// Whether an edit stands open of which nothing will remain: the engine has refused it.
     [[nodiscard]] bool openIsRefused() const;
@@ -116,18 +117,20 @@ public:
     Result<void> redo();
     Result<void> goTo(RowId row); ///< of the history; 0: the beginning
 
-    /// Tells the engine that edits with an editable range may follow, for it to get ready.
+    /// Announces to the engine that edits with an editable range may follow, so that it can
+    /// prepare.
     void expectEditableRanges();
 
     void poll(); ///< takes in finished results; call it after a wake-up
     [[nodiscard]] bool idle() const; ///< nothing is waiting or running, and no stroke is open
     Result<void> settle(); ///< blocks until every command is carried out and on disk
-    /// Before the session is destroyed, which nobody could be told of: ends what stands open
-    /// without a pen (closeOpen()), aborts work of minutes as the destructor does, and settles. If
-    /// the disk does not take the last steps, listeners hear of it, and the session can go on.
+    /// To be called before the session is destroyed, while failures can still be reported: ends
+    /// what stands open without a pen (closeOpen()), aborts long-running work as the destructor
+    /// does, and settles. If the disk refuses the last steps, listeners are notified, and the
+    /// session can be continued.
     Result<void> endWork();
-    /// Does at once what the destructor would begin with: neither listeners nor whoever asked hear
-    /// of anything any more. Whether the disk took the last steps, SessionStorage::trouble() says.
+    /// Does now what the destructor would do first. From here on neither listeners nor callers
+    /// receive anything; SessionStorage::trouble() says whether the disk took the last steps.
     void endUnheard();
     /// hex, of a settled session; core/session/README.md defines it
     [[nodiscard]] QByteArray stateHash() const;

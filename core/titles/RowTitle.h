@@ -18,8 +18,8 @@ namespace core {
 
 struct RowTitle;
 
-/// How many of something: 18204 is written "18 204". As the first argument it decides between one
-/// and many.
+/// How many of something: 18204 is written "18 204". As the first argument it selects the singular
+/// or plural form.
 struct TitleCount {
     std::int64_t count = 0;
     bool operator==(const TitleCount&) const = default;
@@ -41,18 +41,19 @@ struct TitleDigits {
     int digits = 6;
     bool operator==(const TitleDigits&) const = default;
 };
-/// A text is what a user named, a file's name, a code's meaning or a unit. Titles are quoted (of
-/// another row), joined (reasons, changes), or a word that is used in several.
+/// A text is a name that a user gave, the name of a file, the meaning of a code, or a unit. A list
+/// of titles is the quoted title of another row, parts that are joined (reasons, changes), or a
+/// word that several titles use.
 using TitleArgument = std::variant<TitleCount, TitleNumber, TitleDecimal, TitleDigits, QString,
     std::vector<RowTitle>>;
 
 struct RowTitle {
     RowTitleCode code = RowTitleCode::Nothing;
     std::vector<TitleArgument> arguments{};
-    /// What is said behind it, each after a comma: of a step that changes voxels or the surface the
-    /// last is what it changed; else what was done besides.
+    /// Further parts, each written after a comma. For a step that changes voxels or the surface,
+    /// the last part says how much it changed; otherwise they say what else was done.
     std::vector<RowTitle> then{};
-    bool operator==(const RowTitle& other) const; // not by default: titles stand in titles
+    bool operator==(const RowTitle& other) const; // not defaulted, because titles contain titles
 };
 
 [[nodiscard]] inline TitleDecimal inMm(double mm)
@@ -60,19 +61,21 @@ struct RowTitle {
     return {.value = mm, .decimals = 1};
 }
 
-/// A title inside of another one.
+/// A title as an argument of another one.
 [[nodiscard]] inline TitleArgument asArgument(RowTitle title)
 {
     return std::vector<RowTitle>{std::move(title)};
 }
 
-/// The name that is stored of a row, and part of the hash chain: what a title gives never changes.
+/// The name of a row as it is stored and covered by the hash chain. It must never change for a
+/// given title.
 [[nodiscard]] QString canonicalName(const RowTitle& title);
 
-/// Without what it says last, as rows quote it: "Drill 6.2 mm" of "Drill 6.2 mm, 214 bricks".
+/// The title without its last part, as other rows quote it: "Drill 6.2 mm" of "Drill 6.2 mm, 214
+/// bricks".
 [[nodiscard]] RowTitle headlineOf(RowTitle title);
 
-/// How deep titles stand in each other; 1: none does.
+/// The depth to which titles are nested; 1: the title contains no other.
 [[nodiscard]] int depthOf(const RowTitle& title);
 
 } // namespace core

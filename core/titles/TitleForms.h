@@ -14,14 +14,15 @@ namespace core {
 struct TitleForm {
     const char* id = nullptr; ///< null: there is no such code
     const char* text = nullptr; ///< UTF-8, with %1 … for the arguments
-    const char* one = nullptr; ///< in place of it where the first argument is 1; null: likewise
+    /// used instead if the first argument is 1; null: `text` is used then, too
+    const char* one = nullptr;
 };
 [[nodiscard]] TitleForm formOf(RowTitleCode code);
 
-/// Between titles that are one argument of this one.
+/// The text between titles that are one argument of a title of this code.
 [[nodiscard]] const char* joinerOf(RowTitleCode code);
 
-/// None: of a newer Burin, or nobody's.
+/// The code of this name; none if it is unknown, for example because a newer Burin wrote it.
 [[nodiscard]] std::optional<RowTitleCode> titleCodeFrom(QStringView id);
 
 } // namespace core

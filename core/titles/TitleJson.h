@@ -12,22 +12,24 @@ namespace core {
 
 // Titles in session files, which may be a stranger's (core/session/README.md has the form).
 
-/// No title that is read or written has more of it.
+/// Limits of the titles that are read and written.
 struct TitleLimits {
     static constexpr int depth = 8; ///< depthOf()
     static constexpr int arguments = 8; ///< of one title
-    static constexpr int titles = 1024; ///< in one argument, or said behind one title
+    static constexpr int titles = 1024; ///< in one argument, or following one title
     static constexpr qsizetype letters = 65536; ///< of the whole as text
 };
 
 [[nodiscard]] QJsonObject titleToJson(const RowTitle& title);
-/// None: it is no title, one that is not known here, or beyond the limits.
+/// None: it is not a title, has an unknown code, or exceeds the limits.
 [[nodiscard]] std::optional<RowTitle> titleFromJson(const QJsonObject& json);
 
-/// As a file keeps it, compact; empty: it is beyond the limits, and no title is kept.
+/// The title as compact JSON for a file; empty if it exceeds the limits, in which case no title is
+/// stored.
 [[nodiscard]] QString titleText(const RowTitle& title);
-/// As of titleFromJson(). What it says is the row's name, or it is not that row's title.
-/// @param name that is stored of the row
+/// Parses a stored title, as titleFromJson(). None also if its canonicalName() differs from the
+/// stored name, since it then belongs to another row.
+/// @param name the stored name of the row
 [[nodiscard]] std::optional<RowTitle> titleFromText(const QString& text, const QString& name);
 
 } // namespace core

@@ -11,19 +11,19 @@
 
 namespace core {
 
-/// A language that titles are worded in: the English of stored names here, that of the window in
+/// A language in which titles are worded: English for stored names here, the window's language in
 /// ui.
 class TitleLanguage {
 public:
     virtual ~TitleLanguage() = default;
 
-    /// What one title says, without what is said behind it.
-    /// @param arguments of it, worded
+    /// The text of one title without its further parts.
+    /// @param arguments its arguments as text
     [[nodiscard]] virtual QString text(
         const RowTitle& title, const QStringList& arguments) const = 0;
-    /// Between titles that are one argument of @p code.
+    /// The text between titles that are one argument of @p code.
     [[nodiscard]] virtual QString joiner(RowTitleCode code) const = 0;
-    /// Before what is said behind a title.
+    /// The text before a further part.
     [[nodiscard]] virtual QString comma() const = 0;
 };
 
@@ -31,6 +31,6 @@ public:
 
 /// 18204 → "18 204"
 [[nodiscard]] QString grouped(std::int64_t count);
-/// Whether the first argument is exactly one of something.
+/// Whether the first argument is a count of exactly one.
 [[nodiscard]] bool isOfOne(const RowTitle& title);
 } // namespace core

@@ -16,10 +16,11 @@ namespace core {
 /// The same for something that takes this number of bytes.
 /// @param what what takes them, as a clause can begin with it: "the volume"
 [[nodiscard]] Result<void> checkBytes(double bytes, const Clause& what);
-/// The greatest number of bytes that it allows.
+/// The greatest number of bytes that checkBytes() allows.
 [[nodiscard]] double allowedBytes();
 
-/// As long as it lives that number is this one; for tests, to which small volumes are too large.
+/// While an object exists, allowedBytes() returns this number; for tests, so that small volumes
+/// count as too large.
 class AllowedBytes {
 public:
     explicit AllowedBytes(double bytes);

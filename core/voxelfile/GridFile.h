@@ -26,8 +26,8 @@ constexpr qint64 longestTextHeader = qint64(1) << 22;
 
 /// The beginning of a file, read part by part as far as its text header goes, or the whole file.
 /// Errors: FileUnreadable, also where longestTextHeader is passed; FileTruncated: it is empty.
-/// @param isRead whether the header has ended, told all bytes and how many there were before the
-/// last part
+/// @param isRead returns whether the header has ended; receives all bytes read so far and their
+/// number before the last part
 [[nodiscard]] Result<QByteArray> readTextHeader(const QString& path,
     const std::function<bool(const QByteArray& bytes, qsizetype before)>& isRead);
 

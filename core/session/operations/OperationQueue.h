@@ -31,7 +31,7 @@ public:
     void submit(std::unique_ptr<Operation> operation) override;
     void ask(EngineCommand question, Answer answer) override;
 
-    /// What the user continues until it ends; null: nothing.
+    /// The open operation, which the user continues until it ends; null: none.
     [[nodiscard]] OpenOperation* interactive() const;
     /// The edit of the surface that is running; null: another operation, or none.
     [[nodiscard]] SurfaceOperation* runningSurface() const;
@@ -45,12 +45,11 @@ public:
     void waitForEngine() override;
     /// Blocks until nothing is left to do. @return the first failure since the last call
     Result<void> settle();
-    /// Like endUnheard(), while there is still somebody to be told: ends what stands open without a
-    /// pen, aborts work that a session which ends does not wait for (errors about that are not
-    /// told), and settles.
+    /// To be called before endUnheard(), while failures can still be reported: ends what stands
+    /// open without a pen, aborts work for which a session that ends does not wait (without
+    /// reporting that), and settles.
     Result<void> endWork();
-    /// What the destructor begins with, when nobody is to hear of anything any more: neither
-    /// listeners nor whoever asked.
+    /// What the destructor does first: from here on neither listeners nor callers receive anything.
     void endUnheard();
 
     /// Blocks until the file holds all that it was given so far, or the disk does not take it; then
@@ -73,7 +72,7 @@ public:
     void setErrorListener(std::function<void(const Error&)> listener);
     /// Passes the news of the state to the listeners.
     void notifyListeners();
-    /// Runs @p work, which tells the open operation something. If it throws, the operation is taken
+    /// Runs @p work, which passes input to the open operation. If it throws, the operation is taken
     /// back; if that is impossible, the session is lost (SessionState::lose()).
     void guard(const std::function<void()>& work);
 

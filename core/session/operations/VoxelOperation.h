@@ -41,7 +41,7 @@ public:
     [[nodiscard]] bool foresee(Document& document) const override;
 
     void abort(SessionState& state) override;
-    /// From when it is to become a row until the engine's answer is taken in.
+    /// True from the moment it is to become a row until the engine's answer was taken in.
     [[nodiscard]] bool isAbortable() const override;
     [[nodiscard]] int percent(const SessionState& state) const override;
     /// A session that ends waits for it: what the engine has begun is soon done.

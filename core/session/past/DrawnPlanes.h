@@ -11,8 +11,9 @@ namespace core {
 struct VolumeGeometry;
 
 /// The planes of the slices on which strokes in effect gave a segment voxels (of a flat brush, a
-/// filled outline, or a flood in one slice), each once, oldest first; of more than
-/// FillBetweenSlices can name the newest ones. Whether something of that is left is not looked at.
+/// filled outline, or a flood in one slice), each once, oldest first; if there are more than
+/// FillBetweenSlices can name, the newest ones. Whether anything of these strokes is left is not
+/// checked.
 [[nodiscard]] std::vector<DrawnPlane> drawnPlanes(
     int segment, const History& history, const VolumeGeometry& geometry);
 

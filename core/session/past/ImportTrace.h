@@ -16,9 +16,9 @@
 
 namespace core {
 
-/// Where imports of masks have voxels, which is where they asked for labels
-/// (RowTrace::importedTo). A row holds them packed, and there may be millions of runs: they are
-/// noted on the session's thread and unpacked on another.
+/// Where imports of masks have voxels, which is where they read labels (RowTrace::importedTo). A
+/// row holds them packed, and there may be millions of runs: they are noted on the session's thread
+/// and unpacked on another.
 class ImportTrace {
 public:
     /// Keeps what a row imported; a row with any other edit is not noted. Cheap: packed voxels are
@@ -26,8 +26,8 @@ public:
     void note(RowId row, const Edit& edit);
     /// Whether none was noted.
     [[nodiscard]] bool empty() const { return m_packed.empty() && m_bricks.empty(); }
-    /// Unpacks what was noted. Cost: that of all its runs; it asks @p progress before each segment,
-    /// and stops if that was cancelled. Any thread that may look at voxels.
+    /// Unpacks what was noted. Cost: that of all its runs; it checks @p progress before each
+    /// segment, and stops if that was cancelled. Any thread that may work on voxels.
     /// @param size of the volume
     void workOut(const glm::ivec3& size, const Progress& progress);
 

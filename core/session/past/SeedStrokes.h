@@ -10,7 +10,8 @@
 
 namespace core {
 
-/// The segment whose seeds an edit sets, or takes away: sketched, or painted; none: of no segment.
+/// The segment whose seeds an edit sets or removes, by sketching or painting; none: it does
+/// neither.
 [[nodiscard]] std::optional<int> segmentOfSeeds(const Edit& edit);
 
 /// The strokes of seeds in effect at the position of the history, oldest first: for each one the

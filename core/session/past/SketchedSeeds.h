@@ -22,10 +22,10 @@ struct SketchedSeeds {
         members; ///< stay what a segment has grown, or was painted, by label
     std::map<int, std::int64_t> waiting; ///< already pending seeds, and kept as such, by label
     std::int64_t barriers = 0; ///< kept as barriers
-    /// of those taken: seeds of another label before, by that label
-    std::map<int, std::int64_t> replaced; ///< of those taken: were seeds of another, by label
+    /// of those taken: were seeds of another segment, by its label
+    std::map<int, std::int64_t> replaced;
 
-    /// All became seeds, of nobody else.
+    /// Whether all became seeds, and none was a seed of another segment.
     [[nodiscard]] bool isPlain() const
     {
         return members.empty() && waiting.empty() && barriers <= 0 && replaced.empty();

@@ -54,7 +54,7 @@ private:
     std::map<BrickKey, BrickImage> m_images; ///< as they were after that row
     Ticket m_reading = 0;
     SideTask m_aside;
-    bool m_isLoading = false; ///< differences are on their way, which are nobody else's
+    bool m_isLoading = false; ///< differences are being loaded for this search
     bool m_done = false;
 };
 

@@ -67,8 +67,8 @@ public:
     /// Whoever reads whole planes in portions keeps this while it does, so that others can ask
     /// isBeingRead().
     [[nodiscard]] std::shared_ptr<const void> beginReading() const { return m_readings; }
-    /// Whether somebody reads planes who would have to begin again after an edit. What is begun
-    /// only in passing (a preview of what is pointed at) waits for that.
+    /// Whether planes are being read by code that would have to begin again after an edit. Edits
+    /// begun only in passing, such as the preview of what the pointer is on, wait for that.
     [[nodiscard]] bool isBeingRead() const { return m_readings.use_count() > 1; }
 
     /// Statistics around the seeds of each label of a plane, of codes in the interval: first for

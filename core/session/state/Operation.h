@@ -53,15 +53,15 @@ public:
     }
 };
 
-/// An operation is this, too, if its work may take long: it first works out on the side thread what
-/// is to be changed, or whether it may be changed; or the engine goes through much of the volume.
+/// The interface of operations whose work may take long: the side thread first computes what is to
+/// be changed, or whether it may be changed; or the engine goes through much of the volume.
 class AbortableWork {
 public:
     virtual ~AbortableWork() = default;
     /// Aborts it, if it is abortable: it ends with Cancelled and changes nothing.
     virtual void abort(SessionState& state) = 0;
     [[nodiscard]] virtual bool isAbortable() const = 0;
-    /// How much of the work is done; less than 0 before it has begun, or where nobody knows.
+    /// How much of the work is done; less than 0 before it has begun, or if it is unknown.
     [[nodiscard]] virtual int percent(const SessionState& state) const = 0;
     /// Whether a session that ends waits for it; otherwise it aborts it, because minutes may be
     /// left.
@@ -78,7 +78,7 @@ public:
     virtual void end(SessionState& state, Ending ending) = 0;
     [[nodiscard]] virtual const Edit& edit() const = 0;
     [[nodiscard]] virtual OpenManner manner() const = 0;
-    /// Whether questions that are asked from now on are answered with it.
+    /// Whether answers to questions asked from now on include its effect.
     [[nodiscard]] virtual bool hasBegun() const = 0;
     /// Whether nothing of it will remain, however it is ended.
     [[nodiscard]] virtual bool refused() const { return false; }

@@ -37,7 +37,7 @@ public:
     /// The result; if it has neither, nothing changed.
     struct Outcome {
         std::shared_ptr<const SurfaceStep> step; ///< the surface is already in the state after it
-        std::optional<EngineEdit> voxels; ///< the engine has to do
+        std::optional<EngineEdit> voxels; ///< what the engine has to do
         std::optional<RowTitle> remark{}; ///< an addition to the row's name
     };
 

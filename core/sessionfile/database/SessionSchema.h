@@ -7,9 +7,6 @@ namespace core {
 
 class SqliteConnection;
 
-/// The tables of a session file. A session is data: what else a database may hold (triggers, views)
-/// would be run by whoever reads or writes it.
-
 /// Which tables a file has, by its `user_version`.
 struct SessionFormat {
     static constexpr int oldest = 5; ///< that is read here

@@ -68,8 +68,8 @@ struct SessionLoss {
 /// Reads only the header of the file.
 [[nodiscard]] SessionLoss sessionLoss(const QString& path);
 
-/// The path that the last writes of a session get which could not be put into its own file, while
-/// another file has its name: SQLite does not know it.
+/// The path under which the last writes of a session are kept if they could not be put into its own
+/// file because another file has its name. SQLite does not recognise this path.
 /// @param path of its own file, without links
 /// @param number from 1, of several
 [[nodiscard]] QString leftLogName(const QString& path, int number);

@@ -31,8 +31,8 @@ struct RowText {
     [[nodiscard]] QString chain(const QString& previous) const;
 };
 
-/// Whether an edit of older rows names one that does not lie before its own row, as only a forged
-/// one does: whoever follows such names would not come to an end.
+/// Whether an edit of older rows names one that does not lie before its own row, which only a
+/// forged file contains: following such names might never end.
 [[nodiscard]] bool namesNoEarlierRow(RowId id, const Edit& edit);
 
 /// The chain of row 0. @param source the source's JSON as it stands in the file

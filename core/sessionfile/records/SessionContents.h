@@ -55,7 +55,8 @@ struct SessionContents {
     std::vector<SessionDamage> redo;
     Clause cutOff; ///< how much of the file is there, if not all of it
     Clause leftOpen; ///< why the last steps may be missing although no row is damaged
-    Clause leftBeside; ///< nothing of it: what of another session lies beside it, and what to do
+    /// nothing is missing: which files of another session lie beside this one, and what to do
+    Clause leftBeside;
 
     /// Whether work can continue in the file as it is.
     [[nodiscard]] bool isWhole() const { return !damage && redo.empty() && cutOff.isEmpty(); }

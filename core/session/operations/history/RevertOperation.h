@@ -46,7 +46,7 @@ private:
     /// The imports whose dependencies checkDependencies() asks for.
     [[nodiscard]] ImportTrace importsAsked(const SessionState& state) const;
     void loadNext(SessionState& state);
-    /// Finds where the imports have voxels, then lays over.
+    /// Finds where the imports have voxels, then applies the differences.
     void lookAtImports(SessionState& state);
     void checkAndLayOver(SessionState& state);
     /// @return false: it was aborted, and has given up
@@ -65,7 +65,7 @@ private:
     ImportTrace m_imports;
     std::shared_ptr<SideWatch> m_watch = std::make_shared<SideWatch>();
     SideTask m_aside; ///< finds where the imports have voxels
-    bool m_isLoading = false; ///< differences are on their way, which are nobody else's
+    bool m_isLoading = false; ///< differences are being loaded for this operation
     std::optional<Ticket> m_swapping;
     bool m_done = false;
 };

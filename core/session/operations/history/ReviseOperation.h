@@ -83,7 +83,7 @@ private:
     std::vector<RowId> m_path; ///< from the first of them to the position
     std::vector<RowId> m_toLoad; ///< the last one is loaded next
     std::shared_ptr<StrokeFold> m_fold; ///< from when the strokes are known
-    bool m_isLoading = false; ///< differences are on their way, which are nobody else's
+    bool m_isLoading = false; ///< differences are being loaded for this operation
     SideTask m_aside; ///< which has the fold
     bool m_isPut = false; ///< the engine has what was folded
     std::vector<RowId> m_begunInside;

@@ -34,8 +34,8 @@ private:
     RowId m_target = 0;
     RowId m_row = 0; ///< whose difference is being applied
     bool m_back = false; ///< whether it is being undone
-    bool m_isLoading = false; ///< its difference is on the way, which is nobody else's
-    bool m_isAbandoned = false; ///< until it is there
+    bool m_isLoading = false; ///< its difference is being loaded for this operation
+    bool m_isAbandoned = false; ///< abandoned; ends when the difference has arrived
     std::optional<Ticket> m_swapping; ///< the engine is changing bricks
     bool m_arriving = false; ///< the bricks are in place, but the history does not say so yet
     bool m_done = false;
