@@ -12,7 +12,7 @@
 
 namespace gpu {
 
-/// What works have to do with.
+/// The environment of an edit's work.
 struct WorkContext {
     EditPrograms& programs;
     VoxelFields& fields;
@@ -21,8 +21,8 @@ struct WorkContext {
 
 using BegunWork = core::Result<std::unique_ptr<EditWork>>;
 
-// One for each family of edits, which knows all kinds of it: what is missing does not compile. The
-// edit is sound (core::checkEdit()). Errors: InvalidField, with nothing changed.
+// One function for each family of edits, which handles all kinds of the family; a missing kind does
+// not compile. The edit is sound (core::checkEdit()). Errors: InvalidField, with nothing changed.
 
 BegunWork beginWork(core::GrowthEdits::Pointer edit, const WorkContext& context);
 BegunWork beginWork(core::StrokeEdits::Pointer edit, const WorkContext& context);

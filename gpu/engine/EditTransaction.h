@@ -42,8 +42,8 @@ public:
     void advance(int rings) { m_work->advance(rings); }
 
     /// Whether commit() has more to read than it should at once. readSomeChanges() reads a part of
-    /// it before, so that the edit can still be rolled back in between. Nothing else may be asked
-    /// of it from then on.
+    /// it before, so that the edit can still be rolled back in between. From then on nothing but
+    /// the end of the edit may be requested.
     [[nodiscard]] bool hasChangesToRead() const;
     void readSomeChanges();
 
@@ -76,7 +76,7 @@ private:
     VoxelFields& m_fields;
     BeforeImages m_before;
     std::unique_ptr<EditWork> m_work; ///< null after abandon()
-    /// The keys whose changes are not read yet; none: it has not been asked which there are.
+    /// The keys whose changes are not read yet; none: they are not known yet.
     std::optional<std::vector<std::vector<core::BrickKey>>> m_unread;
     std::vector<core::BrickChange> m_changes; ///< those that were read
     std::optional<core::Error> m_abandoned;

@@ -82,7 +82,7 @@ private:
     /// Each returns the result to deliver, or none if the command has none.
     using Outcome = core::Result<std::optional<core::EngineResult>>;
     Outcome attempt(core::EngineCommand& command);
-    /// Puts away what a command that threw left behind: nothing, but of those named below.
+    /// Cleans up after a command that threw. Only the commands named below leave anything behind.
     template <class Command> void clearAfter(const Command&, const core::Error&) { }
     void clearAfter(const core::ExtendEdit& command, const core::Error& why);
     void clearAfter(const core::EndEdit& command, const core::Error& why);

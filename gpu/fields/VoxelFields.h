@@ -29,7 +29,7 @@ namespace gpu {
 class VoxelFields {
 public:
     /// @param shared the dense textures of the open volume; both outlive this object
-    /// @param by who copies bricks and finds barriers
+    /// @param by whether kernels or the processor copy bricks and find barriers
     VoxelFields(FieldPrograms& programs, VolumeTextures& shared, WorkBy by = WorkBy::Driver);
     ~VoxelFields();
     VoxelFields(const VoxelFields&) = delete;
@@ -97,8 +97,9 @@ public:
     /// The list of bricks in which pictures look for barriers is updated between edits, too.
     [[nodiscard]] bool barriersStale() const { return m_barriers.stale(); }
     void updateBarriers();
-    /// The bricks in which a label plane holds barriers, ascending. Of the plane whose growth
-    /// pictures show they are known, but for those that changed; of others all are looked through.
+    /// The bricks in which a label plane holds barriers, ascending. For the plane whose growth
+    /// pictures show they are known, except for bricks that changed since; for other planes all
+    /// bricks are searched.
     [[nodiscard]] std::vector<std::uint32_t> bricksWithBarriers(std::uint8_t plane);
 
     /// The tolerance field that tracing computes. It can be recomputed.

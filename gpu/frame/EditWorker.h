@@ -20,7 +20,8 @@ struct EditContext {
     EngineThread& thread;
     VolumeTextures& textures;
     const ShaderLibrary& shaders;
-    /// Who copies bricks, finds barriers and moves simple fronts of growth on.
+    /// Whether kernels or the processor copy bricks, find barriers and advance simple fronts of
+    /// growth.
     WorkBy work = WorkBy::Driver;
 };
 

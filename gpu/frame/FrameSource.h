@@ -21,7 +21,7 @@ public:
 
     /// Replaces the request of the view. Never waits.
     virtual void request(FrameRequest request) = 0;
-    /// Tells that the view is gone; no frame of it is delivered after this returns.
+    /// Forgets a view; no frame of it is delivered after this returns.
     virtual void forget(ViewId view) = 0;
     /// Sets the function that receives frames. It is called on the engine thread; set it before the
     /// first request.

@@ -37,8 +37,8 @@ public:
     /// The same for the cutting plane of the 3D view (planePixel.glsl).
     /// @param look how a slice looks; its position is ignored
     /// @param chunks of the look, in the colours of bodies; null if none are drawn
-    /// @return the program, which must be told where the plane is seen and which segment is
-    /// refined, and used
+    /// @return the program; the caller sets where the plane is seen and which segment is refined,
+    /// and uses it
     [[nodiscard]] Program& prepareOnPlane(VolumeTextures& volume, const SliceScene& look,
         const SegmentDisplay& segments, const Palette& palette, const PassTarget& target,
         const ChunkTextures* chunks);

@@ -23,11 +23,12 @@ struct GreyRamp {
 
 /// The ramp of a window. Where values are one apart it is that of DICOM PS3.3 C.11.2.1.2.1, LINEAR:
 /// middle centre − 0.5, span width − 1, and widths of 1 and less become a step. All other values
-/// get the ramp of C.11.2.1.3.2, LINEAR_EXACT: middle centre, span width. LINEAR is made for whole
-/// numbers, of which a window of width n shows n; of a fraction, an SUV or an ADC its unit is
-/// as large as the whole window. That holds for a file which states LINEAR and a fractional slope,
-/// too: its ends move by half a unit at most, which cannot be seen in windows for which that
-/// function is meant, and a rule that asked for the width as well would jump while it is dragged.
+/// get the ramp of C.11.2.1.3.2, LINEAR_EXACT: middle centre, span width. LINEAR is meant for whole
+/// numbers, of which a window of width n shows n; for a fraction, an SUV or an ADC, one unit is as
+/// large as the whole window. The rule also holds for a file that states LINEAR and has a
+/// fractional slope: the ends of the window then move by half a unit at most, which is invisible in
+/// the windows for which LINEAR is meant, and a rule that also depended on the width would jump
+/// while the width is dragged.
 [[nodiscard]] GreyRamp greyRampOf(
     const core::VoxelEncoding& encoding, const core::WindowLevel& window);
 

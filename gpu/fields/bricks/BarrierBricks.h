@@ -19,7 +19,7 @@ struct FieldPrograms;
 /// words). Pictures look for barriers only there. Engine thread only.
 class BarrierBricks {
 public:
-    /// @param by who looks through the bricks
+    /// @param by whether kernels or the processor search the bricks
     BarrierBricks(FieldPrograms& programs, const core::BrickGrid& grid, WorkBy by = WorkBy::Driver);
 
     /// Notes that the seed words of these bricks may have changed.
@@ -32,10 +32,10 @@ public:
     core::VoxelBox update(BrickField& words);
 
     [[nodiscard]] bool any() const { return !m_held.empty(); }
-    /// The bricks of the set, ascending; those that were noted are looked through, and stay noted.
-    /// Waits for the GPU if any of them has words.
+    /// The bricks of the set, ascending; those that were noted are searched, and stay noted. Waits
+    /// for the GPU if any of them has words.
     [[nodiscard]] std::vector<std::uint32_t> bricks(BrickField& words);
-    /// Those of these bricks, which have pages, that hold a barrier, in their order.
+    /// Those of @p bricks that hold a barrier, in the same order. All of them must have pages.
     [[nodiscard]] std::vector<std::uint32_t> found(
         BrickField& words, std::span<const std::uint32_t> bricks);
     /// Around all bricks that hold barriers.

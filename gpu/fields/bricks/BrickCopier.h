@@ -55,7 +55,7 @@ public:
         const Buffer& packed) const;
 
 private:
-    // As the processor copies one brick.
+    // Copies one brick on the processor.
     void read(
         const FieldTextures& source, std::uint32_t brick, std::span<std::uint8_t> image) const;
     void write(const FieldTextures& target, std::uint32_t brick,

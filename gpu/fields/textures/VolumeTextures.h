@@ -130,7 +130,7 @@ public:
         m_toleranceLabel = label;
     }
 
-    /// Tells that kernels queued before this call change these voxels of this field.
+    /// Notes that kernels queued before this call change these voxels of this field.
     void markDirty(VolumeField field, const core::VoxelBox& box);
     /// The box that was marked since the last call; empty if none was.
     [[nodiscard]] core::VoxelBox takeDirty(VolumeField field);
@@ -151,9 +151,10 @@ public:
     [[nodiscard]] static std::size_t denseBytes(const glm::ivec3& size);
 
 private:
-    /// @param besides bytes that lie in memory as long as the textures are made
+    /// @param besides bytes of memory that stay in use while the textures are made
     [[nodiscard]] static core::Result<void> checkSize(const glm::ivec3& size, std::size_t besides);
-    /// @param there told of codes that are in a texture and in the cells
+    /// @param there called with codes that are in the textures and the cells, so that their memory
+    ///     may be given back
     void fill(const glm::ivec3& size, std::span<const std::uint16_t> codes,
         const std::function<void(std::span<const std::uint16_t> codes)>& there);
 

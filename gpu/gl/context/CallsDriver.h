@@ -3,10 +3,10 @@
 
 namespace gpu {
 
-/// While one lives, its thread calls the graphics driver. No exception may leave the driver: the
-/// locks that it holds would never be released, and the next call that needs one of them would wait
-/// for ever. The program's operator new therefore ends the program where it would throw into the
-/// driver (app/Allocation.cpp).
+/// While an object of this class exists, its thread is inside the graphics driver. No exception may
+/// leave the driver: the locks that it holds would never be released, and the next call that needs
+/// one of them would wait for ever. The program's operator new therefore ends the program where it
+/// would throw into the driver (app/Allocation.cpp).
 ///
 /// They may be nested. Costs nothing worth measuring.
 class CallsDriver {
@@ -16,7 +16,7 @@ public:
     CallsDriver(const CallsDriver&) = delete;
     CallsDriver& operator=(const CallsDriver&) = delete;
 
-    /// Whether one lives on the calling thread.
+    /// Whether such an object exists on the calling thread.
     [[nodiscard]] static bool onThisThread() noexcept;
 };
 

@@ -12,10 +12,10 @@
 
 namespace gpu {
 
-/// The front of a growth as bits in the program's own memory, moved on by the processor. With a
-/// software driver that is several times as fast as the kernels, which a dispatch for each
-/// generation and an image access for each voxel hold up (ALGORITHMS 1.6.10). It serves the same
-/// growths as FrontBits, and what it writes is the same, to the bit.
+/// The front of a growth as bits in the program's own memory, advanced by the processor. With a
+/// software driver this is several times as fast as the kernels, which are slowed down by a
+/// dispatch for each generation and an image access for each voxel (ALGORITHMS 1.6.10). It serves
+/// the same growths as FrontBits, and what it writes is the same, to the bit.
 ///
 /// The fields are written once after each batch of generations, and only where it has claimed
 /// voxels. Takes 1.7 KiB for each brick that the growth has looked at, and 36 to 40 KiB more for
@@ -38,7 +38,7 @@ public:
 
     /// Which of the listed bricks have open voxels that are not known yet.
     [[nodiscard]] std::vector<std::uint32_t> unknown(std::span<const std::uint32_t> bricks) const;
-    /// Tells the voxels of these bricks that may be claimed.
+    /// Sets which voxels of these bricks may be claimed.
     void setOpen(
         std::span<const std::uint32_t> bricks, std::span<const core::VoxelBits> openVoxels);
 
@@ -68,7 +68,7 @@ private:
 
     Brick& known(std::uint32_t brick);
     void findReached(std::uint32_t generation);
-    /// Claims in all of these the voxels of one more generation.
+    /// Claims the voxels of one more generation in all bricks of m_reached.
     /// @param ring the generation, counted from that before the batch
     void claim(int ring);
     int claimIn(Brick& brick, int ring) const;

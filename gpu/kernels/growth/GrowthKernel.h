@@ -41,7 +41,7 @@ struct GrowthKind {
 /// The compiled kernels of growing (grow*.comp, placeSeeds.comp).
 struct GrowthPrograms {
     /// @param shaders outlives them
-    /// @param by who moves simple fronts on (ProcessorFront)
+    /// @param by whether kernels or the processor advance simple fronts (ProcessorFront)
     GrowthPrograms(const ShaderLibrary& shaders, WorkBy by);
 
     [[nodiscard]] bool growsOnProcessor() const { return m_growsOnProcessor; }
@@ -115,7 +115,7 @@ std::vector<std::uint32_t> placeSeeds(GrowthPrograms& programs, VoxelFields& fie
 /// Generations run in batches of up to sixteen without a readback in between: within sixteen steps
 /// a front stays in its bricks and their neighbours, which get pages and are captured before the
 /// batch. The front is stored as a queue of voxels or, while it is wide and simple enough, as bits
-/// (FrontBits). With a software driver the processor moves a simple front on, however wide it is
+/// (FrontBits). With a software driver the processor advances a simple front, however wide it is
 /// (ProcessorFront); then only bricks in which a batch has claimed voxels are captured and get
 /// pages, before they are written. Engine thread only.
 class GrowthKernel {
@@ -200,15 +200,15 @@ private:
     /// @param bricks in reach
     void chooseForm(const std::vector<std::uint32_t>& bricks);
     int advanceBatch(int rings);
-    // The same where the processor moves the front on (GrowthOnProcessor.cpp).
+    // The same if the processor advances the front (GrowthOnProcessor.cpp).
     [[nodiscard]] bool isOnProcessor() const;
     int advanceOnProcessor(int rings);
-    /// Those of the bricks in which seeds wait; by kernels they are found out about on the way.
+    /// Those of the bricks in which seeds wait; with kernels they are found on the way.
     [[nodiscard]] std::vector<std::uint32_t> withPendingSeeds(
         const std::vector<std::uint32_t>& bricks);
-    /// Finds the front, where one label grows and codes decide alone.
+    /// Finds the front if only one label grows and codes alone decide.
     /// @param bricks where to look for it
-    /// @return false: kernels have to
+    /// @return false: kernels have to find it
     bool findFrontOnProcessor(const std::vector<std::uint32_t>& bricks);
     void beginOnProcessor(std::span<const core::LeakGuard::Voxel> front);
     [[nodiscard]] std::vector<core::VoxelBits> openVoxelsIn(std::span<const std::uint32_t> bricks);

@@ -7,8 +7,8 @@
 
 namespace gpu {
 
-/// The bricks of which a kernel says what a flag stands for.
-/// @param found what it says of each, by place
+/// The bricks for which a kernel has set a flag.
+/// @param found the flags that the kernel has set, one entry for each brick
 [[nodiscard]] inline std::vector<std::uint32_t> chosen(const std::vector<std::uint32_t>& bricks,
     const std::vector<std::uint32_t>& found, std::uint32_t flag)
 {

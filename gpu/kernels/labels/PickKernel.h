@@ -24,8 +24,9 @@ public:
         VoxelFields& fields, const core::ProbeVoxels& command);
 
 private:
-    /// By what is seen, compiled when it is first needed: a software driver works through what is
-    /// in the program, wanted or not. A pick of segments looks into all label planes.
+    /// The program for a kind of pick, compiled when it is first needed. There is one for each
+    /// kind, because a software driver executes everything in a program, needed or not. A pick of
+    /// segments reads all label planes.
     [[nodiscard]] Program& programFor(const core::PickVoxels& command, const VoxelFields& fields);
 
     const ShaderLibrary& m_library;

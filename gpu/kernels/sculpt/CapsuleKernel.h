@@ -84,7 +84,7 @@ private:
     void followEdges(const core::CapsulePath& path);
     void findAlike(const Candidates& candidates, const std::vector<core::Capsule>& capsules);
     void paintMembers(const core::PaintLabel& paint);
-    /// Tells the kernel of alike voxels which codes these may have.
+    /// Sets which codes voxels may have to count as alike.
     void setEdges(const core::PaintLabel& paint) const;
 
     /// For a stroke that erases or restores: whether the brick holds nothing that it could remove.

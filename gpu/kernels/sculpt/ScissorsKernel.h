@@ -8,8 +8,8 @@
 
 namespace gpu {
 
-/// Carries out core::OutlineCut, as one gather over the bricks below the mask; begun, it is done.
-/// Engine thread only.
+/// Carries out core::OutlineCut, as one gather over the bricks below the mask; it is complete as
+/// soon as it has begun. Engine thread only.
 class ScissorsKernel final : public EditWork {
 public:
     ScissorsKernel(CutPrograms& programs, VoxelFields& fields, BeforeImages& before,

@@ -89,8 +89,8 @@ private:
     static constexpr std::size_t variants = 6; ///< kinds but pieces, each clipped or not
     [[nodiscard]] Program& programFor(
         RayBlocks::Kind kind, const VolumeScene& scene, const Seldom& with);
-    /// A program for exactly these features, compiled when it is needed; it may go at the next
-    /// call.
+    /// A program for exactly these features, compiled when it is needed; it may be dropped at the
+    /// next call.
     [[nodiscard]] Program& seldomProgram(const VolumeScene& scene, const Seldom& with);
     [[nodiscard]] static std::size_t variantOf(const VolumeScene& scene, RayBlocks::Kind kind);
     /// The program of a variantOf(), compiled when it is first needed.
