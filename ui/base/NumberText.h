@@ -5,8 +5,8 @@
 
 #include <cstdint>
 
-/// Numbers as users read them, everywhere alike: the decimal sign of the system, a true minus sign,
-/// no "−0.0", and no groups but those of countText().
+/// Numbers as users read them, the same everywhere: the decimal sign of the system, a true minus
+/// sign, no "−0.0", and no groups but those of countText().
 namespace ui {
 
 /// The true minus sign, "−"; "-" is a hyphen.
@@ -15,11 +15,11 @@ inline constexpr QChar minusSign(0x2212);
 /// "−31.5": @p value with a fixed number of decimals.
 [[nodiscard]] QString numberText(double value, int decimals);
 
-/// How many decimals suit values that are seen in a range of this width: as many as tell a
-/// hundredth of it, of narrow ranges a thousandth.
+/// How many decimals suit values that are seen in a range of this width: enough to distinguish a
+/// hundredth of it, or a thousandth for narrow ranges.
 [[nodiscard]] int decimalsForSpan(double span);
 
-/// "−31.5", "1024", "0.00012": @p value with at most @p digits digits that count.
+/// "−31.5", "1024", "0.00012": @p value with at most @p digits significant digits.
 [[nodiscard]] QString digitsText(double value, int digits);
 
 /// A count with its digits in groups of three, as in the names of the history: 18204 → "18 204".

@@ -8,12 +8,12 @@
 
 namespace ui {
 
-/// What a row of the history says, in the window's language; untranslated it is what
+/// The title of a row of the history in the window's language; untranslated it is what
 /// core::canonicalName() gives, except where a name contains "%1" and the segment or layer is
 /// moved.
 [[nodiscard]] QString textOf(const core::RowTitle& title);
 
-/// What a row says; the name that is stored of it where it has no title.
+/// The title of a row in the window's language, or its stored name if it has no title.
 [[nodiscard]] QString nameOf(const core::HistoryRow& row);
 
 } // namespace ui

@@ -8,10 +8,10 @@ class QWidget;
 
 namespace ui {
 
-/// Small words that wrap.
+/// A label in small type that wraps.
 [[nodiscard]] QLabel* smallText(const QString& text, QWidget* parent);
 
-/// Small words in the secondary colour, on one line: what stands beside something else.
+/// A label in small type and the secondary colour, on one line, for notes beside other things.
 [[nodiscard]] QLabel* smallNote(
     const QString& text, QWidget* parent, Qt::Alignment side = Qt::AlignLeft);
 

@@ -34,13 +34,13 @@ namespace ui {
 [[nodiscard]] QString valueText(double value, const QString& unit, double span);
 /// "±37 HU". @param tolerance in codes
 [[nodiscard]] QString toleranceText(int tolerance, const core::Volume& volume);
-/// What a count of voxels comes to, with the digits of volumeText(): "12.4 mL". It is "18 204
+/// The volume of a count of voxels, with the digits of volumeText(): "12.4 mL". It is "18 204
 /// voxels" where the source does not say how large they are, and "≈ 12.4 mL" where slices are
 /// unevenly spaced, since a count does not know in which of them its voxels lie.
 [[nodiscard]] QString volumeText(const core::Volume& volume, std::int64_t voxels);
 /// The same with the digits of millilitreText(), as in lists; "—" for nothing.
 [[nodiscard]] QString millilitreText(const core::Volume& volume, std::int64_t voxels);
-/// "18 204 voxels, 12.4 mL": a count, and what it comes to, if that is known.
+/// "18 204 voxels, 12.4 mL": a count and its volume, if that is known.
 [[nodiscard]] QString countedText(const core::Volume& volume, std::int64_t voxels);
 /// "−31.5, −12.2, 48.0 mm" (LPS).
 [[nodiscard]] QString positionText(const glm::dvec3& lps);

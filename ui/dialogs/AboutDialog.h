@@ -5,7 +5,7 @@
 
 namespace ui {
 
-/// Tells what this program is, which version it is, and that it is not a medical device.
+/// Says what this program is, which version it is, and that it is not a medical device.
 class AboutDialog : public QDialog {
     Q_OBJECT
 

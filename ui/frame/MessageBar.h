@@ -16,8 +16,8 @@ class Workspace;
 
 /// Shows one sentence at the top of the views: what happened, to what, and what to do; with a
 /// button if the program can help. Hidden while there is no message. It lies over the pictures, so
-/// a notice that asks for nothing goes by itself; a caution, an error and what has a button stay
-/// until they are closed.
+/// a notice that asks for nothing disappears by itself; a caution, an error and a message with a
+/// button stay until they are closed.
 class MessageBar : public QFrame {
     Q_OBJECT
 
@@ -28,12 +28,11 @@ public:
 
     void show(Kind kind, const QString& sentence);
     void show(Kind kind, const QString& sentence, const QString& button, std::function<void()> run);
-    /// Sets what the buttons of the message that is shown tell of themselves; the next message has
-    /// none of it.
-    /// @param close in place of what the × tells otherwise
+    /// Sets the tool tips of the buttons of the message that is shown; the next message has none.
+    /// @param close tool tip of the ×, instead of the usual one
     void setTips(const QString& button, const QString& close);
-    /// The message that is shown speaks of the last step, which its button takes back: it is
-    /// dismissed as soon as another step is made, or that one is undone.
+    /// Declares that the message that is shown is about the last step, which its button undoes: it
+    /// is dismissed as soon as another step is made, or that one is undone.
     void dismissAtNextStep(Workspace& workspace);
     void dismiss();
     [[nodiscard]] QString sentence() const;
@@ -47,7 +46,7 @@ private:
     QPushButton* m_button;
     QToolButton* m_close;
     std::function<void()> m_run;
-    QTimer m_leaving; ///< runs while a notice is shown that goes by itself
+    QTimer m_leaving; ///< runs while a notice is shown that disappears by itself
 };
 
 } // namespace ui

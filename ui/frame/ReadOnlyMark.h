@@ -7,7 +7,7 @@ namespace ui {
 
 class Workspace;
 
-/// A mark in the window's header which tells that the open session is read-only, and why.
+/// A mark in the window's header which says that the open session is read-only, and why.
 class ReadOnlyMark : public QLabel {
     Q_OBJECT
 

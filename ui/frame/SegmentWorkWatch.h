@@ -11,10 +11,10 @@ namespace ui {
 class LoadingBar;
 class Workspace;
 
-/// Shows in a bar how far an edit of a whole segment is that is being computed or carried out
-/// (core/session/SegmentWork.h), wherever it was asked for, and abandons it when the bar's Abort is
-/// pressed, or Esc while no stroke is open. What takes less than about half a second shows no bar,
-/// and previews show none: their dialogs do.
+/// Shows in a bar the progress of an edit of a whole segment that is being computed or carried out
+/// (core/session/SegmentWork.h), wherever it was requested, and aborts it when the bar's Abort is
+/// pressed, or Esc while no stroke is open. Edits that take less than about half a second show no
+/// bar, and neither do previews: their dialogs do.
 class SegmentWorkWatch : public QObject {
     Q_OBJECT
 

@@ -7,9 +7,9 @@
 
 namespace ui {
 
-/// "Hide 'Skull'", "Show 3 segments", "Clip": what a change of what is shown is called by undo,
-/// redo and the list of the history.
-/// @param document whose names the segments have; one that it does not hold is not named. Null: no
+/// "Hide 'Skull'", "Show 3 segments", "Clip": the name of a change of the view in undo, redo and
+/// the list of the history.
+/// @param document provides the names of segments; a segment that it lacks is not named. Null: no
 /// study is open
 [[nodiscard]] QString viewStepText(const ViewSteps::Step& step, const core::Document* document);
 

@@ -15,7 +15,7 @@ namespace ui {
 
 /// Draws a strip across a view whose volume must not be measured without caution: one line below
 /// the upper corner texts, so that it covers neither letters nor the middle. The bar above the
-/// views and the series doctor tell the details.
+/// views and the series doctor give the details.
 void paintCautionStrip(QPainter& painter, const QRect& view, const core::Volume& volume);
 
 } // namespace ui

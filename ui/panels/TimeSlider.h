@@ -24,7 +24,7 @@ public:
 
     /// Shows the points of the open series. Call it when another volume is open.
     void showVolume();
-    /// Tells whether the points are being played; the menu then offers "Pause".
+    /// Sets whether the points are being played; the menu then offers "Pause".
     void showPlaying(bool isPlaying);
     /// How fast the menu plays the points, as the user chose it.
     [[nodiscard]] double pointsPerSecond() const { return m_pointsPerSecond; }

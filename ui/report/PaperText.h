@@ -23,7 +23,7 @@ public:
         bool bold = false;
         bool fixedPitch = false;
         Qt::Alignment alignment = Qt::AlignLeft;
-        qsizetype longest = 300; ///< letters; a name is no essay, and every row fits on a page
+        qsizetype longest = 300; ///< greatest number of letters, so that every row fits on a page
     };
 
     /// @param width in pixels

@@ -28,7 +28,7 @@ public:
     /// @return whether a picture is due
     [[nodiscard]] bool dueAfterStep(std::size_t rows, qint64 now) const;
     [[nodiscard]] bool dueAtEnd(core::RowId position) const;
-    /// Tells that a picture of @p row was taken.
+    /// Records that a picture of @p row was taken.
     void kept(core::RowId row, std::size_t rows, qint64 now);
 
 private:

@@ -7,7 +7,7 @@
 
 namespace ui {
 
-/// What a step changed, and what stands for itself.
+/// Figures that say what a step changed, and titles that stand alone.
 struct FigureTitles {
     Q_DECLARE_TR_FUNCTIONS(ui::RowTitleText)
 

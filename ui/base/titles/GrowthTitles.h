@@ -7,7 +7,7 @@
 
 namespace ui {
 
-/// Seeds, why voxels that were sketched did not become any, and growth.
+/// Titles about seeds, about reasons why sketched voxels did not become seeds, and about growth.
 struct GrowthTitles {
     Q_DECLARE_TR_FUNCTIONS(ui::RowTitleText)
 

@@ -7,7 +7,7 @@
 
 namespace ui {
 
-/// Measurements, bookmarks and pieces.
+/// Titles about measurements, bookmarks and pieces.
 struct PlacedTitles {
     Q_DECLARE_TR_FUNCTIONS(ui::RowTitleText)
 

@@ -7,7 +7,7 @@
 
 namespace ui {
 
-/// Older rows.
+/// Titles of steps that change older rows.
 struct RevisionTitles {
     Q_DECLARE_TR_FUNCTIONS(ui::RowTitleText)
 

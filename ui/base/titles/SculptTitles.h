@@ -7,7 +7,7 @@
 
 namespace ui {
 
-/// Sculpt layers, and tools that cut.
+/// Titles about sculpt layers and tools that cut.
 struct SculptTitles {
     Q_DECLARE_TR_FUNCTIONS(ui::RowTitleText)
 

@@ -7,7 +7,7 @@
 
 namespace ui {
 
-/// Segments; "it" is the one that was named before.
+/// Titles about segments; "it" is the one that was named before.
 struct SegmentTitles {
     Q_DECLARE_TR_FUNCTIONS(ui::RowTitleText)
 

@@ -7,7 +7,7 @@
 
 namespace ui {
 
-/// The surface that is refined, and chunks.
+/// Titles about the surface that is refined, and about chunks.
 struct SurfaceTitles {
     Q_DECLARE_TR_FUNCTIONS(ui::RowTitleText)
 

@@ -18,7 +18,7 @@ class TargetRow;
 class Workspace;
 
 /// Exports the study without its carved voxels, as a new DICOM series or NIfTI, or the coverage of
-/// the active sculpt layer. Afterwards it tells what was written and what the check of the file
+/// the active sculpt layer. Afterwards it reports what was written and what the check of the file
 /// found. Nothing is sent anywhere.
 class CarvedExportDialog : public QDialog {
     Q_OBJECT

@@ -19,7 +19,7 @@ class TargetRow;
 class Workspace;
 
 /// Exports chosen segments in one of core::exportFormats(). It shows whose study it is, the
-/// segments with millilitres and remarks, missing codes and the target file; afterwards it tells
+/// segments with millilitres and remarks, missing codes and the target file; afterwards it reports
 /// what was written and what the check of the file found.
 class ExportDialog : public QDialog {
     Q_OBJECT

@@ -22,8 +22,7 @@ namespace ui {
 /// and the names of the segments: "CT 2026-11-20 series 3 - Liver, Tumour". It never contains the
 /// patient's name.
 /// @param dated whether to include the date; false for de-identified exports
-/// @param point pointOf(), so that what is written of one point in time does not lie where that of
-/// another one would
+/// @param point pointOf(), so that files of different points in time do not get the same name
 [[nodiscard]] QString exportName(const core::StudyIdentity& identity,
     const std::vector<core::Segment>& segments, bool dated, int point = 0);
 

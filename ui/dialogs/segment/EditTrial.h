@@ -23,9 +23,9 @@ class Workspace;
 
 /// Previews an edit of a segment in all views before it becomes a step of the history. The preview
 /// is an open edit of the session; for another edit it is rolled back and begun again. Any other
-/// edit takes the preview back, and so does a dialog that shows it when it closes; what is no
-/// dialog drops it when it is hidden. Once a preview has stayed for a moment, the segment's voxels
-/// in it are counted, beside the window.
+/// edit takes the preview back, and so does a dialog that shows it when it closes; a panel drops it
+/// when it is hidden. Once a preview has stayed for a moment, the segment's voxels in it are
+/// counted in the background.
 class EditTrial : public QObject {
     Q_OBJECT
 
@@ -34,12 +34,13 @@ public:
     enum class Pace {
         /// A moment later. If requests arrive faster than that, only the latest one is shown.
         AtOnce,
-        /// When nothing else was requested for a while: for edits that are worked out first, which
-        /// takes its time. A request stops what is being worked out for another one.
+        /// When nothing else was requested for a while: for edits that must be computed first,
+        /// which takes time. A new request stops the computation for an earlier one.
         AtRest,
-        /// As AtRest, for what is only pointed at: it waits until the preview of a dialog has
-        /// ended, which the others replace, and until those have read who read label planes (an
-        /// export, an audit): an open edit would make them begin again.
+        /// As AtRest, for what the pointer only rests on. It does not replace the preview of a
+        /// dialog but waits until that has ended; and it waits until label planes are no longer
+        /// being read (by an export or an audit), because an open edit would make the reader begin
+        /// again.
         InPassing,
     };
     /// @param owner the dialog or panel that shows it; becomes its parent
@@ -51,7 +52,7 @@ public:
     /// Ends the preview; all voxels are as before.
     void drop();
     /// Ends the preview for @p edit to be carried out. If it is the one that is previewed, it is
-    /// left standing open, even if it is still being worked out: the caller commits it, so that
+    /// left standing open, even if it is still being computed: the caller commits it, so that
     /// nothing is computed again.
     /// @return whether it stands open
     [[nodiscard]] bool handOver(const core::Edit& edit);

@@ -25,8 +25,8 @@ class Workspace;
 [[nodiscard]] QString smoothNoiseName();
 
 /// The part of the growth panel for the limits of a growth besides its interval: one row per limit,
-/// with a tick and its value. Below them is whether the 3D view shows what an interval suspends.
-/// Folded, it is one line that tells how many limits are on.
+/// with a tick and its value. Below them is a choice whether the 3D view shows what an interval
+/// suspends. Folded, it is one line that states how many limits are on.
 class GrowCriteriaSection : public QWidget {
     Q_OBJECT
 

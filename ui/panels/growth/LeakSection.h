@@ -36,8 +36,8 @@ public:
 Q_SIGNALS:
     /// @param plane the label plane of the growth that is to go on
     void goOnRequested(std::uint8_t plane);
-    /// The growth that was watched last does not go on: its alarm was rejected, or there is one of
-    /// another growth.
+    /// Handles that the growth that was watched last is not continued: its alarm was rejected, or
+    /// another growth has one.
     void growthLeft();
     /// The alarm about which the user is to decide, while the growth that raised it is shown; none:
     /// there is none.
@@ -53,7 +53,8 @@ private:
     /// Shows the alarm beside its growth, and hides it beside others.
     void showBesideGrowth();
     void showPlace();
-    /// Tells whether growth asks later than the fields say.
+    /// Shows by how much a front must be wider before growth asks, if that is more than the fields
+    /// say.
     void showRaised();
     void askAsBefore();
     /// The segments of the growth that raised the alarm.
@@ -73,7 +74,7 @@ private:
     QLabel* m_raised = nullptr;
     std::optional<core::LeakAlarm> m_alarm;
     std::uint8_t m_plane = 0; ///< the label plane of the growth that raised it
-    /// The segments of the burst that raised it; none: the last growth's row tells them.
+    /// The segments of the burst that raised it; none: they follow from the row of the last growth.
     std::optional<std::vector<int>> m_grew;
     bool m_stands = false; ///< the growth has reached the alarm's generation
     std::optional<core::LeakAlarm> m_answered; ///< before its growth was a row

@@ -48,14 +48,14 @@ public:
     void forget();
     /// Puts a button beside the one that uses the seeds.
     void addButton(QWidget* button);
-    /// Hides the slider while another control of the tolerance stands in its place. A hand that
-    /// holds it then has let go of it.
+    /// Hides the slider while another control of the tolerance stands in its place. A drag of it
+    /// that is under way ends as if it were released.
     void setReplaced(bool replaced);
     /// The values under the seeds, in modality units.
     [[nodiscard]] const std::vector<double>& values() const { return m_values; }
     /// Whether the values are being looked up, after which the interval may follow them.
     [[nodiscard]] bool isLooking() const { return !m_voxels.empty() && m_values.empty(); }
-    /// "12 seed voxels · 41.0 ± 3.2 HU" for the active segment. If it has no seeds the text tells
+    /// "12 seed voxels · 41.0 ± 3.2 HU" for the active segment. If it has no seeds the text says
     /// that there are @p seeds of others.
     [[nodiscard]] QString text(int seeds) const;
     /// The label that says, with a link, that most seeds lie outside the interval. The caller puts

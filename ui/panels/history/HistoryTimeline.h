@@ -13,7 +13,7 @@ class KeyframePictures;
 class KeyframePopup;
 class Workspace;
 
-/// The current line of the history as a slider, one step per row. While it is dragged it tells
+/// The current line of the history as a slider, one step per row. While it is dragged it shows
 /// where it stands, and the study follows as fast as it can: one short walk at a time, each to
 /// where the handle is by then. When it is released, or moved by keys, the study goes there. Hidden
 /// if there is nothing to choose between. Above the step under the pointer or the handle floats its

@@ -34,11 +34,11 @@ struct SegmentAction;
 
 /// Buttons that clean up the active segment as a whole: holes, islands, splitting, smoothing,
 /// margin, inverting, and a menu that combines it with another one. They do the same as entries of
-/// the menu Segments, and tell in the same words why they cannot. While the pointer rests on one
+/// the menu Segments, and say in the same words why they cannot. While the pointer rests on one
 /// that needs no dialog, or on an entry of that menu, all views preview what it would do, and a row
-/// below tells how many millilitres and voxels that is. Below it stands which voxels may change
-/// (the editable range). While the cutting plane is shown, a line tells the volumes of both parts
-/// into which it would split the segment. Hidden without a segment.
+/// below shows how many millilitres and voxels that is. Below it the panel shows which voxels may
+/// change (the editable range). While the cutting plane is shown, a line states the volumes of both
+/// parts into which it would split the segment. Hidden without a segment.
 class CleanUpPanel : public Panel {
     Q_OBJECT
 
@@ -84,7 +84,7 @@ private:
     void combine(const core::CombineSegments& edit);
     /// The segment whose size is shown: the active one, or the one into which it would be merged.
     [[nodiscard]] const core::Segment* sizedSegment() const;
-    /// Has both parts counted that the plane would make of the active segment.
+    /// Starts counting both parts into which the plane would split the active segment.
     void lookAtParts();
     void showParts();
     /// Enables the possible buttons; tool tips of the others say why they are disabled.
@@ -93,7 +93,8 @@ private:
     void run(const SegmentAction& action);
 
     Workspace& m_workspace;
-    /// What is a small island: as is usual for the active segment until it is set by hand.
+    /// Islands below this size count as small, mm³; it suits the active segment until the user sets
+    /// it.
     NumberField* m_smallMm3 = nullptr;
     bool m_isSetByHand = false;
     std::vector<Button> m_buttons;
@@ -104,11 +105,11 @@ private:
     bool m_showsSplit = false; ///< a segment that is not there yet is seen
     PreviewRow* m_preview = nullptr;
     FittingLabel* m_parts = nullptr; ///< of the split by the plane
-    QTimer m_lookSoon; ///< joins what happens at once
+    QTimer m_lookSoon; ///< joins changes that come together
     SplitTrial m_trial;
     QString m_summary;
     bool m_hadSomething = false;
-    std::unique_ptr<PointedPreview> m_pointed; ///< last: it has the others look
+    std::unique_ptr<PointedPreview> m_pointed; ///< last: it uses all of the above
 };
 
 } // namespace ui

@@ -12,7 +12,7 @@ namespace ui {
 class Workspace;
 
 /// Tells the user in the status line when a step has ended that a segment follows its interval of
-/// values. Undo and redo of such a step tell nothing, because the list of segments shows it.
+/// values. Undo and redo of such a step are not reported, because the list of segments shows it.
 class IntervalNotice : public QObject {
     Q_OBJECT
 
@@ -20,8 +20,8 @@ public:
     explicit IntervalNotice(Workspace& workspace, QObject* parent = nullptr);
 
 private:
-    void begin(); ///< takes the rows of the history so far as told
-    void look(); ///< tells of rows that are new
+    void begin(); ///< counts the rows of the history so far as reported
+    void look(); ///< reports new rows
     [[nodiscard]] QString sentenceOf(const core::HistoryRow& row) const;
 
     Workspace& m_workspace;

@@ -6,9 +6,10 @@
 namespace ui {
 
 /// Draws a row of the segment list: eye, colour, name with its code below, volume, lock, and a
-/// shield if sculpting tools spare the segment, and a mark if it follows an interval of values. A
-/// click on the eye, the lock or the shield switches it; Ctrl and the eye shows the segment alone,
-/// or the others again; a click on the colour, the code or the interval's mark asks for a new one.
+/// shield if sculpting tools leave the segment uncut, and a mark if it follows an interval of
+/// values. A click on the eye, the lock or the shield switches it; Ctrl and the eye shows the
+/// segment alone, or the others again; a click on the colour, the code or the interval's mark asks
+/// for a new one.
 class SegmentDelegate : public QStyledItemDelegate {
     Q_OBJECT
 

@@ -50,7 +50,7 @@ private:
     bool m_marginByHand = false; ///< set for this session; else it suits the active segment
     QPushButton* m_divide = nullptr;
     QComboBox* m_source = nullptr; ///< its data: the file of a probability map
-    int m_chosenSource = 0; ///< which stays if no file is chosen
+    int m_chosenSource = 0; ///< the choice that stays if no file is chosen
     QWidget* m_waiting = nullptr; ///< shown while chunks are being computed
     QProgressBar* m_progress = nullptr;
     QLabel* m_step = nullptr;

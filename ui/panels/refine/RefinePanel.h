@@ -19,8 +19,9 @@ namespace ui {
 class DoubtsSection;
 class Workspace;
 
-/// The panel of the surface that is being refined: it is made here; the panel sets how it looks,
-/// lists what is marked as wrong, and tells whether the segment holds what the surface encloses.
+/// The panel of the surface that is being refined: here the user creates the surface and sets how
+/// it looks; the panel lists what is marked as wrong, and says whether the segment holds what the
+/// surface encloses.
 class RefinePanel : public Panel {
     Q_OBJECT
 
@@ -31,7 +32,8 @@ public:
     [[nodiscard]] QString summary() const override;
     [[nodiscard]] bool foldedAtFirst() const override { return true; }
 
-    /// Writes the surface to a file, in the format that its ending names; one of that name goes.
+    /// Writes the surface to a file, in the format that its ending names; an existing file of that
+    /// name is replaced.
     void save(const QString& path);
 
 private:

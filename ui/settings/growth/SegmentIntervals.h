@@ -51,7 +51,8 @@ public:
 private:
     struct Known {
         int label = 0;
-        /// The row at which the segment was first seen; tells it from others with its label.
+        /// The row at which the segment was first seen; distinguishes it from others with its
+        /// label.
         core::RowId since = 0;
         Interval interval;
     };
