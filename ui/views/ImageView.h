@@ -57,8 +57,8 @@ public:
     /// Whether frames with that id belong to this view.
     [[nodiscard]] virtual bool takes(gpu::ViewId view) const { return view == m_view; }
     virtual void takeFrame(const gpu::Frame& frame);
-    /// Notes that no picture will come of what was requested: it is requested anew when anything
-    /// asks for a picture, though it may be the same.
+    /// Notes that the requested picture will not come. The next request is sent even if it is for
+    /// the same picture.
     void takeFailure();
     /// Sets the early slice; null if no study is being loaded, or none has arrived yet.
     void showEarlySlice(const std::shared_ptr<const core::EarlySlice>& early);

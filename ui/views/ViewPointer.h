@@ -70,7 +70,7 @@ public:
     /// The pointer was taken away while a tool was at work, or a drag went on.
     void loseStroke();
     void takeToolAway();
-    /// The pen has gone away without having told that it was lifted.
+    /// The pen has left without a report that it was lifted.
     void endStrokeWithoutPen();
     /// To be called when the view is hidden.
     void forget();

@@ -5,8 +5,9 @@ class QWidget;
 
 namespace ui {
 
-/// Scrolls every area around a part of a panel until the part is seen; of what is too high, @p
-/// head. Does nothing if it is not visible. What has been shown just now is laid out first.
+/// Scrolls every scroll area around a part of a panel until the part is visible or, if it is too
+/// tall, its @p head. Does nothing if the part is hidden. Widgets that were just shown are laid out
+/// first.
 void bringIntoView(QWidget& part, QWidget& head);
 
 } // namespace ui

@@ -16,8 +16,8 @@ struct MarkedCurve {
     bool moving = false; ///< the mark is dragged
     bool knob = false; ///< the mark can be dragged
 };
-/// Draws what lies under curves in a widget, and has all that follows drawn smoothly and without
-/// outlines.
+/// Draws the background of curves in a widget, and sets the painter to draw smoothly and without
+/// outlines from then on.
 void paintCurveGround(QPainter& painter, const QSizeF& size);
 /// Draws the curve and its area.
 void paintMarkedCurve(QPainter& painter, const QSizeF& size, const MarkedCurve& marked);

@@ -5,8 +5,8 @@
 
 namespace ui {
 
-/// The line of a dialog that tells its present state in a sentence; plain text, in as many lines as
-/// it needs.
+/// The line of a dialog that states its present state in a sentence; plain text, in as many lines
+/// as it needs.
 class StateLine : public QLabel {
     Q_OBJECT
 

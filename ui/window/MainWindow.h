@@ -111,7 +111,7 @@ private:
     ToolColumn* m_tools;
     LoadingBar* m_loading;
     MessageBar* m_messages;
-    MendingStrip* m_mending; ///< hidden until somebody shows it
+    MendingStrip* m_mending; ///< hidden at first
     QVBoxLayout* m_middle = nullptr; ///< the pictures and what stands above them
     QGridLayout* m_pictures = nullptr; ///< the pictures and what lies over them
     QStackedWidget* m_pages;

@@ -25,7 +25,8 @@ class ChunkMembers : public QObject {
 public:
     static constexpr std::size_t usualBricks = 1024; ///< 4 MiB
 
-    /// @param bricksAtOnce how many the engine is asked for together; other work comes in between
+    /// @param bricksAtOnce how many bricks are requested from the engine at once; other work can
+    ///     run between requests
     explicit ChunkMembers(
         Workspace& workspace, QObject* parent = nullptr, std::size_t bricksAtOnce = usualBricks);
 
@@ -62,7 +63,7 @@ private:
     std::size_t m_bricksAtOnce;
     std::shared_ptr<const ChunkLeaves> m_leaves;
     std::uint8_t m_plane = 0;
-    std::set<std::uint32_t> m_dirty; ///< bricks that were not asked about yet
+    std::set<std::uint32_t> m_dirty; ///< bricks that were not requested yet
     std::vector<std::uint32_t> m_own;
     bool m_asking = false;
     int m_count = 0; ///< number of the latest begin(); answers to earlier ones are dropped

@@ -69,8 +69,8 @@ public:
     void setLook(const Look& look);
 
     /// The present number of chunks, for edits. Specks (small chunks that touch no other one of
-    /// their kind) come on top of the wanted number; without that a ragged mask would have nothing
-    /// else.
+    /// their kind) come on top of the wanted number; otherwise a ragged mask would yield nothing
+    /// but specks.
     [[nodiscard]] int count() const;
     /// The number without specks, and how many chunks the segment contains.
     [[nodiscard]] int shownCount() const { return count() - m_specks; }
@@ -80,8 +80,8 @@ public:
     [[nodiscard]] bool has(Chunk chunk) const;
     /// How many voxels it has.
     [[nodiscard]] std::int64_t voxels(Chunk chunk) const;
-    /// The number of chunks, as in Look, at which what is most in doubt stands by itself; a new
-    /// division begins with it. None: nothing is in doubt, or the chunks are not there.
+    /// The number of chunks, as in Look, at which the most doubtful part is a chunk of its own; a
+    /// new division begins with it. None: nothing is in doubt, or the chunks are not computed.
     [[nodiscard]] std::optional<int> suggestedCount() const;
     /// The few chunks that the user will most likely click on, which are drawn with a rim; the
     /// most likely one first.
@@ -93,12 +93,12 @@ public:
     void setLit(std::vector<Chunk> chunks);
 
     /// What slices (areas) and the 3D view (bodies) draw of them; null if nothing. While those of a
-    /// large box are being computed, roughly what they will be, in cells of several voxels.
+    /// large box are being computed, an approximation of them in cells of several voxels.
     [[nodiscard]] std::shared_ptr<const gpu::SceneChunks> areas() const { return m_areas; }
     [[nodiscard]] std::shared_ptr<const gpu::SceneChunks> bodies() const { return m_bodies; }
 
     /// Divides the active segment and its surroundings, as far as @p marginMm.
-    /// @param probabilityFile a probability map of the segment, which is read beside the window;
+    /// @param probabilityFile a probability map of the segment, which is read in the background;
     /// empty: the image alone decides
     void divide(double marginMm, const QString& probabilityFile = {});
     /// Whether a probability map is being read.

@@ -31,7 +31,8 @@ void mergeLayers(Workspace& workspace, int from, int into);
 /// Makes what a layer has carved voxels of a segment.
 /// @param label none: of a new segment with the layer's name
 void layerToSegment(Workspace& workspace, int layer, std::optional<int> label);
-/// Why segmentToLayer() is refused for what the segments say; empty: it is not.
+/// Why segmentToLayer() would be refused because segments are protected from sculpting; empty: it
+/// would not.
 [[nodiscard]] QString whyNotCarved(const core::Document& document, int label, bool outside = false);
 /// Carves the voxels of a segment into a layer, or all others.
 void segmentToLayer(Workspace& workspace, int label, int layer, bool outside = false);

@@ -64,7 +64,7 @@ public:
     [[nodiscard]] bool isMeasuring() const { return m_measuring.busy(); }
 
     /// Makes what a layer has carved a piece that turns about its middle, and a new layer the
-    /// active one. The step is made when the engine has told the extent.
+    /// active one. The step is made when the engine has reported the extent.
     void lift(int layer);
     /// Lifts the last cut of a layer, or the whole layer if lastCut() is 0. An open peel is kept
     /// first and counts as a cut.

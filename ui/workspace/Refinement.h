@@ -92,7 +92,8 @@ public:
     [[nodiscard]] bool isPreviewing() const;
     /// Whether there is a preview, and the session has not refused it.
     [[nodiscard]] bool canTakeTemplate() const;
-    /// The contours go. They come back if it is refused after all.
+    /// Makes the preview an edit. The contours are removed; they come back if the edit is refused
+    /// after all.
     void takeTemplate();
     void dropPreview();
 
@@ -100,16 +101,16 @@ public:
     [[nodiscard]] QString caution() const;
 
     /// Makes the surface of the active segment.
-    /// @param vertices how many it has
+    /// @param vertices how many the surface is to have
     void lay(int vertices);
-    /// Ends the laying of a surface, the following of the mask, or a template that still moves;
-    /// isAbortable() tells whether there is one of these. The contours stay, and come back if they
-    /// were taken.
+    /// Aborts the computation that is under way: a surface that is being made or follows the mask,
+    /// or a template that still moves. isAbortable() says whether there is one. Contours stay, and
+    /// come back if they were taken.
     void abort();
     [[nodiscard]] bool isAbortable() const;
     void writeBack();
     void followMask();
-    /// Lays anew what of the surface passes through itself; all else stays.
+    /// Fits those parts of the surface anew that pass through each other; all else stays.
     void layCrossings();
     /// Makes the surface a barrier for growth; with @p erase, opens it again.
     void makeBarrier(bool erase);
@@ -155,7 +156,7 @@ private:
     Look m_look;
     Settings m_settings;
     std::vector<std::vector<glm::dvec3>> m_contours;
-    /// Those that were taken while their template still moves: it may be aborted.
+    /// Contours that were taken and whose template still moves; they come back if it is aborted.
     std::vector<std::vector<glm::dvec3>> m_taken;
     std::size_t m_rowsAtTaking = 0;
 };

@@ -87,9 +87,9 @@ void splitByCurve(Workspace& workspace, const core::SplitByCurve& edit);
 /// fills it between the slices on which it was drawn; takeThreshold() applies a threshold;
 /// cleanSegment() fills holes or takes islands away; mirrorSegment() replaces it by its mirror
 /// image, or adds that; splitIslands() makes islands of it segments of their own; splitSegment()
-/// makes what lies beyond a plane a segment, and tells the volumes of both, as splitByCurve() does;
-/// takeInverse() replaces it by what belongs to no segment; combineSegments() gives a segment
-/// voxels of another one, or takes some away by it.
+/// makes what lies beyond a plane a segment, and reports the volumes of both, as splitByCurve()
+/// does; takeInverse() replaces it by what belongs to no segment; combineSegments() merges two
+/// segments, swaps them, or applies a set operation to them.
 void reshapeSegment(Workspace& workspace, const core::ReshapeSegment& edit, bool isOpen = false);
 void fillBetweenSlices(
     Workspace& workspace, const core::FillBetweenSlices& edit, bool isOpen = false);

@@ -16,13 +16,13 @@ namespace ui {
 
 class Workspace;
 
-/// Undo for changes of what is shown: the clip region, and which segments are visible. Both are
-/// ways of viewing and no steps of the session, so that they neither end a growth that runs nor
-/// part the history where somebody only looks around among undone steps, and work where a session
-/// cannot be written. But a user who presses undo right after hiding something means that, so each
-/// belongs to the row of the history at which it was made: undo takes it back before that row, redo
-/// brings it back after it, and the list of the history shows it there. They are forgotten with the
-/// session, and when something else sets the clip region. Part of Workspace. GUI
+/// Undo for changes of what is shown: the clip region, and which segments are visible. Both belong
+/// to the view and are not steps of the session. So they do not end a running growth, do not begin
+/// a new branch of the history when the user only looks around among undone steps, and also work in
+/// a session that cannot be written. But a user who presses undo right after hiding something means
+/// that, so each belongs to the row of the history at which it was made: undo takes it back before
+/// that row, redo brings it back after it, and the list of the history shows it there. They are
+/// forgotten with the session, and when something else sets the clip region. Part of Workspace. GUI
 /// thread.
 class ViewSteps : public QObject {
     Q_OBJECT

@@ -161,7 +161,7 @@ public:
     void setSession(std::unique_ptr<core::EditSession> session);
     /// Ends what is under way and closes the session, without emitting signals: the program ends,
     /// and windows may be gone.
-    /// @return why the last steps are lost, which the disk does not take; none: they are on disk
+    /// @return why the disk refuses the last steps, which are lost; none: they are on disk
     std::optional<core::Error> dropSession();
 
     /// Applies the user's setting of how much history the session keeps in memory
@@ -266,7 +266,7 @@ public:
     void centreViews(const glm::dvec3& placeLps) { Q_EMIT viewsCentred(placeLps); }
     /// Shows one sentence in the status line: what happened, to what, what to do.
     void say(const QString& sentence) { Q_EMIT said(sentence); }
-    /// Tells that the session was moved to another file.
+    /// Announces that the session was moved to another file.
     /// @param before the previous file; empty if the session was read-only, or another program
     /// has taken the name from it
     void noteSaved(const QString& before, const QString& now) { Q_EMIT sessionSaved(before, now); }

@@ -23,9 +23,9 @@ namespace ui {
 class Workspace;
 
 /// Reads for the ghost of a growth (GrowthGhost) where labels, sculpting and barriers close the
-/// volume to it: labels and sculpting in portions, as questions between edits, and barriers, of
-/// which only the bricks are read that hold some; threads of its own put them into cells. What was
-/// read is kept until an edit changes it. GUI thread.
+/// volume to it: labels and sculpting in portions, as questions between edits, and only those
+/// bricks of barriers that hold some. Threads of its own put them into cells. What was read is kept
+/// until an edit changes it. GUI thread.
 class GhostWalls : public QObject {
     Q_OBJECT
 
@@ -50,11 +50,11 @@ public:
     explicit GhostWalls(Workspace& workspace, QObject* parent = nullptr);
 
     /// What is needed, as it is at the history's present position; none: it is being read, and
-    /// read() or refused() will tell when to ask again.
+    /// read() or refused() is emitted when to ask again.
     /// @param grid always the same, until forget()
     /// @pre a session is open
     [[nodiscard]] std::optional<Read> of(const Needs& needs, const core::CoarseGrid& grid);
-    /// Nobody waits for what is being read.
+    /// Stops reading.
     void stop();
     /// To be called when another session is opened.
     void forget();
@@ -91,7 +91,7 @@ private:
     core::CoarseGrid m_grid;
     Planes m_labels{.field = core::Field::Labels};
     Planes m_coverage{.field = core::Field::Coverage};
-    Planes* m_into = nullptr; ///< who is read by m_reader
+    Planes* m_into = nullptr; ///< the planes that m_reader reads
     std::vector<std::uint8_t> m_left; ///< planes that it has still to read, the next one last
     std::shared_ptr<core::LabelReader> m_reader; ///< null: no plane is being read
     Cells m_greatest; ///< of those that were read; null: none yet

@@ -22,15 +22,15 @@ namespace ui {
 
 class Workspace;
 
-/// Shows in all views, before a growth begins, about what it would take of the active segment: what
-/// hangs together with its waiting seeds in the interval (core::coarseFlood()), as a translucent
-/// body. The volume is looked at in at most two million cells, whose codes are read once for each
-/// session, a slice at a time. Other segments, barriers, what is carved, the editable range and the
-/// box of the growth bound it (GhostWalls), and so do the segments whose seeds grow together with
-/// it, the means around strokes, and a passage width of at least two cells; the other criteria do
-/// not. Everything is computed on threads of its own, and no edit or
-/// picture waits for it. If settings arrive faster than it can follow, only the latest ones are
-/// used. GUI thread.
+/// Shows in all views, before a growth begins, approximately what it would take for the active
+/// segment: the region connected with its waiting seeds within the interval (core::coarseFlood()),
+/// as a translucent body. The volume is divided into at most two million cells, whose codes are
+/// read once for each session, a slice at a time. The region is limited by other segments,
+/// barriers, carved tissue, the editable range and the box of the growth (GhostWalls), by segments
+/// whose seeds grow together with it, by the means around strokes, and by a passage width of at
+/// least two cells; the other criteria are ignored. Everything is computed on threads of its own,
+/// and no edit or picture waits for it. If settings arrive faster than it can follow, only the
+/// latest ones are used. GUI thread.
 class GrowthGhost : public QObject {
     Q_OBJECT
 
@@ -42,7 +42,8 @@ public:
         Workspace& workspace, QObject* parent = nullptr, std::int64_t mostCells = usualCells);
 
     /// Reads the codes of the open session, so that the first ghost comes at once. Does nothing if
-    /// they were read, or could not be: that is tried again after another tool was in hand.
+    /// they were read already. If that has failed, it is tried again only after another tool was
+    /// chosen.
     void prepare();
     /// Shows the ghost of the present seeds and settings. To be called when any of these may have
     /// changed; costs nothing if none has. There is none without waiting seeds, or while an edit
@@ -63,7 +64,7 @@ Q_SIGNALS:
     void changed(); ///< voxels()
 
 private:
-    /// Of which seeds the means are asked for.
+    /// The seeds whose means are requested.
     struct Means {
         core::RowId position = 0; ///< of the history, which knows the strokes
         std::uint8_t plane = 0;
@@ -86,7 +87,7 @@ private:
     struct Drawn {
         PendingSeeds::Ghost ghost;
         std::int64_t voxels = 0;
-        bool tellsWidth = false; ///< of passages
+        bool tellsWidth = false; ///< whether the passage width is taken into account
     };
     [[nodiscard]] std::optional<Wanted> present() const;
     void forget();
@@ -107,7 +108,7 @@ private:
     std::optional<Wanted> m_shown;
     std::optional<std::int64_t> m_voxels;
     bool m_isFlooding = false;
-    bool m_tellsWidth = false; ///< what is shown knows of the passage width
+    bool m_tellsWidth = false; ///< what is shown takes the passage width into account
     QTimer m_soon; ///< delay of a ghost where there is none: the interval may follow the seeds
 
     std::shared_ptr<core::CoarseCodes> m_reading; ///< being filled by m_reads; null: not reading

@@ -64,7 +64,7 @@ struct GrowthTurn {
 void raiseGuard(core::GrowGuard& guard, const std::optional<std::vector<int>>& segments,
     std::uint8_t plane, const Workspace& workspace);
 /// By how much a front must be wider if the next growth of the active segment is to ask about it,
-/// because narrower ones were accepted; none: the settings say it.
+/// because narrower ones were accepted; none: as in the settings.
 [[nodiscard]] std::optional<double> raisedAreaMm2(const Workspace& workspace);
 
 /// The segments whose growth changes with the active segment's interval: those that grew together

@@ -46,7 +46,8 @@ public:
         return m_comparison;
     }
 
-    /// @param segments whose growth follows (GrowCriteria::segments); what counts is the first move
+    /// @param segments whose growth follows (GrowCriteria::segments); only the first move of a drag
+    ///     sets them
     void move(double lower, double upper, const std::optional<std::vector<int>>& segments = {});
     /// To be called when the bounds are released.
     void settle();
@@ -80,7 +81,7 @@ private:
     bool m_asking = false;
     int m_sent = 0; ///< how many bounds were sent to the session
     int m_answered = 0; ///< the bounds of the latest answer, by number
-    bool m_isWhole = false; ///< whether that tells what they come to
+    bool m_isWhole = false; ///< whether that answer is final for these bounds
     QElapsedTimer m_sinceAsked;
 };
 

@@ -23,7 +23,7 @@ namespace ui {
 
 class Workspace;
 
-/// Tells how many voxels both parts of a segment would have before it is split. The engine reads
+/// Computes how many voxels both parts of a segment would have before it is split. The engine reads
 /// the segment's labels once, as long as the history stays where it is, and a background thread
 /// counts; if it is asked faster than that, only the latest question is answered. While an edit is
 /// open nothing is read. GUI thread; no call waits or reads voxels.
@@ -40,8 +40,8 @@ public:
     explicit SplitTrial(Workspace& workspace, QObject* parent = nullptr);
 
     /// Asks for the parts that an edit would make. The last ones are kept until the new ones are
-    /// known, unless they are of another segment. Its editable range is not asked: it may give
-    /// fewer voxels to the new segment.
+    /// known, unless they are of another segment. The edit's editable range is ignored, so the edit
+    /// may give fewer voxels to the new segment.
     void look(const core::SplitByCurve& edit);
     void look(const core::SplitSegment& edit);
     /// Forgets the parts and everything that was read.

@@ -13,7 +13,7 @@ class Workspace;
 
 // Some strokes begin only when a question about voxels is answered: what is seen under the pen, on
 // which side of a border it is. While the session works on something else, the pen may have been
-// lifted long before. What was drawn and let go of is a stroke nevertheless.
+// lifted long before. What was drawn until the pen was lifted is a stroke nevertheless.
 
 /// Says that no stroke is begun while the one before waits for its answer.
 void sayStrokeWaits(Workspace& workspace);
@@ -21,8 +21,8 @@ void sayStrokeWaits(Workspace& workspace);
 void sayStrokeCameTooLate(Workspace& workspace);
 /// What undo drops then (Tool::stepText()).
 [[nodiscard]] QString waitingStrokeText();
-/// Whether somebody's edit stands open that a stroke must not end. A growth may be ended, and so
-/// may a preview.
+/// Whether an edit stands open that a stroke must not end. A growth may be ended, and so may a
+/// preview.
 [[nodiscard]] bool isStrokeOpen(const core::EditSession& session);
 
 } // namespace ui

@@ -37,10 +37,10 @@ public:
     void press(const PointerSample& sample, const ViewContext& view) override;
     void drag(const PointerSample& sample, const ViewContext& view) override;
     void release(const PointerSample& sample, const ViewContext& view) override;
-    /// Takes back a stroke under the pen. One that was let go of stays, though where it lies may
-    /// not be known yet.
+    /// Takes back a stroke under the pen. A stroke whose pen was lifted stays, even if its place is
+    /// not known yet.
     void cancel() override;
-    /// Undo drops a stroke that was let go of while its place is not known yet.
+    /// Undo drops a stroke whose pen was lifted while its place is not known yet.
     [[nodiscard]] bool canTakeStepBack() const override;
     void takeStepBack() override { drop(); }
     [[nodiscard]] QString stepText() const override;
@@ -52,7 +52,7 @@ public:
 protected:
     [[nodiscard]] Workspace& workspace() const { return m_workspace; }
     [[nodiscard]] const Workspace::BrushSettings& settings() const;
-    /// Whether it does without Ctrl what it else does with it.
+    /// Whether its effects without and with Ctrl are exchanged.
     [[nodiscard]] virtual bool isTurned() const { return false; }
     /// "paints Liver", "erases Liver", or why it cannot.
     [[nodiscard]] virtual QString action(bool inverted) const = 0;

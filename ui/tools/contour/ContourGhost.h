@@ -41,7 +41,7 @@ public:
         m_drawn.clear();
     }
     /// Draws the latest picture. If that belongs to another state or view, requests a new one;
-    /// drawn() tells when it is ready.
+    /// drawn() is emitted when it is ready.
     /// @param view shows a VolumeScene
     void paint(QPainter& painter, const ViewContext& view, const State& state,
         const core::VolumeGeometry& geometry, const QColor& segment);

@@ -10,10 +10,10 @@ struct ContourSettings {
     /// Bubbles: as Bubble, and a click adds one more to the contour that is open.
     enum class Start { Bubble, Bubbles, Segment, Seeds };
 
-    Start start = Start::Bubble; ///< with what the contour begins
+    Start start = Start::Bubble; ///< what the contour begins with
     double bubbleMm = 4.0; ///< radius of all bubbles
-    /// A pen that is pressed less makes those of its contour smaller; else its pressure does
-    /// nothing.
+    /// The pressure of a pen scales the radius of the bubbles of its contour; false: it has no
+    /// effect.
     bool radiusByPressure = false;
     /// Bubbles set the interval to the one suggested for their centres.
     bool valuesOfBubble = true;
@@ -28,15 +28,15 @@ struct ContourSettings {
     static constexpr double maximumBubbleMm = 100.0;
     static constexpr double maximumGradient = 1e6;
 
-    /// Whether it begins where one clicks.
+    /// Whether a contour begins at the place of a click.
     [[nodiscard]] bool startsFromBubbles() const
     {
         return start == Start::Bubble || start == Start::Bubbles;
     }
-    /// Makes bubbles greater by so many steps of the wheel, or smaller.
+    /// Makes bubbles larger by this many steps of the wheel; negative: smaller.
     void changeBubble(int steps);
     [[nodiscard]] QJsonObject json() const;
-    /// Takes what is there and within its bounds; the rest stays.
+    /// Takes over the values that are present and within their bounds; the others stay.
     void read(const QJsonObject& json);
 };
 

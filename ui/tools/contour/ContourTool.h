@@ -22,8 +22,8 @@ class Workspace;
 /// watches it (ContourRun), plays it forwards and backwards and changes its settings. Accepting it
 /// makes one step that ends at the shown generation; aborting it leaves nothing. With Ctrl, or the
 /// pen's eraser end, it erases: a part of the segment evolves, from the bubble or from all around
-/// the segment, which accepting takes away (core::EvolveContour::erase). On request the radius of a
-/// bubble is that which a pen is pressed to until it is lifted. The interval is that of
+/// the segment, which accepting takes away (core::EvolveContour::erase). On request the greatest
+/// pressure of the pen before it is lifted sets the radius of a bubble. The interval is that of
 /// growth, which a bubble may set as a sketch does; which voxels may change is set as for painting.
 /// ContourPanel has the controls.
 class ContourTool : public CursorTool {
@@ -140,12 +140,13 @@ private:
     int m_segment = 0;
     /// Centres of its bubbles; none: it starts from the segment.
     std::vector<glm::dvec3> m_bubblesLps;
-    /// Those of them, at the end, that were added while it was open: the interval of before.
+    /// For each of them, at the end of the list, that was added while it was open: the interval
+    /// before that.
     std::vector<ValuesBefore> m_added;
     std::optional<Click> m_click; ///< of a pen that is down, while its pressure is the radius
     StrokePressure m_pressure; ///< of that click
     StrokePressure m_ofBubbles; ///< of the first bubble of the open contour
-    bool m_playsOn = false; ///< once the contour is worked out from another bubble, too
+    bool m_playsOn = false; ///< once the contour was computed from another bubble, too
     bool m_erases = false; ///< likewise
     bool m_isInverse = false; ///< a click under the pointer would erase
     bool m_adds = false; ///< it would add a bubble

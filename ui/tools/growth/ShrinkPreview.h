@@ -15,7 +15,7 @@ namespace ui {
 
 class Workspace;
 
-/// Tells what a targeted shrink would remove while the pen is down (VoxelQuestions::previewCut()).
+/// Says what a targeted shrink would remove while the pen is down (VoxelQuestions::previewCut()).
 /// The engine tints the voxels; this class asks it, one question at a time, and puts the answer
 /// into words. Nothing waits and nothing changes.
 class ShrinkPreview : public QObject {
@@ -28,7 +28,7 @@ public:
     void begin(bool onlyHere);
     /// Sets all voxels that are sketched so far.
     void follow(const std::vector<glm::ivec3>& voxels);
-    /// Ends the foresight and removes the tint.
+    /// Ends the preview and removes the tint.
     void end();
 
     /// "takes 12.4 mL", or why it will remove nothing; empty while there is no sketch.

@@ -28,7 +28,7 @@ class Workspace;
 /// that one. Each stroke is one step, which is shown while the pen is down. Which voxels may change
 /// is set as for painting.
 ///
-/// The start of a stroke is worked out in the background (NudgeAim); until that is known the tool
+/// The start of a stroke is computed in the background (NudgeAim); until that is known the tool
 /// stores the path of the pen.
 class NudgeTool : public Tool {
     Q_OBJECT
@@ -57,10 +57,10 @@ public:
     void press(const PointerSample& sample, const ViewContext& view) override;
     void drag(const PointerSample& sample, const ViewContext& view) override;
     void release(const PointerSample& sample, const ViewContext& view) override;
-    /// Takes back a stroke under the pen. One that was let go of stays, though it is not known yet
-    /// how it begins.
+    /// Takes back a stroke under the pen. A stroke whose pen was lifted stays, even if it is not
+    /// known yet how it begins.
     void cancel() override;
-    /// Undo drops a stroke that was let go of while it is not known yet how it begins.
+    /// Undo drops a stroke whose pen was lifted while it is not known yet how it begins.
     [[nodiscard]] bool canTakeStepBack() const override;
     void takeStepBack() override { drop(); }
     [[nodiscard]] QString stepText() const override;
@@ -97,7 +97,7 @@ private:
     void begin(const core::Result<core::NudgeStart>& start);
     void finish();
     void drop();
-    /// Works out how a stroke under the pointer would begin.
+    /// Computes how a stroke under the pointer would begin.
     void lookAhead();
     /// Whether it pushes outwards; none: that is not known yet.
     [[nodiscard]] std::optional<bool> pushesOutwards() const;

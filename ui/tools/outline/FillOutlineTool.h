@@ -66,7 +66,7 @@ private:
     /// lifted.
     [[nodiscard]] bool isClicked() const;
     void pressCorner(const PointerSample& sample, const ViewContext& view);
-    /// Tells the livewire or the contour of a value where the pointer is.
+    /// Passes the place of the pointer to the livewire or the contour of a value.
     void follow(const PointerSample& sample, const ViewContext& view);
     void showWire();
     void showLevel();

@@ -23,7 +23,8 @@ namespace ui {
 /// fills up to its plane. With Ctrl, contours of the slice are rubbed out. Ctrl does nothing to
 /// tools without an opposite.
 ///
-/// Places are those that views show until they become part of an edit, which has the true ones.
+/// Places are in the space that views show (ShownSurface.h) until they become part of an edit,
+/// which has the true ones.
 class RefineTool : public CursorTool {
     Q_OBJECT
 

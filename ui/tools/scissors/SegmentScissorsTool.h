@@ -73,8 +73,8 @@ public:
     void paintOverlay(QPainter& painter, const ViewContext& view) const override;
 
     /// The volumes of both parts that the curve drawn so far would make ("Liver: 1 043 mL · Liver
-    /// 1: 482.1 mL"), as far as they are counted; empty while nothing is being split, or where
-    /// limits of editing would make them others.
+    /// 1: 482.1 mL"), as far as they are counted; empty while nothing is being split, or if limits
+    /// of editing would change them.
     [[nodiscard]] QString partsLine() const;
 
     [[nodiscard]] const Settings& settings() const { return m_settings; }
@@ -97,7 +97,7 @@ private:
     /// The edit that splits the active segment, which exists, as a document knows it.
     [[nodiscard]] core::SplitByCurve splitOf(const ViewContext& view,
         const std::vector<glm::dvec2>& curve, const core::Document& document) const;
-    /// Has both parts counted that the curve drawn so far would make.
+    /// Starts counting both parts that the curve drawn so far would make.
     void lookAtParts();
     void paintCut(QPainter& painter, const ViewContext& view) const;
     /// The side that would change, or become the new segment; empty while it is not known.

@@ -42,7 +42,7 @@ public:
     void drag(const PointerSample& sample, const ViewContext& view) override;
     void release(const PointerSample& sample, const ViewContext& view) override;
     void cancel() override;
-    /// Undo drops a stroke that was let go of while its place is not known yet.
+    /// Undo drops a stroke whose pen was lifted while its place is not known yet.
     [[nodiscard]] bool canTakeStepBack() const override;
     void takeStepBack() override;
     [[nodiscard]] QString stepText() const override;
@@ -66,7 +66,7 @@ protected:
     [[nodiscard]] virtual core::Edit editIn(const ViewContext& view, bool restore) const;
     /// Of the settings, the tool's own depth.
     [[nodiscard]] virtual double& depthIn(Workspace::DrillSettings& settings) const;
-    /// Whether it goes in across the surface, whatever the settings say of the sweep.
+    /// Whether it goes in along the surface normal, whatever sweep is set.
     [[nodiscard]] virtual bool followsSurface() const { return false; }
     [[nodiscard]] Workspace& workspace() const { return m_workspace; }
     /// Options that show, and ask for, the drawing of an outline.
@@ -101,7 +101,7 @@ private:
     bool m_restores = false; ///< the stroke, or what a press would do now
     core::PenSample m_lastSample; ///< what a resting pen goes on reporting
     QElapsedTimer m_sinceLastSample;
-    QTimer m_resting; ///< mode Rate: tells that time goes on
+    QTimer m_resting; ///< mode Rate: reports that time passes
 };
 
 } // namespace ui

@@ -107,8 +107,9 @@ private:
     std::size_t m_rowsBefore = 0; ///< of the history, when the peel was begun
     int m_failures = 0; ///< number of failures that the workspace has reported so far
     int m_failuresBefore = 0; ///< when the peel was begun
-    bool m_wasPutAway = false; ///< until another tool is there
-    bool m_endedByOther = false; ///< until its row is seen, or that there is none
+    bool m_wasPutAway = false; ///< the tool was just put away; false again at the next event
+    /// another edit has ended the peel, and its row, or that it has none, is not known yet
+    bool m_endedByOther = false;
 };
 
 } // namespace ui

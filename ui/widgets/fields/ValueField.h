@@ -13,8 +13,8 @@ constexpr int valueFieldWidth = 96;
 /// typed number when typing has ended.
 [[nodiscard]] QDoubleSpinBox* valueField(QWidget* parent, const char* name);
 
-/// The decimals of a field for values of a volume whose range is @p span wide: none, but a volume
-/// of fractions needs them here, too.
+/// The decimals of a field for values of a volume whose range is @p span wide: none, except for
+/// narrow ranges, as of a volume of fractions.
 [[nodiscard]] int valueFieldDecimals(double span);
 
 } // namespace ui

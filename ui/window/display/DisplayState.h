@@ -31,9 +31,10 @@ public:
 
     [[nodiscard]] QJsonObject composed() const;
     void apply(const QJsonObject& state);
-    /// Of such a state only what is looked at and how: crosshair, grey scale, what lies over
-    /// slices, look of the 3D view, views. Nothing of tools, segments, layers and pieces. Slices of
-    /// which it says nothing are upright, along the patient, and fit their views.
+    /// Applies only the part of such a state that says what is shown and how: crosshair, grey
+    /// scale, what lies over slices, look of the 3D view, views; nothing of tools, segments, layers
+    /// and pieces. Slices that it does not mention are laid upright along the patient's axes and
+    /// fit their views.
     void applyLook(const QJsonObject& state);
     /// Passes the state to the session if it differs from what the session has.
     void keep();

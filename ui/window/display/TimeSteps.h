@@ -26,8 +26,8 @@ class TimeSteps : public QObject {
     Q_OBJECT
 
 public:
-    /// Construct it after @p display, which must hear of a new session first. All must outlive
-    /// this.
+    /// Construct it after @p display, which must be notified of a new session first. All must
+    /// outlive this.
     TimeSteps(Workspace& workspace, StudyOpener& opener, DisplayState& display, ViewGrid& views,
         QObject* parent = nullptr);
 
