@@ -22,8 +22,8 @@ struct ChunkSource {
     /// The segment's label; 0: no segment; `outside`: left out. A chunk never contains voxels of
     /// two owners.
     std::span<const std::uint8_t> owners;
-    /// How likely each voxel belongs to `likely`, 0 … 255, as a probability map says it
-    /// (ProbabilityMap.h). Empty: the likelihood is worked out from the codes.
+    /// How likely each voxel belongs to `likely`, 0 … 255, from a probability map
+    /// (ProbabilityMap.h). Empty: the likelihood is computed from the codes.
     std::span<const std::uint8_t> probabilities{};
     std::uint8_t likely = 0; ///< the owner that the probabilities are of
 };

@@ -5,7 +5,7 @@
 
 namespace core {
 
-/// What the voxels tell about the chunks of the finest division ("leaves"): which of them touch,
+/// What the voxels show about the chunks of the finest division ("leaves"): which of them touch,
 /// whatever their owners, how much alike they are there, and where the middle of each is. All
 /// numbers are integers.
 struct ChunkSurvey {

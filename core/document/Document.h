@@ -175,7 +175,7 @@ struct DocumentChange {
         Pieces,
         Measurements,
         Surface,
-        Chunks, ///< what is divided, or its chunks have been worked out
+        Chunks, ///< what is divided, or its chunks have been computed
         Labels,
         Coverage,
         Growth,

@@ -22,8 +22,8 @@ namespace core {
 [[nodiscard]] std::vector<glm::dvec3> quantised(const std::vector<glm::dvec3>& pointsLps);
 /// The same for the pressures along it; what is out of range is brought into it.
 [[nodiscard]] std::vector<double> quantisedPressures(const std::vector<double>& pressures);
-/// The same for anything that an open edit is told. None: one of its numbers is out of the range
-/// that it has in edits, so it must be ignored.
+/// The same for any input of an open edit. None: one of its numbers is out of the range that it has
+/// in edits, so it must be ignored.
 [[nodiscard]] std::optional<StrokeExtension> quantisedIfInRange(const StrokeExtension& extension);
 
 } // namespace core

@@ -24,9 +24,8 @@
 
 namespace core {
 
-// The sums of all families of commands: any edit as engines receive it, and anything that an open
-// edit can be told. Code that needs one particular command includes the header of its family
-// instead.
+// The sums of all families of commands: any edit as engines receive it, and any extension of an
+// open edit. Code that needs one particular command includes the header of its family instead.
 
 /// Edits of growth (growth/GrowthCommands.h, growth/SeedSpread.h).
 using GrowthEdits = TypeList<SeedPlacement, GrowBurst, ShrinkGrowth, CutGrowth, SpreadLabels>;
@@ -61,11 +60,11 @@ struct EngineEdit : EngineEditVariant {
 /// Checks whether an edit may begin in a volume of this grid. Errors: InvalidField.
 [[nodiscard]] Result<void> checkEdit(const EngineEdit& edit, const BrickGrid& grid);
 
-/// Whether an engine may go on with it for long after it has begun, because it works through much
-/// of the volume. While it does, the edit can be given up (EditEngine::giveUp()).
+/// Whether an engine may work on it for long after it has begun, because it goes through much of
+/// the volume. While it does, the edit can be given up (EditEngine::giveUp()).
 [[nodiscard]] bool mayTakeLong(const EngineEdit& edit);
 
-/// What an open edit can be told while it runs.
+/// The extensions that an open edit takes.
 using EngineExtensionVariant = std::variant<DrillPath, GrowAdvance, GrowPause, CapsulePath,
     PeelDepth, ShrinkTo, GrowAnew, ForgetSpread, CutFurther>;
 

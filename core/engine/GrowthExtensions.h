@@ -5,7 +5,7 @@
 
 namespace core {
 
-// What an open growth can be told while it runs. GrowAdvance: core/growth/GrowthProgress.h.
+// The extensions that an open growth takes. GrowAdvance: core/growth/GrowthProgress.h.
 
 /// Cancels growth steps that were requested but not carried out yet.
 struct GrowPause { };

@@ -9,7 +9,7 @@
 
 namespace core {
 
-// What an open stroke can be told while the pen is down.
+// The extensions that an open stroke takes while the pen is down.
 
 /// Further samples of the path of a DrillCut or CapsuleCut.
 struct DrillPath {

@@ -41,7 +41,7 @@ namespace core {
 /// every hole in a thin wall, since balls on both sides of the wall meet in the hole. A seed that
 /// is in no ball stays alone. All this depends on the state at the opening and not on what has
 /// grown since, so the result does not depend on the order of growth. A ball that is only its
-/// centre asks nothing.
+/// centre restricts nothing.
 struct Passage {
     glm::ivec3 spacing{0}; ///< of the voxels, in units in which the squares fit 16 bits
     int reach = 0; ///< square of the ball's radius; 0: growth goes through everything

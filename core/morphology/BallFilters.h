@@ -49,7 +49,7 @@ struct FilterStage {
     ByteMask& mask, const MillimetreBall& ball, const FilterStage& stage);
 
 /// Sets every voxel from which no path over faces of unset voxels leads to the border of the box.
-/// @param progress is only asked whether the work was cancelled
+/// @param progress only checked for cancellation
 [[nodiscard]] Result<void> fillEnclosed(ByteMask& mask, const Progress& progress);
 
 } // namespace core

@@ -14,7 +14,7 @@ struct CoarseChunks;
 class SessionState;
 
 /// The chunks into which a session's segment is divided (Document::chunks). They are computed on
-/// their own thread when somebody needs them; DocumentChange::What::Chunks reports news. Part of
+/// their own thread when they are needed; DocumentChange::What::Chunks reports news. Part of
 /// EditSession.
 class SessionChunks {
 public:

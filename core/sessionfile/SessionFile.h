@@ -117,8 +117,8 @@ public:
     /// Errors: FileUnwritable.
     void copyTo(const QString& path, std::function<void(const Result<void>&)> done);
 
-    /// Where the session has gone on since the last call, because another program took the name
-    /// from its file: SessionMoved. None: where it was.
+    /// SessionMoved with the file in which the session has continued since the last call, because
+    /// another program took the name of its file. None: it has not moved.
     [[nodiscard]] std::optional<Error> takeMove();
 
     /// Tries to write what waits in memory. Never blocks.

@@ -90,7 +90,7 @@ struct StudyListing {
     std::vector<UnreadableFile> unreadable;
 
     /// The entries that may be opened without asking: the volumes, or single images if there is no
-    /// volume. A dose beside images is none of them: whoever wants it names it.
+    /// volume. A dose beside images is none of them; it must be requested by its key.
     [[nodiscard]] std::vector<const SeriesEntry*> candidates() const;
     [[nodiscard]] const SeriesEntry* find(const QString& key) const;
     /// All entries whose key or SeriesInstanceUID is @p series; several if a UID was split.

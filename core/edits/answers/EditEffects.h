@@ -25,7 +25,7 @@ enum class EditTask {
     History, ///< older rows are taken back or changed
 };
 
-/// A label, or none; it has no default, so whoever makes one says which.
+/// A label, or none. It has no default, so it must be stated wherever one is made.
 struct StatedLabel : std::optional<int> {
     StatedLabel(int label)
         : std::optional<int>(label)

@@ -11,8 +11,8 @@
 
 namespace core {
 
-// What an edit that stands open can be told (EditSession::extend()), in the patient's millimetres
-// and modality units. Each kind of edit takes what applies to it and ignores the rest. GrowAdvance
+// The input of an edit that stands open (EditSession::extend()), in LPS millimetres and modality
+// units. Each kind of edit takes what applies to it and ignores the rest. GrowAdvance
 // (core/growth/GrowthProgress.h) requests further steps of a growth.
 
 /// Further reports of the pen that moves a tool.

@@ -15,7 +15,7 @@ namespace core {
 /// Lengths are in *units*, of which the volume's diagonal has at most 2²⁶. Coordinates of a plane
 /// are x to the right and y up in it, from the foot of voxel (0, 0, 0), and z the height above it.
 struct PlaneSketch {
-    /// Greater numbers than these do not come up.
+    /// Upper bounds of the numbers that occur.
     static constexpr int unitBits = 26;
     static constexpr std::size_t mostPlanes = 128;
 

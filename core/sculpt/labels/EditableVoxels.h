@@ -20,9 +20,9 @@ namespace core {
 ///    - with `inside`, one of the planes listed there holds one of its labels at the voxel;
 ///    - no plane of `outside` holds one of its labels there.
 /// 2. At any other voxel the edit changes neither the label nor the seed word.
-/// 3. What planes hold is asked when the edit comes to a voxel. An edit that comes to a voxel
-///    again, as a brush does, asks again. The result is the same as if it had asked once, because
-///    what it did there the first time it would only repeat.
+/// 3. What planes hold is read when the edit comes to a voxel. An edit that comes to a voxel again,
+///    as a brush does, reads again. The result is the same as if it had read once, because it would
+///    only repeat what it did there the first time.
 ///
 /// A voxel that is not editable counts in every other respect as without this limit: a brush that
 /// follows edges passes through it.

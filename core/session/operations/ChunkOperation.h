@@ -13,8 +13,8 @@ namespace core {
 
 /// Divides a segment and its surroundings into chunks: one row, which records the labels on which
 /// the division is based. They are read here if the edit does not contain them yet. The chunks
-/// themselves are computed when somebody needs them (ChunkWorker). Repeating the same division
-/// leaves no row.
+/// themselves are computed when they are needed (ChunkWorker). Repeating the same division leaves
+/// no row.
 class DivideOperation final : public Operation {
 public:
     /// @param again as in VoxelOperation

@@ -74,7 +74,7 @@ private:
     std::optional<Ending> m_ending;
     std::optional<Ticket> m_begun; ///< the transaction that writes voxels
     std::optional<Ticket> m_written; ///< the end of the transaction that writes voxels
-    bool m_isEnding = false; ///< the side thread was told how it ends
+    bool m_isEnding = false; ///< the request to end was passed to the side thread
     bool m_isAbandoned = false; ///< what the side thread makes of it is taken back
     bool m_isAborted = false;
     bool m_hasBegun = false; ///< SurfaceWork::begin() is through; a preview can be seen

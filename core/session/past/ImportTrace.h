@@ -31,11 +31,11 @@ public:
     /// @param size of the volume
     void workOut(const glm::ivec3& size, const Progress& progress);
 
-    /// None: that row was not noted, or not worked out. Voxels that are damaged are in no brick.
+    /// None: that row was not noted, or not unpacked yet. Voxels that are damaged are in no brick.
     [[nodiscard]] std::optional<std::set<std::uint32_t>> bricksOf(RowId row) const;
 
 private:
-    std::map<RowId, std::vector<QByteArray>> m_packed; ///< until they are worked out
+    std::map<RowId, std::vector<QByteArray>> m_packed; ///< until they are unpacked
     std::map<RowId, std::set<std::uint32_t>> m_bricks;
 };
 

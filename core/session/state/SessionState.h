@@ -133,7 +133,7 @@ private:
 
     std::array<std::int64_t, 256> m_voxels{}; ///< by label
     std::set<int> m_hidden; ///< labels
-    std::bitset<256> m_muted; ///< layers, as the engine was told last
+    std::bitset<256> m_muted; ///< layers, as last sent to the engine
     struct Required {
         std::shared_ptr<const EngineCommand> command; ///< kept for another try
         int tries = 1;

@@ -65,8 +65,8 @@ public:
     /// Leaves nothing beside the file's old name. The connection works until it is destroyed, but
     /// what is written to it from here on is lost.
     /// @param now where the file is, if everything was put into it: its write-ahead log, which is
-    /// empty, goes there, so that nobody misses it if the file is not opened again; empty: the log
-    /// is removed
+    /// empty, is moved there, so that none is missing if the file is not opened again; empty: the
+    /// log is removed
     void leaveName(const QString& now);
     /// Whether @p path, beside some session, is its own write-ahead log.
     [[nodiscard]] bool isOwnWal(const QString& path) const

@@ -7,9 +7,9 @@
 
 namespace core {
 
-/// A running growth. It is told how many further steps to grow (GrowAdvance) and to stop where it
-/// is (PauseGrowth). Once the user has watched it, or its guard has stopped it, its edit says how
-/// far it came.
+/// A running growth. It takes requests for further steps (GrowAdvance) and to stop where it is
+/// (PauseGrowth). Once the user has watched it, or its guard has stopped it, its edit says how far
+/// it came.
 class OpenGrowth : public OpenStroke {
 public:
     /// @param steps of the edit; none: to closure

@@ -11,8 +11,8 @@
 
 namespace core {
 
-/// The open stroke of a tool that a pen presses into the volume: drill and laser. It is told
-/// further samples of the pen (PenSamples).
+/// The open stroke of a tool that a pen presses into the volume: drill and laser. It takes further
+/// samples of the pen (PenSamples).
 class OpenPen final : public OpenStroke {
 public:
     using MakeSampler = std::function<DrillPathSampler(const EngineEdit& command)>;

@@ -50,8 +50,8 @@ struct SplitSides {
 Result<bool> addParts(const char* segmentField, int segment, const char* field,
     const std::vector<SplitPart>& parts, Document& document);
 
-/// Gives what lies beyond to the new segment, whose label is the next one; to nobody, if nothing is
-/// split.
+/// The command that gives what lies beyond to the new segment, whose label is the next free one;
+/// without bricks if nothing is split.
 /// @pre the segment exists
 [[nodiscard]] RelabelListed givenBeyond(
     const SplitSides& sides, int segment, const Document& document);

@@ -33,8 +33,8 @@ public:
     void abort(SessionState&) override;
     [[nodiscard]] bool isAbortable() const override;
     [[nodiscard]] int percent(const SessionState&) const override { return m_watch->percent; }
-    /// A session that ends waits for it: looking where imports have voxels is soon done, and the
-    /// user asked for the step.
+    /// A session that ends waits for it: finding where imports have voxels takes little time, and
+    /// the user requested the step.
     [[nodiscard]] bool isAwaitedAtEnd() const override { return true; }
 
 private:

@@ -15,8 +15,8 @@ namespace core {
 
 /// Carries out a SplitIslands. It reads the labels of the segment's plane and, with an editable
 /// range, those of the planes that the range refers to and the values around the segment; an engine
-/// that writes asks the range again. The side thread finds the islands, and lists in the edit the
-/// segments that they become. As a preview it writes their labels, and they are segments of the
+/// that writes evaluates the range again. The side thread finds the islands, and lists in the edit
+/// the segments that they become. As a preview it writes their labels, and they are segments of the
 /// document once it is committed.
 class SplitIslandsOperation final : public WorkedOutOperation {
 public:

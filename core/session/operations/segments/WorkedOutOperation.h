@@ -43,7 +43,7 @@ public:
     {
         return !m_ending && !done() && !m_watch->progress.cancelled();
     }
-    /// It can be told nothing.
+    /// It takes no further input.
     void extend(SessionState&, const StrokeExtension&) final { }
     void end(SessionState& state, Ending ending) final;
     [[nodiscard]] const Edit& edit() const final { return m_edit; }
@@ -65,7 +65,7 @@ protected:
     [[nodiscard]] bool mayGoOn(SessionState& state);
     /// Runs work on the side thread. If it throws, the operation gives up.
     void workAside(SessionState& state, SideThread::Work work);
-    /// What was worked out may complete the edit.
+    /// Replaces the edit, which the computation may have completed.
     void complete(Edit edit) { m_edit = std::move(edit); }
     /// The last step: lets the engine write, unless the computation failed or the operation was
     /// aborted.
@@ -87,7 +87,7 @@ private:
     std::optional<Ending> m_ending; ///< none: it stands open
     std::shared_ptr<Watch> m_watch;
     SideTask m_aside;
-    bool m_isWriting = false; ///< what was worked out is with the engine, or there was nothing
+    bool m_isWriting = false; ///< the result was given to the engine, or there was nothing to write
     Relabelling m_relabelling;
 };
 
