@@ -18,18 +18,18 @@ namespace ui {
 
 class Workspace;
 
-/// Keeps the statistics of all segments up to date while somebody watches. They are the same
-/// numbers that an export writes (core/export/common/SegmentMeter.h). A short time after the last
-/// change, and when no edit is under way, the engine reads the voxels and a background thread
-/// measures them. Only segments whose voxels have changed are measured. GUI thread.
+/// Keeps the statistics of all segments up to date while they are shown. They are the same numbers
+/// that an export writes (core/export/common/SegmentMeter.h). A short time after the last change,
+/// and when no edit is under way, the engine reads the voxels and a background thread measures
+/// them. Only segments whose voxels have changed are measured. GUI thread.
 class LiveStatistics : public QObject {
     Q_OBJECT
 
 public:
     explicit LiveStatistics(Workspace& workspace, QObject* parent = nullptr);
 
-    /// Says whether somebody watches. Without a watcher nothing is read; changes up to then are
-    /// measured when watching begins.
+    /// Sets whether they are shown. Otherwise nothing is read; changes up to then are measured when
+    /// they are shown again.
     void setWatched(bool watched);
     /// The latest statistics of a segment; null if it was not measured yet or has no voxels.
     [[nodiscard]] const core::SegmentStatistics* of(int label) const;

@@ -37,7 +37,7 @@ protected:
     Workspace& m_workspace;
 
 private:
-    std::vector<int> m_numbers; ///< numbers that the views were last told
+    std::vector<int> m_numbers; ///< the numbers that were last announced to the views
 };
 
 } // namespace ui

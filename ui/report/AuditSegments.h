@@ -22,7 +22,7 @@ struct AuditSegments {
         int slice = 0; ///< slice of that picture, counted from 0
     };
     bool areUnknown = false; ///< the study could not be read, so nothing was measured
-    /// The study does not say how large its voxels are: they are counted, and no volume is told.
+    /// The study does not say how large its voxels are: they are counted, and no volume is stated.
     bool areCounted = false;
     core::RowId position = 0; ///< the row of the history after which they were measured
     /// First those with voxels, then those without: of these nothing is measured but what was taken

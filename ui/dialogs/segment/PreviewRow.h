@@ -22,7 +22,7 @@ class Workspace;
 
 /// The row of a dialog or panel about one segment that previews what it would do: how many
 /// millilitres the segment has, and would have, with the box that switches the preview on and off.
-/// The preview is that of an edit that is worked out first.
+/// The edits that it previews are computed before they are shown.
 class PreviewRow : public QWidget {
     Q_OBJECT
 

@@ -37,7 +37,7 @@ public:
     [[nodiscard]] QPushButton* takeButton();
 
 Q_SIGNALS:
-    /// The bar appears, or is gone.
+    /// The bar has appeared or disappeared.
     void barShown(bool shown);
 
 private:
