@@ -39,7 +39,8 @@ std::uint16_t cell(const SyntheticSeries& series, const glm::ivec3& index)
 {
     const core::PixelLayout& layout = series.layout;
     const int shift = layout.highBit + 1 - layout.bitsStored;
-    const std::uint32_t mask = (1u << layout.bitsStored) - 1u;
+    // In 64 bits, since all 32 of a word may be stored.
+    const auto mask = std::uint32_t((std::uint64_t(1) << layout.bitsStored) - 1u);
     const std::uint32_t value = (std::uint32_t(series.stored(index)) & mask) << shift;
     const std::uint32_t dirt = series.dirtySpareBits
         ? std::uint32_t(index.x * 2654435761u + std::uint32_t(index.y) * 40503u) >> 3
