@@ -11,6 +11,7 @@
 #include "core/edits/kinds/segments/FillOutline.h"
 #include "core/session/EditSession.h"
 #include "tests/support/fixtures/WorkTest.h"
+#include "tests/support/program/Sanitizer.h"
 #include "tests/support/program/TestProgram.h"
 #include "tests/support/scenes/CutEdits.h"
 #include "tests/support/scenes/GradedBall.h"
@@ -31,6 +32,9 @@ extern "C" {
 extern char __executable_start;
 extern char etext;
 }
+
+// The address sanitizer has its own, which these would replace for all tests of the program.
+#if !__has_feature(address_sanitizer)
 
 namespace {
 
@@ -82,6 +86,8 @@ void operator delete[](void* place, std::size_t) noexcept
 }
 
 namespace workOfStepsGlTest {
+
+#endif
 
 using namespace core;
 using test::CountedSession;
